@@ -91,6 +91,8 @@ GLuint TextureStore::upload(Picture picture) {
   gl_.GenTextures(1, &name);
   gl_.BindTexture(GL_TEXTURE_2D, name);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  // Before the pixels: a renderer that knows of smaller levels has memory made for all at once.
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   const auto uploadLevel = [&](GLint level, const Picture& pixels) {
     gl_.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, pixels.width, pixels.height, 0, GL_RGBA,
                    GL_UNSIGNED_BYTE, pixels.rgba.data());
@@ -99,7 +101,6 @@ GLuint TextureStore::upload(Picture picture) {
   GLint level = 0;
   for (const Picture& smaller : mipmapsOf(picture)) uploadLevel(++level, smaller);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);

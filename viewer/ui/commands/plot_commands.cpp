@@ -74,7 +74,7 @@ Status setFindings(CommandWords words, const CommandStage& stage) {
   const auto on = switched(words, model.findings_wanted);
   if (!on.ok()) return on.error();
   model.findings_wanted = *on;
-  if (!*on) return {};
+  if (!*on || model.study_delayed) return {};
   // The study of the log comes first; a script has both at once.
   model.picture = model.study()->show({{}, model.cursor()->start(), model.cursor()->end(), 1, 1});
   model.findings();

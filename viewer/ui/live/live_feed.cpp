@@ -25,7 +25,7 @@ namespace {
 constexpr char kThreadName[] = "rocinante-feed";
 /// A datagram ends the wait at once: this is how late a rate, a loss or a lease is looked at, while
 /// something comes and when nothing has come for a second.
-constexpr int kPollMs = 10, kSilentPollMs = 50;
+constexpr int kPollMs = 10, kSilentPollMs = 100;
 constexpr std::size_t kSampleBytes = 24;
 /// One endpoint under a flood must not keep the others waiting.
 constexpr int kBatchesATurn = 64;

@@ -51,9 +51,9 @@ Result<std::vector<FileEntry>> listFolder(const fs::path& folder) {
   return entries;
 }
 
-void OpenState::open(const fs::path& start) {
+void OpenState::open(const fs::path& where) {
   shown = just_opened = true;
-  enter(folder.empty() ? start : folder);
+  enter(folder.empty() ? where : folder);
 }
 
 void OpenState::enter(const fs::path& where) {
@@ -61,6 +61,7 @@ void OpenState::enter(const fs::path& where) {
   const fs::path whole = fs::weakly_canonical(where, ignored);
   folder = whole.empty() ? where : whole;
   text = {};
+  start.begin();
   chosen = 0;
   fault.clear();
   entries.clear();

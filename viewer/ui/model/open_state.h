@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viewer/ui/model/file_list.h"
+#include "viewer/ui/model/line_start.h"
 
 namespace rocinante {
 
@@ -27,10 +28,11 @@ struct OpenState {
   std::string fault;               ///< why the folder cannot be listed; empty: it can
   std::array<char, 1024> text{};   ///< NUL-terminated
   std::size_t chosen = 0;
+  LineStart start;
   std::vector<RecentContent> recent;
 
-  /// Shows the list, of the last folder or else of `start`.
-  void open(const std::filesystem::path& start);
+  /// Shows the list, of the last folder or else of `where`.
+  void open(const std::filesystem::path& where);
   void enter(const std::filesystem::path& where);
 };
 

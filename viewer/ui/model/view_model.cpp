@@ -245,14 +245,14 @@ std::vector<SourceRow> ViewModel::sourceRows(SteadyTime now) const {
 }
 
 LogStudy* ViewModel::study() {
-  if (!session_) return nullptr;
+  if (!session_ || study_delayed) return nullptr;
   if (!study_) study_ = std::make_unique<LogStudy>(*cell_, session_->log().name());
   study_->waits = study_waits;
   return study_.get();
 }
 
 LogStudy* ViewModel::studyBeside() {
-  if (!beside_) return nullptr;
+  if (!beside_ || study_delayed) return nullptr;
   if (!study_beside_) {
     study_beside_ = std::make_unique<LogStudy>(*cell_, beside_->session().log().name());
   }
@@ -261,7 +261,7 @@ LogStudy* ViewModel::studyBeside() {
 }
 
 const PartingStudy* ViewModel::partings() {
-  if (!beside_) return nullptr;
+  if (!beside_ || study_delayed) return nullptr;
   if (!partings_) {
     partings_ = std::make_unique<PartingStudy>(
         *cell_, session_->log().name(), beside_->session().log().name(), beside_->alignment());

@@ -137,7 +137,8 @@ class ViewModel {
   /// The log beside as functions of its time, as study(); null without one.
   LogStudy* studyBeside();
 
-  /// The log as functions of time, read in the background from the first call on; null without one.
+  /// The log as functions of time, read in the background from the first call on; null without one,
+  /// and while `study_delayed`.
   LogStudy* study();
   /// The log as `rocinante check` judges it, in the background once study() has read the log; null
   /// before that, without a log, and while `findings_wanted` is false.
@@ -223,6 +224,7 @@ class ViewModel {
   std::shared_ptr<const StudyPicture> picture_beside;  ///< the same of the log beside
   bool beside_shown = true;                            ///< its ghosts and curves
   bool study_waits = false;          ///< under a script, for identical screenshots
+  bool study_delayed = false;        ///< until there is a first picture, which has both cores
   bool findings_wanted = true;       ///< judge the log in the background
   std::size_t finding_shown = 0;     ///< number in the report, from 1; 0: none
   bool asks_mark = false;            ///< the text of a mark is being typed

@@ -10,6 +10,7 @@
 #include "core/base/plain_text.h"
 #include "viewer/ui/commands/palette_entries.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/typed_line.h"
 
 namespace rocinante {
 namespace {
@@ -137,12 +138,9 @@ void drawOpenList(ViewModel& model, ViewerRequests& requests) {
   const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   const bool opened = std::exchange(open.just_opened, false);
   ImGui::TextDisabled("%s", plainText(open.folder.string()).c_str());
-  if (opened) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1);
   const std::string before = open.text.data();
   const bool entered =
-      ImGui::InputTextWithHint("##file", "a part of a name, or a path", open.text.data(),
-                               open.text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+      drawTypedLine("##file", "a part of a name, or a path", open.text, opened, open.start);
   if (before != open.text.data()) open.chosen = 0;
   const auto path = typedPath(open);
   const std::vector<OpenLine> lines =

@@ -7,6 +7,7 @@
 
 #include "viewer/ui/commands/palette_entries.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/typed_line.h"
 
 namespace rocinante {
 namespace {
@@ -32,16 +33,6 @@ void runEntry(const PaletteEntry& entry, ViewModel& model, SteadyTime now,
   if (const Status done = runCommand(name, words, stage); !done) {
     requests.fault = done.error().text();
   }
-}
-
-/// A begun command is continued, not typed over.
-int keepCursorAtEnd(ImGuiInputTextCallbackData* data) {
-  auto& palette = *static_cast<PaletteState*>(data->UserData);
-  if (palette.to_end == 0) return 0;
-  --palette.to_end;
-  data->ClearSelection();
-  data->CursorPos = data->BufTextLen;
-  return 0;
 }
 
 void drawEntry(const PaletteEntry& entry, bool chosen, bool* clicked) {
@@ -88,14 +79,8 @@ void drawPalette(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
                    ImGuiWindowFlags_NoResize);
   const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   const bool opened = std::exchange(palette.just_opened, false);
-  if (opened) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1);
   const std::string before = palette.text.data();
-  const bool entered = ImGui::InputTextWithHint(
-      "##command", "a command", palette.text.data(), palette.text.size(),
-      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, keepCursorAtEnd,
-      &palette);
-  if (ImGui::IsItemActive()) palette.collects = false;
+  const bool entered = drawTypedLine("##command", "a command", palette.text, opened, palette.start);
   if (before != palette.text.data()) palette.chosen = 0;
   const std::vector<PaletteEntry> entries =
       matchingEntries(palette.text.data(), paletteEntries(model), kMaxLines);

@@ -118,14 +118,24 @@ float drawBanner(const char* name, const Middle& middle, float top, const ImVec4
   return top + size.y + px(6);
 }
 
+/// Between the panels at the sides; below those at the right where a narrow window leaves no room.
+float placeBanners(Middle& middle, float right_end, float bottom) {
+  constexpr float kLeastRoom = 240;
+  constexpr float kLeastHeight = 60;
+  const float below = right_end + px(kPanelMargin);
+  const float top = px(kPanelMargin);
+  if (middle.right - middle.left >= px(kLeastRoom) || bottom - below < px(kLeastHeight)) return top;
+  middle.right = ImGui::GetIO().DisplaySize.x;
+  return below;
+}
+
 void drawBanners(const ViewModel& model, const ViewerStatus& status, const Middle& middle,
-                 SteadyTime now) {
+                 float top, SteadyTime now) {
   const ImVec4 fault(1, 0.6F, 0.4F, 1);
-  float top = px(kPanelMargin);
   if (const auto reason = model.liveReason(now)) {
     // Keep the last picture visible; without any data, show the reason in the centre.
     const bool nothing_yet = model.live() == nullptr || model.live()->datagrams == 0;
-    const float at = nothing_yet ? ImGui::GetIO().DisplaySize.y * 0.3F : top;
+    const float at = nothing_yet ? std::max(top, ImGui::GetIO().DisplaySize.y * 0.3F) : top;
     const float end = drawBanner("reason", middle, at, fault, reason->text, reason->hint);
     if (!nothing_yet) top = end;
   }
@@ -165,6 +175,7 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   Middle middle{0, size.x};
   CoveredEdges covered;
+  float right_end = 0;
   model.hover.wanted.reset();
   if (model.is_empty) drawWelcome(model, status.loading.has_value(), requests);
   if (model.panels_shown && !model.is_empty) {
@@ -177,7 +188,6 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
       drawScenePanel(model, status, now, requests);
       middle.left = coveredAtLeft(model.places, px(kScenePanelWidth + kPanelMargin));
     }
-    float right_end = 0;
     if (layout.figures != PanelLayout::Figures::none) {
       const bool brief = layout.figures == PanelLayout::Figures::brief;
       right_end = drawFigures(model, status, now, brief, model.places);
@@ -211,7 +221,9 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
   }
   drawInsetGrip(model);
   if (status.loading) drawLoading(*status.loading, model.is_empty);
-  drawBanners(model, status, middle, now);
+  const float bottom = size.y - static_cast<float>(covered.bottom);
+  const float banners_top = placeBanners(middle, right_end, bottom);
+  drawBanners(model, status, middle, banners_top, now);
   if (model.asks_mark) drawMarkPrompt(model, requests);
   if (model.help_shown) drawHelp(model);
   if (model.open.shown) drawOpenList(model, requests);

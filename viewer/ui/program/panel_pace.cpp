@@ -18,7 +18,7 @@ double newsWait(const ViewModel& model) {
   // A live feed wakes the window (LiveFeed::onNews).
   const bool is_busy =
       (goes_on && !model.isLive()) || model.isStudyBusy() || model.hand.driving() != nullptr;
-  return is_busy ? 0.016 : 0.05;
+  return is_busy ? 0.016 : 0.1;
 }
 
 }  // namespace rocinante

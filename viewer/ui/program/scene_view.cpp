@@ -4,19 +4,24 @@
 
 namespace rocinante {
 
-Result<std::optional<DrawCounts>> SceneView::draw(Renderer& renderer, const SceneFrame& frame,
+Result<std::optional<DrawCounts>> SceneView::draw(Renderer& renderer, SceneFrame frame,
                                                   const ShownScene& shown, SteadyTime now) {
   if (shown_ == shown) return std::optional<DrawCounts>();
   shown_.reset();
   const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(shown.rung)];
-  if (auto ready = view_.prepare(renderer.gl(), shown.width, shown.height, shown.samples, rung);
-      !ready) {
+  plain_ = shown.begins_plain && !begun_;
+  RenderStyle plain_style = shown.style;
+  plain_style.shadows = plain_style.contact = false;
+  if (plain_) frame.style = &plain_style;
+  const int samples = plain_ ? 1 : shown.samples;
+  if (auto ready = view_.prepare(renderer.gl(), shown.width, shown.height, samples, rung); !ready) {
     return ready.error();
   }
   auto drawn = view_.draw(renderer, frame);
   if (!drawn.ok()) return drawn.error();
   shown_ = shown;
-  plan_.changed(now, shown.rung > 0 || shown.drops_looks ? shown.height : 0);
+  begun_ = true;
+  plan_.changed(now, plain_ || shown.rung > 0 || shown.drops_looks ? shown.height : 0);
   return std::optional(*drawn);
 }
 

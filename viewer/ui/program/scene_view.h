@@ -26,6 +26,8 @@ struct ShownScene {
   std::uint64_t backdrop = 0;  ///< BackdropPicture::number; 0: none
   double backdrop_opacity = 0;
   bool main_has_backdrop = false;
+  /// The first picture is one of a single sample without looks, which is there soonest.
+  bool begins_plain = false;
   bool operator==(const ShownScene&) const = default;
 };
 
@@ -34,7 +36,7 @@ struct ShownScene {
 class SceneView {
  public:
   /// Draws `frame` unless `shown` was drawn last; empty when it was.
-  Result<std::optional<DrawCounts>> draw(Renderer& renderer, const SceneFrame& frame,
+  Result<std::optional<DrawCounts>> draw(Renderer& renderer, SceneFrame frame,
                                          const ShownScene& shown, SteadyTime now);
 
   /// Draws the next slice of the picture with everything, if it is due: `frame` as last drawn. True
@@ -44,6 +46,8 @@ class SceneView {
   std::optional<SteadyTime> refinesAt() const { return plan_.nextAt(); }
   /// The picture shows everything, although the rung does not.
   bool refined() const { return plan_.whole(); }
+  /// What was drawn last is a plain beginning.
+  bool isPlain() const { return plain_; }
 
   /// The picture to show, one sample per pixel.
   const FrameBuffer& picture() const { return refined() ? rest_.picture() : view_.picture(); }
@@ -53,6 +57,7 @@ class SceneView {
   RestPicture rest_;
   RestPlan plan_;
   std::optional<ShownScene> shown_;
+  bool begun_ = false, plain_ = false;
 };
 
 }  // namespace rocinante

@@ -64,11 +64,12 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int heigh
   return std::nullopt;
 }
 
-/// What is typed before the palette has the keyboard is not lost.
-void collectLetters(ViewModel& model) {
-  if (!model.palette.shown || !model.palette.collects) return;
-  for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters) {
-    if (letter >= ' ' && letter < 0x7F) model.palette.type(static_cast<char>(letter));
+/// What is typed before the palette or the list of files has the keyboard is not lost.
+void collectTyped(ViewModel& model, std::span<const KeyPress> presses) {
+  LineStart& start = model.palette.shown ? model.palette.start : model.open.start;
+  for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters) start.type(letter);
+  for (const KeyPress& press : presses) {
+    if (press.key == GLFW_KEY_ENTER || press.key == GLFW_KEY_KP_ENTER) start.enter = true;
   }
 }
 
@@ -82,15 +83,14 @@ std::optional<PicturePlace> mouseOnPicture() {
 }
 
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
-                                           int height_px, ViewerRequests& requests,
-                                           Window& window) {
+                                           int height_px, std::span<const KeyPress> presses,
+                                           ViewerRequests& requests) {
   const auto click = applyMouse(model, width_px, height_px);
-  const std::vector<KeyPress> presses = window.input().thisFrame().keys;
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return click;
   if (model.palette.shown || model.open.shown) {
     // They get the keyboard in a moment, and close themselves.
-    collectLetters(model);
+    collectTyped(model, presses);
     return click;
   }
   const CommandStage stage{model, now, height_px, requests};
@@ -99,7 +99,8 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
   };
   bool list_open =
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  for (const KeyPress& press : presses) {
+  for (std::size_t i = 0; i < presses.size(); ++i) {
+    const KeyPress& press = presses[i];
     if (list_open && press.key == GLFW_KEY_ESCAPE) {
       // It only closes the list.
       ImGui::ClosePopupToLevel(0, true);
@@ -109,7 +110,7 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
     tell(runKey(press, stage));
     if (!model.palette.shown && !model.open.shown) continue;
     // What follows is typed into it.
-    collectLetters(model);
+    collectTyped(model, presses.subspan(i + 1));
     return click;
   }
   // By its character, since its key depends on the layout.

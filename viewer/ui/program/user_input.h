@@ -1,19 +1,21 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "core/base/time.h"
 #include "viewer/ui/commands/viewer_requests.h"
 #include "viewer/ui/model/view_model.h"
 #include "viewer/ui/program/pointer_pace.h"
-#include "viewer/ui/window/window.h"
+#include "viewer/ui/window/input_queue.h"
 
 namespace rocinante {
 
-/// Applies mouse and keyboard of this frame, as far as Dear ImGui has not used them itself. Returns
-/// a click on the picture.
+/// Applies mouse and keyboard of this frame, as far as Dear ImGui has not used them itself;
+/// `presses` are its keys. Returns a click on the picture.
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
-                                           int height_px, ViewerRequests& requests, Window& window);
+                                           int height_px, std::span<const KeyPress> presses,
+                                           ViewerRequests& requests);
 
 /// Where the mouse points in the picture; empty: at a panel, elsewhere, or it drags something.
 std::optional<PicturePlace> mouseOnPicture();

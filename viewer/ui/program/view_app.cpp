@@ -26,6 +26,7 @@
 #include "viewer/ui/window/imgui_painter.h"
 #include "viewer/ui/window/interface_context.h"
 #include "viewer/ui/window/window.h"
+#include "viewer/ui/window/window_composer.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -77,7 +78,7 @@ class ViewApp {
   void prepareView();
   Status drawFrame(double app_ms);
   Status refine();
-  void compose();
+  Status compose(bool same_picture);
   bool frameDue(bool changed) const;
   void writeDown();
   Status applyRequests(const ViewerRequests& requests);
@@ -99,6 +100,7 @@ class ViewApp {
   WindowPicture picture_;
   MomentPreview preview_{model_};
   std::optional<ImguiPainter> painter_;
+  WindowComposer composer_;
   DetailChoice detail_;
   EvidenceDesk evidence_;
   SaveDesk saving_;
@@ -110,6 +112,7 @@ class ViewApp {
   FrameJournal journal_;
   PointerPace pointer_pace_;
   bool scene_drawn_ = false;  ///< in this frame
+  bool swaps_ = true;         ///< something was drawn into the window
   FrameTimes times_;          ///< of the frame that last drew the scene
   ViewerStatus status_;
   CoveredEdges covered_;
@@ -135,6 +138,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   app->window_->setPaced(!app->scripted());
   if (model.isLive()) model.feed().onNews([] { glfwPostEmptyEvent(); });
   model.study_waits = app->scripted();
+  model.study_delayed = !app->scripted();
   if (app->scripted()) model.findings_wanted = false;  // until the script asks
   ViewerStatus& status = app->status_;
   status.renderer = app->picture_.renderer().key().renderer;
@@ -158,7 +162,10 @@ void ViewApp::prepareView() {
   height_ = height;
   const float screen_scale = scripted() ? 1 : window_->contentScale();
   const float scale = options_.scale ? static_cast<float>(*options_.scale) : screen_scale;
-  if (interface_.useScale(scale)) painter_->refreshFont();
+  if (interface_.useScale(scale)) {
+    painter_->refreshFont();
+    composer_.forget();
+  }
   interface_.useTheme(model_.is_light);
   if (detail_.prepare(picture_.renderer())) picture_.changed();
   detail_.setLooksByDefault(model_.hasLooksByDefault());
@@ -170,24 +177,31 @@ Status ViewApp::refine() {
   if (scripted() || detail_.fixed()) return {};
   const auto whole = picture_.refine(now());
   if (!whole.ok()) return whole.error();
+  if (!*whole) return {};
   // Shown by a frame of its own.
-  if (*whole) frame_due_.happened(now());
+  composer_.forget();
+  frame_due_.happened(now());
   return {};
 }
 
 /// Copies the picture to the window, with the interface over it. A script's screenshots are read
 /// from the picture itself, whose pixels do not depend on the window system.
-void ViewApp::compose() {
-  const bool over_window = !scripted() && !screenshot_;
-  if (over_window) {
-    picture_.pixels().blitTo(0);
-    picture_.renderer().gl().BindFramebuffer(GL_FRAMEBUFFER, 0);
-  } else if (screenshot_) {
-    // The picture may be of an earlier frame: make it the target again.
-    picture_.pixels().resolve();
+Status ViewApp::compose(bool same_picture) {
+  const ImDrawData& interface = *ImGui::GetDrawData();
+  const GlTable& gl = picture_.renderer().gl();
+  swaps_ = true;
+  if (!scripted() && !screenshot_) {
+    const auto shown = composer_.compose(gl, picture_.pixels(), *painter_, interface, same_picture);
+    if (!shown.ok()) return shown.error();
+    swaps_ = *shown;
+    if (swaps_) gl.Finish();
+    return {};
   }
-  painter_->draw(*ImGui::GetDrawData(), width_, height_);
-  if (over_window) picture_.renderer().gl().Finish();
+  composer_.forget();
+  // The picture may be of an earlier frame: make it the target again.
+  if (screenshot_) picture_.pixels().resolve();
+  painter_->draw(interface, width_, height_);
+  return {};
 }
 
 Status ViewApp::drawFrame(double app_ms) {
@@ -198,20 +212,22 @@ Status ViewApp::drawFrame(double app_ms) {
   ViewerRequests requests;
   covered_ = drawPanels(model_, status_, now(), requests);
   if (!scripted()) {
-    requests.click = applyUserInput(model_, now(), width_, height_, requests, *window_);
+    requests.click =
+        applyUserInput(model_, now(), width_, height_, window_->input().thisFrame().keys, requests);
   }
   ImGui::Render();
   if (auto applied = applyRequests(requests); !applied) return applied;
   times.ui = millisecondsSince(began);
 
   const SteadyTime scene_began = std::chrono::steady_clock::now();
-  const auto drawn = picture_.draw(
-      {width_, height_, interface_.scale(), covered_, detail_.rung(), detail_.dropsLooks()}, now());
+  const auto drawn = picture_.draw({width_, height_, interface_.scale(), covered_, detail_.rung(),
+                                    detail_.dropsLooks(), !scripted() && !detail_.fixed()},
+                                   now());
   if (!drawn.ok()) return drawn.error();
   if (*drawn && !scripted()) picture_.renderer().gl().Finish();
   times.draw = millisecondsSince(scene_began);
   const SteadyTime ui_began = std::chrono::steady_clock::now();
-  compose();
+  if (auto composed = compose(!drawn->has_value()); !composed) return composed;
   times.ui += millisecondsSince(ui_began);
   frame_due_.drawn(now());
   status_.refined = picture_.refined();
@@ -228,7 +244,8 @@ Status ViewApp::drawFrame(double app_ms) {
   status_.draws = (*drawn)->draws;
   status_.times.add(times);
   times_ = times;
-  detail_.frameDrawn(times.total());
+  // The first picture's time is mostly that of compiling.
+  if (!picture_.isPlain()) detail_.frameDrawn(times.total());
   detail_.tell(status_);
   return {};
 }
@@ -331,7 +348,8 @@ void ViewApp::writeDown() {
   frame.loaded = !model_.is_empty;
   frame.drawn = scene_drawn_;
   frame.level = detail_.rung();
-  frame.whole = picture_.refined() || (detail_.rung() == 0 && !status_.drops_looks);
+  frame.whole =
+      picture_.refined() || (detail_.rung() == 0 && !status_.drops_looks && !picture_.isPlain());
   frame.times = times_;
   journal_.add(frame);
 }
@@ -357,7 +375,10 @@ void ViewApp::waitForNews() {
     glfwWaitEventsTimeout(newsWait(model_));
   }
   if (model_.hasStudyNews()) frame_due_.drawSoon();
-  if (window_->takeNews() || window_->input().pending()) frame_due_.happened(now());
+  const bool news = window_->takeNews();
+  // The window may have been covered.
+  if (news) composer_.forget();
+  if (news || window_->input().pending()) frame_due_.happened(now());
 }
 
 /// Tells others where this window looks from and where its mouse points. Who watches another says
@@ -420,6 +441,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (!frameDue(*changed)) {
       if (auto refined = refine(); !refined) return refined.error();
       if (preview_.advance(picture_.renderer(), width_, height_, interface_.scale(), now())) {
+        composer_.forget();  // its texture has changed
         frame_due_.happened(now());
       }
       waitForNews();
@@ -448,8 +470,9 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     }
     if (screenshot_) writeScreenshot();
     if (scripted()) picture_.pixels().blitTo(0);
-    window_->swap();
+    if (swaps_) window_->swap();
     writeDown();
+    if (std::exchange(model_.study_delayed, false)) frame_due_.happened(now());
     waitForNews();
   }
   return next;

@@ -55,6 +55,7 @@ Result<std::optional<DrawCounts>> WindowPicture::draw(const PictureTerms& terms,
   shown.backdrop = drawn.backdrop != nullptr ? drawn.backdrop->number : 0;
   shown.backdrop_opacity = drawn.backdrop_opacity;
   shown.main_has_backdrop = drawn.main_has_backdrop;
+  shown.begins_plain = terms.begins_plain;
   return view_.draw(renderer_, drawn, shown, now);
 }
 

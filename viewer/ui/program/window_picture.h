@@ -20,6 +20,8 @@ struct PictureTerms {
   int rung = 0;               ///< of kDetailRungs
   /// Leave out the looks that are the window's own choice.
   bool drops_looks = false;
+  /// Begin with the picture that is there soonest; at rest it is refined.
+  bool begins_plain = false;
 };
 
 /// The scene in a window: what of the model it shows, drawn when it changes, refined at rest, and
@@ -40,6 +42,7 @@ class WindowPicture {
   const FittedCameras& fitted() const { return fitted_; }
   const FrameBuffer& pixels() const { return view_.picture(); }
   bool refined() const { return view_.refined(); }
+  bool isPlain() const { return view_.isPlain(); }
 
   /// Poses, drawings or meshes changed.
   void changed() { ++version_; }

@@ -50,7 +50,8 @@ struct ImguiPainter::Impl {
   void makeBuffers();
   void makeFontTexture();
   void setState(const ImDrawData& data, int width, int height) const;
-  void drawList(const ImDrawList& list, ImVec2 origin, int height) const;
+  void drawList(const ImDrawList& list, ImVec2 origin, int height,
+                const PixelRectangle& within) const;
 
   const GlTable& gl;
   ShaderProgram program;
@@ -107,7 +108,8 @@ void ImguiPainter::Impl::setState(const ImDrawData& data, int width, int height)
   gl.BindVertexArray(array);
 }
 
-void ImguiPainter::Impl::drawList(const ImDrawList& list, ImVec2 origin, int height) const {
+void ImguiPainter::Impl::drawList(const ImDrawList& list, ImVec2 origin, int height,
+                                  const PixelRectangle& within) const {
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices);
   gl.BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data,
                 GL_STREAM_DRAW);
@@ -119,8 +121,9 @@ void ImguiPainter::Impl::drawList(const ImDrawList& list, ImVec2 origin, int hei
     const int top = static_cast<int>(command.ClipRect.y - origin.y);
     const int right = static_cast<int>(command.ClipRect.z - origin.x);
     const int bottom = static_cast<int>(command.ClipRect.w - origin.y);
-    if (right <= left || bottom <= top || command.ElemCount == 0) continue;
-    gl.Scissor(left, height - bottom, right - left, bottom - top);
+    const PixelRectangle clip = overlapOf({left, top, right - left, bottom - top}, within);
+    if (clip.width <= 0 || clip.height <= 0 || command.ElemCount == 0) continue;
+    gl.Scissor(clip.x, height - clip.y - clip.height, clip.width, clip.height);
     gl.BindTexture(GL_TEXTURE_2D, (GLuint)(std::uintptr_t)(command.GetTexID()));
     gl.DrawElementsBaseVertex(
         GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
@@ -150,11 +153,13 @@ void ImguiPainter::refreshFont() {
   impl_->makeFontTexture();
 }
 
-void ImguiPainter::draw(const ImDrawData& data, int width, int height) {
+void ImguiPainter::draw(const ImDrawData& data, int width, int height,
+                        const std::optional<PixelRectangle>& only) {
   if (data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
   impl_->setState(data, width, height);
+  const PixelRectangle within = only.value_or(PixelRectangle{0, 0, width, height});
   for (int i = 0; i < data.CmdListsCount; ++i) {
-    impl_->drawList(*data.CmdLists[i], data.DisplayPos, height);
+    impl_->drawList(*data.CmdLists[i], data.DisplayPos, height, within);
   }
   impl_->gl.Disable(GL_SCISSOR_TEST);
   impl_->gl.Disable(GL_BLEND);

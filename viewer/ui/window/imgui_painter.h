@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/base/result.h"
 #include "viewer/gl/gl_table.h"
+#include "viewer/picture/pixel_rectangle.h"
 
 struct ImDrawData;
 
@@ -24,8 +26,9 @@ class ImguiPainter {
   /// Uploads the font texture again after the fonts changed.
   void refreshFont();
 
-  /// Pixels of the bound framebuffer, which is `height` high, y up in GL.
-  void draw(const ImDrawData& data, int width, int height);
+  /// Pixels of the bound framebuffer, which is `height` high, y up in GL; with `only` within that.
+  void draw(const ImDrawData& data, int width, int height,
+            const std::optional<PixelRectangle>& only = {});
 
  private:
   struct Impl;

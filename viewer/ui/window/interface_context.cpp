@@ -3,7 +3,11 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 
@@ -25,6 +29,35 @@ void tellMouse(ImGuiIO& io, const InputState& seen, ImVec2 at) {
   std::ranges::copy(seen.down, io.MouseDown);
   io.MousePos = at;
 #endif
+}
+
+/// The keys of lines and lists that Dear ImGui asks for.
+struct EditingKey {
+  int glfw;
+  ImGuiKey key;
+};
+constexpr std::array kEditingKeys{
+    EditingKey{GLFW_KEY_ENTER, ImGuiKey_Enter},
+    EditingKey{GLFW_KEY_ESCAPE, ImGuiKey_Escape},
+    EditingKey{GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
+    EditingKey{GLFW_KEY_DELETE, ImGuiKey_Delete},
+    EditingKey{GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
+    EditingKey{GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
+    EditingKey{GLFW_KEY_UP, ImGuiKey_UpArrow},
+    EditingKey{GLFW_KEY_DOWN, ImGuiKey_DownArrow},
+    EditingKey{GLFW_KEY_HOME, ImGuiKey_Home},
+    EditingKey{GLFW_KEY_END, ImGuiKey_End},
+};
+
+bool tellKey(ImGuiIO& io, int glfw, bool down) {
+  const auto* const known = std::ranges::find(kEditingKeys, glfw, &EditingKey::glfw);
+  if (known == kEditingKeys.end()) return false;
+#if IMGUI_VERSION_NUM >= 18700
+  io.AddKeyEvent(known->key, down);
+#else
+  io.KeysDown[glfw] = down;
+#endif
+  return true;
 }
 
 }  // namespace
@@ -76,6 +109,17 @@ void InterfaceContext::restyle() {
   ImGui::GetStyle().ScaleAllSizes(scale_);
 }
 
+/// A key that went down and up between two frames was down in this one.
+void InterfaceContext::tellKeys(const std::vector<KeyPress>& presses) {
+  ImGuiIO& io = ImGui::GetIO();
+  for (const int key : told_keys_)
+    tellKey(io, key, glfwGetKey(window_->handle(), key) == GLFW_PRESS);
+  told_keys_.clear();
+  for (const KeyPress& press : presses) {
+    if (tellKey(io, press.key, true)) told_keys_.push_back(press.key);
+  }
+}
+
 void InterfaceContext::beginFrame(int width, int height) {
   ImGuiIO& io = ImGui::GetIO();
   const ImVec2 pixels(static_cast<float>(width), static_cast<float>(height));
@@ -92,6 +136,7 @@ void InterfaceContext::beginFrame(int width, int height) {
                   static_cast<float>(seen.y) * pixels.y / io.DisplaySize.y);
     }
     tellMouse(io, seen, at);
+    tellKeys(seen.keys);
   } else {
     io.DeltaTime = 1.0F / 60.0F;
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "viewer/ui/window/window.h"
 
 namespace rocinante {
@@ -27,8 +29,10 @@ class InterfaceContext {
 
  private:
   void restyle();
+  void tellKeys(const std::vector<KeyPress>& presses);
 
   Window* window_;
+  std::vector<int> told_keys_;  ///< of the last frame
   float scale_ = 0;
   bool light_ = false;
 };

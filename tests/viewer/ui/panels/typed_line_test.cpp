@@ -1,0 +1,86 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/test_session.h"
+#include "viewer/ui/panels/panels.h"
+#include "viewer/ui/program/user_input.h"
+#include "viewer/ui/window/interface_context.h"
+
+namespace rocinante {
+namespace {
+
+/// A window whose frames come when the test says so, with what was typed since the last one.
+class TypedLines : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
+    auto cell = loadCell(folder_ / "arm.urdf", {});
+    ASSERT_TRUE(cell.ok());
+    auto model = ViewModel::make(std::move(*cell), std::nullopt, std::nullopt, {}, {});
+    ASSERT_TRUE(model.ok());
+    model_ = std::make_unique<ViewModel>(std::move(*model));
+    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
+    ImGui::GetIO().Fonts->Build();
+  }
+  ViewerRequests frame(const std::string& letters, const std::vector<KeyPress>& presses = {}) {
+    for (const char letter : letters) {
+      ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
+    }
+    interface_.beginFrame(1280, 720);
+    ViewerRequests requests;
+    drawPanels(*model_, ViewerStatus(), SteadyTime{}, requests);
+    static_cast<void>(applyUserInput(*model_, SteadyTime{}, 1280, 720, presses, requests));
+    ImGui::Render();
+    return requests;
+  }
+
+  test::TemporaryFolder folder_;
+  InterfaceContext interface_{nullptr};
+  std::unique_ptr<ViewModel> model_;
+  const KeyPress ctrl_p_{GLFW_KEY_P, false, false, true}, ctrl_o_{GLFW_KEY_O, false, false, true};
+  const KeyPress enter_{GLFW_KEY_ENTER};
+};
+
+TEST_F(TypedLines, TakeEveryLetterHoweverFewTheFrames) {
+  frame("ab", {ctrl_p_});
+  ASSERT_TRUE(model_->palette.shown);
+  for (const char* letter : {"c", "d", "e", "f", "g"}) frame(letter);
+  frame("");
+  EXPECT_STREQ(model_->palette.text.data(), "abcdefg");
+}
+
+TEST_F(TypedLines, TakeAWholeCommandOfOneFrame) {
+  EXPECT_FALSE(frame("screenshot a.png", {ctrl_p_, enter_}).screenshot);
+  std::optional<std::filesystem::path> asked;
+  for (int i = 0; i < 4 && !asked; ++i) asked = frame("").screenshot;
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(*asked, "a.png");
+  EXPECT_FALSE(model_->palette.shown);
+}
+
+TEST_F(TypedLines, OfFilesTakeAPathOfOneFrame) {
+  frame((folder_ / "arm.urdf").string(), {ctrl_o_, enter_});
+  std::vector<std::filesystem::path> asked;
+  for (int i = 0; i < 4 && asked.empty(); ++i) asked = frame("").open;
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_EQ(asked.front(), folder_ / "arm.urdf");
+}
+
+TEST(LineStart, KeepsLettersOfAllKeyboards) {
+  LineStart start;
+  start.type('x');  // nothing waits for it
+  start.begin();
+  for (const char32_t letter : {U'a', U'\u00fc', U'\u20ac', U'\n', U'\x7f', U'\x85'}) {
+    start.type(letter);
+  }
+  EXPECT_EQ(start.letters, "a\xC3\xBC\xE2\x82\xAC");
+}
+
+}  // namespace
+}  // namespace rocinante

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "viewer/gl/frame_buffer.h"
+#include "viewer/ui/window/imgui_painter.h"
+#include "viewer/ui/window/interface_damage.h"
+
+namespace rocinante {
+
+/// Puts the window's picture and the interface over it together. While the picture stays, only what
+/// the interface changes is drawn. Its context must be current whenever it is used or destroyed.
+class WindowComposer {
+ public:
+  /// Draws into the window. `same_picture`: `picture` is as in the last call. False: the window
+  /// shows this already, and nothing was drawn.
+  Result<bool> compose(const GlTable& gl, const FrameBuffer& picture, ImguiPainter& painter,
+                       const ImDrawData& interface, bool same_picture);
+  /// The window or a texture of the interface may have changed.
+  void forget() { damage_.forget(); }
+
+ private:
+  std::optional<FrameBuffer> composed_;  ///< what the window shows, while the picture stays
+  InterfaceDamage damage_;
+};
+
+}  // namespace rocinante
