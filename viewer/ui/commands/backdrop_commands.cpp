@@ -59,7 +59,10 @@ std::vector<Command> backdropCommands() {
        .means = "the session time at which the backdrop begins",
        .run = setBackdropOffset},
   };
-  for (Command& command : commands) command.group = CommandGroup::picture;
+  for (Command& command : commands) {
+    command.group = CommandGroup::picture;
+    command.needs_backdrop = true;
+  }
   return commands;
 }
 

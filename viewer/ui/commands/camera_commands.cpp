@@ -8,7 +8,8 @@ namespace {
 Status useNamedCamera(CommandWords words, const CommandStage& stage) {
   stage.model.useCamera(words[0]);
   stage.model.cameraView();
-  return stage.model.complaint.empty() ? Status{} : Status{badWord(stage.model.complaint)};
+  return stage.model.panels.complaint.empty() ? Status{}
+                                              : Status{badWord(stage.model.panels.complaint)};
 }
 
 /// A number without a camera does nothing: cells have fewer than nine.

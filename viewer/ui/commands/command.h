@@ -47,6 +47,7 @@ struct Command {
   bool needs_log = false;
   bool needs_live = false;        ///< a session that goes on; only the palette asks
   bool needs_beside = false;      ///< a session beside; only the palette asks
+  bool needs_backdrop = false;    ///< a backdrop; only the palette asks
   bool needs_insets = false;      ///< an inset is shown; only the palette asks
   bool needs_others = false;      ///< another window's view; only the palette asks
   bool needs_publishing = false;  ///< something is published; only the palette asks

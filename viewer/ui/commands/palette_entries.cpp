@@ -101,6 +101,7 @@ std::vector<PaletteEntry> paletteEntries(ViewModel& model) {
     if (command.needs_others && model.viewsOfOthers().empty()) continue;
     if (command.needs_publishing && model.publishing.active() == nullptr) continue;
     if (command.needs_beside && model.beside() == nullptr) continue;
+    if (command.needs_backdrop && !model.backdrop) continue;
     addEntries(command, model, entries);
   }
   return entries;

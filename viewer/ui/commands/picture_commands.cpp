@@ -145,8 +145,8 @@ Status selectPath(CommandWords words, const CommandStage& stage) {
 
 Status clearSelection(CommandWords /*words*/, const CommandStage& stage) {
   ViewModel& model = stage.model;
-  if (model.palette.shown || model.open.shown || model.help_shown) {
-    model.palette.shown = model.open.shown = model.help_shown = false;
+  if (model.panels.palette.shown || model.panels.open.shown || model.panels.help_shown) {
+    model.panels.palette.shown = model.panels.open.shown = model.panels.help_shown = false;
   } else if (model.picking.active()) {
     model.picking.end();
   } else if (model.publishing.takesClicks()) {

@@ -56,31 +56,31 @@ Status makeScreenshot(CommandWords words, const CommandStage& stage) {
 }
 
 Status setPanels(CommandWords words, const CommandStage& stage) {
-  const auto on = switched(words, stage.model.panels_shown);
+  const auto on = switched(words, stage.model.panels.shown);
   if (!on.ok()) return on.error();
-  stage.model.panels_shown = *on;
+  stage.model.panels.shown = *on;
   return {};
 }
 
 Status setHelp(CommandWords words, const CommandStage& stage) {
-  const auto on = switched(words, stage.model.help_shown);
+  const auto on = switched(words, stage.model.panels.help_shown);
   if (!on.ok()) return on.error();
-  stage.model.help_shown = *on;
+  stage.model.panels.help_shown = *on;
   return {};
 }
 
 Status setPalette(CommandWords words, const CommandStage& stage) {
-  const auto on = switched(words, stage.model.palette.shown);
+  const auto on = switched(words, stage.model.panels.palette.shown);
   if (!on.ok()) return on.error();
-  stage.model.palette.shown = false;
-  if (*on) stage.model.palette.open();
+  stage.model.panels.palette.shown = false;
+  if (*on) stage.model.panels.palette.open();
   return {};
 }
 
 Status openFile(CommandWords words, const CommandStage& stage) {
   if (words.empty()) {
     std::error_code ignored;
-    stage.model.open.open(std::filesystem::current_path(ignored));
+    stage.model.panels.open.open(std::filesystem::current_path(ignored));
   } else {
     stage.requests.open = {words[0]};
   }
@@ -91,12 +91,12 @@ Status setTheme(CommandWords words, const CommandStage& stage) {
   if (!words.empty() && words[0] != "dark" && words[0] != "light") {
     return badWord(fmt::format("`{}` is neither dark nor light", words[0]));
   }
-  stage.model.is_light = words.empty() ? !stage.model.is_light : words[0] == "light";
+  stage.model.panels.is_light = words.empty() ? !stage.model.panels.is_light : words[0] == "light";
   return {};
 }
 
 Status resetPanels(CommandWords /*words*/, const CommandStage& stage) {
-  stage.model.places = PanelPlaces();
+  stage.model.panels.places = PanelPlaces();
   return {};
 }
 

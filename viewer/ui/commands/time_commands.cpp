@@ -78,7 +78,7 @@ Status goToPacket(CommandWords words, const CommandStage& stage) {
   cursorOf(stage).pause(stage.now);
   const auto moment = stage.model.packetBeside(*next);
   if (!moment.ok()) {
-    stage.model.complaint = moment.error().text();
+    stage.model.panels.complaint = moment.error().text();
   } else if (*moment) {
     cursorOf(stage).seek(**moment, stage.now);
   }
@@ -100,8 +100,8 @@ Status setLoop(CommandWords words, const CommandStage& stage) {
 Status markMoment(CommandWords words, const CommandStage& stage) {
   ViewModel& model = stage.model;
   if (words.empty()) {
-    model.mark_text[0] = 0;
-    model.asks_mark = true;
+    model.panels.mark_text[0] = 0;
+    model.panels.asks_mark = true;
     return {};
   }
   stage.requests.mark = fmt::format("{}", fmt::join(words, " "));
@@ -109,8 +109,8 @@ Status markMoment(CommandWords words, const CommandStage& stage) {
 }
 
 Status askTime(CommandWords /*words*/, const CommandStage& stage) {
-  stage.model.time_text[0] = 0;
-  stage.model.asks_time = true;
+  stage.model.panels.time_text[0] = 0;
+  stage.model.panels.asks_time = true;
   return {};
 }
 

@@ -383,11 +383,11 @@ CameraView ViewModel::cameraView() {
   if (!camera_name_.empty()) {
     auto view = chooseCamera(camera_name_, scene_);
     if (view.ok()) {
-      complaint.clear();
+      panels.complaint.clear();
       return *view;
     }
     // A removed view or carrier: keep the present camera.
-    complaint = view.error().text();
+    panels.complaint = view.error().text();
     camera_name_.clear();
   }
   return turntable_.view();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <set>
@@ -19,10 +18,8 @@
 #include "viewer/ui/model/inspection.h"
 #include "viewer/ui/model/misfits.h"
 #include "viewer/ui/model/moment_hover.h"
-#include "viewer/ui/model/open_state.h"
 #include "viewer/ui/model/packet_search.h"
-#include "viewer/ui/model/palette_state.h"
-#include "viewer/ui/model/panel_places.h"
+#include "viewer/ui/model/panel_state.h"
 #include "viewer/ui/model/plot_board.h"
 #include "viewer/ui/model/publishing.h"
 #include "viewer/ui/model/selection.h"
@@ -214,6 +211,7 @@ class ViewModel {
   std::vector<InsetChoice> insets;
   std::vector<InsetPlace> inset_places;  ///< of the last frame
   std::optional<InsetDrag> inset_drag;
+  PanelState panels;
   Selection selected;
   HandControl hand;
   Publishing publishing;
@@ -223,34 +221,18 @@ class ViewModel {
   std::shared_ptr<const StudyPicture> picture;         ///< of the log, as far as known; may be null
   std::shared_ptr<const StudyPicture> picture_beside;  ///< the same of the log beside
   bool beside_shown = true;                            ///< its ghosts and curves
-  bool study_waits = false;          ///< under a script, for identical screenshots
-  bool study_delayed = false;        ///< until there is a first picture, which has both cores
-  bool findings_wanted = true;       ///< judge the log in the background
-  std::size_t finding_shown = 0;     ///< number in the report, from 1; 0: none
-  bool asks_mark = false;            ///< the text of a mark is being typed
-  bool asks_time = false;            ///< an exact time is being typed
-  std::array<char, 64> time_text{};  ///< that; NUL-terminated
-  Selection reference;               ///< in whose space poses are shown; empty: the world
-  DistancePicking picking;           ///< of a distance
+  bool study_waits = false;       ///< under a script, for identical screenshots
+  bool study_delayed = false;     ///< until there is a first picture, which has both cores
+  bool findings_wanted = true;    ///< judge the log in the background
+  std::size_t finding_shown = 0;  ///< number in the report, from 1; 0: none
+  Selection reference;            ///< in whose space poses are shown; empty: the world
+  DistancePicking picking;        ///< of a distance
   PacketLookup packet;
   bool nearest_wanted = false;             ///< measure how near the selection is to others
   std::optional<BackdropChoice> backdrop;  ///< empty: there is none
   Selection followed;                      ///< the camera moves with it; empty: with nothing
   bool outline_selected = true;
-  bool panels_shown = true;
-  bool help_shown = false;
   bool is_empty = false;  ///< nothing is shown yet: an empty cell stands for it
-  OpenState open;
-  PanelPlaces places;
-  bool is_light = false;  ///< light panels instead of dark ones
-  PaletteState palette;
-  std::array<char, 256> mark_text{};     ///< being typed; NUL-terminated
-  std::array<char, 64> device_filter{};  ///< part of the listed names; NUL-terminated
-  std::array<char, 64> source_filter{};  ///< the same for sources
-  std::array<char, 64> event_filter{};   ///< the same for events
-  std::set<std::string> open_devices;    ///< whose links are listed
-  std::string complaint;                 ///< one sentence to show; empty: none
-  std::vector<std::string> doubts;       ///< doubts about written files, printed at the end
 
  private:
   ViewModel() = default;

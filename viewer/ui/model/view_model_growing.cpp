@@ -95,7 +95,7 @@ void ViewModel::takeOverLog() {
   StateDamage hiding;  // the panel counts all places of damage
   const auto events = session_->events(&hiding);
   if (!events.ok()) {
-    complaint = events.error().text();
+    panels.complaint = events.error().text();
   } else if (events_.size() != (*events)->size() ||
              (!events_.empty() && events_.front().time != (*events)->front().time)) {
     events_ = **events;
@@ -119,7 +119,7 @@ void ViewModel::takeOverLog() {
 /// The log cannot be read any more. A live session goes on without its past.
 void ViewModel::loseLog(const Error& error) {
   if (!feed_) {
-    complaint = error.text();
+    panels.complaint = error.text();
     log_grows_ = false;
     if (cursor_) cursor_->setGrowing(false);
     return;

@@ -52,8 +52,9 @@ float drawDevicePanel(ViewModel& model, float top, SteadyTime now) {
                        plotsHeight(model, io.DisplaySize.y);
   const Selection shown = model.inspected();
   if (shown.device.empty() || bottom - top < px(kLeastDeviceHeight)) return top;
-  PlacedPanel placed(model.places, "device", ImVec2(io.DisplaySize.x - px(kPanelMargin), top),
-                     ImVec2(1, 0), px(kDevicePanelWidth), bottom - top);
+  PlacedPanel placed(model.panels.places, "device",
+                     ImVec2(io.DisplaySize.x - px(kPanelMargin), top), ImVec2(1, 0),
+                     px(kDevicePanelWidth), bottom - top);
   ImGui::Begin("device", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
   ImGui::TextUnformatted(shown.device.c_str());
   if (!shown.link.empty()) {

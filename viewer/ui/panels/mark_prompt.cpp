@@ -17,14 +17,15 @@ void drawMarkPrompt(ViewModel& model, ViewerRequests& requests) {
   ImGui::SetNextItemWidth(px(320));
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool entered =
-      ImGui::InputTextWithHint("##text", "what is to be seen here", model.mark_text.data(),
-                               model.mark_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+      ImGui::InputTextWithHint("##text", "what is to be seen here", model.panels.mark_text.data(),
+                               model.panels.mark_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   const bool left = ImGui::IsItemDeactivated();
   ImGui::TextDisabled("Enter keeps it, Esc does not");
-  if (entered) requests.mark = model.mark_text[0] == 0 ? "mark" : model.mark_text.data();
+  if (entered)
+    requests.mark = model.panels.mark_text[0] == 0 ? "mark" : model.panels.mark_text.data();
   if (entered || left) {
-    model.asks_mark = false;
-    model.mark_text[0] = 0;
+    model.panels.asks_mark = false;
+    model.panels.mark_text[0] = 0;
   }
   ImGui::End();
 }

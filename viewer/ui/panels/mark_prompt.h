@@ -4,8 +4,8 @@
 
 namespace rocinante {
 
-/// Asks for the text of a mark at the shown moment, while model.asks_mark: Enter keeps it ("mark"
-/// when nothing was typed), Esc does not.
+/// Asks for the text of a mark at the shown moment, while model.panels.asks_mark: Enter keeps it
+/// ("mark" when nothing was typed), Esc does not.
 void drawMarkPrompt(ViewModel& model, ViewerRequests& requests);
 
 }  // namespace rocinante

@@ -30,7 +30,7 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now
   const float below = px(model.cursor() != nullptr ? kTimeBarHeight : kPanelMargin) +
                       plotsHeight(model, io.DisplaySize.y);
   const float tallest = std::max(px(120), io.DisplaySize.y - px(kPanelMargin) - below);
-  PlacedPanel placed(model.places, "Scene", ImVec2(px(kPanelMargin), px(kPanelMargin)),
+  PlacedPanel placed(model.panels.places, "Scene", ImVec2(px(kPanelMargin), px(kPanelMargin)),
                      ImVec2(0, 0), px(kScenePanelWidth), tallest);
   ImGui::Begin("Scene", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
   if (placed.collapsed()) {
@@ -60,7 +60,8 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now
       drawFrameTab(status, requests);
       ImGui::EndTabItem();
     }
-    if (ImGui::TabItemButton("?", ImGuiTabItemFlags_Trailing)) model.help_shown = !model.help_shown;
+    if (ImGui::TabItemButton("?", ImGuiTabItemFlags_Trailing))
+      model.panels.help_shown = !model.panels.help_shown;
     explain("mouse and keyboard (F1)");
     ImGui::EndTabBar();
   }
@@ -159,8 +160,8 @@ void drawBanners(const ViewModel& model, const ViewerStatus& status, const Middl
   if (!model.keepingTrouble().empty()) {
     top = drawBanner("kept", middle, top, fault, model.keepingTrouble(), "");
   }
-  if (!model.complaint.empty()) {
-    top = drawBanner("complaint", middle, top, fault, model.complaint, "");
+  if (!model.panels.complaint.empty()) {
+    top = drawBanner("complaint", middle, top, fault, model.panels.complaint, "");
   }
   if (!status.notice.empty()) {
     drawBanner("notice", middle, top, status.notice_is_fault ? fault : ImVec4(0.7F, 0.9F, 0.75F, 1),
@@ -178,7 +179,7 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
   float right_end = 0;
   model.hover.wanted.reset();
   if (model.is_empty) drawWelcome(model, status.loading.has_value(), requests);
-  if (model.panels_shown && !model.is_empty) {
+  if (model.panels.shown && !model.is_empty) {
     const float unit = px(1);
     const float plots = plotsHeight(model, size.y);
     const PanelLayout layout =
@@ -186,13 +187,13 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
                     !model.inspected().device.empty());
     if (layout.scene) {
       drawScenePanel(model, status, now, requests);
-      middle.left = coveredAtLeft(model.places, px(kScenePanelWidth + kPanelMargin));
+      middle.left = coveredAtLeft(model.panels.places, px(kScenePanelWidth + kPanelMargin));
     }
     if (layout.figures != PanelLayout::Figures::none) {
       const bool brief = layout.figures == PanelLayout::Figures::brief;
-      right_end = drawFigures(model, status, now, brief, model.places);
+      right_end = drawFigures(model, status, now, brief, model.panels.places);
       middle.right = size.x - px(brief ? 150 : 270);
-      if (isMoved(model.places, "figures")) {
+      if (isMoved(model.panels.places, "figures")) {
         middle.right = size.x;
         right_end = 0;
       }
@@ -224,10 +225,10 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
   const float bottom = size.y - static_cast<float>(covered.bottom);
   const float banners_top = placeBanners(middle, right_end, bottom);
   drawBanners(model, status, middle, banners_top, now);
-  if (model.asks_mark) drawMarkPrompt(model, requests);
-  if (model.help_shown) drawHelp(model);
-  if (model.open.shown) drawOpenList(model, requests);
-  if (model.palette.shown) drawPalette(model, now, requests);
+  if (model.panels.asks_mark) drawMarkPrompt(model, requests);
+  if (model.panels.help_shown) drawHelp(model);
+  if (model.panels.open.shown) drawOpenList(model, requests);
+  if (model.panels.palette.shown) drawPalette(model, now, requests);
   return covered;
 }
 

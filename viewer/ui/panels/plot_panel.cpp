@@ -256,7 +256,8 @@ void drawTools(ViewModel& model, const TimeAxis& axis, float room) {
     };
     const std::string name =
         fmt::format("curves-{}-{}s-{}s.csv", stem, seconds(axis.from), seconds(axis.until));
-    if (Status asked = writePlotted(model, name); !asked) model.complaint = asked.error().text();
+    if (Status asked = writePlotted(model, name); !asked)
+      model.panels.complaint = asked.error().text();
   }
 }
 

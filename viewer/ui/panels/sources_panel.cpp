@@ -101,10 +101,10 @@ void drawSourcesTab(ViewModel& model, SteadyTime now) {
   }
   if (rows.size() > kMaxWithoutSearch) {
     ImGui::SetNextItemWidth(-1);
-    ImGui::InputTextWithHint("##find source", "find a source", model.source_filter.data(),
-                             model.source_filter.size());
+    ImGui::InputTextWithHint("##find source", "find a source", model.panels.source_filter.data(),
+                             model.panels.source_filter.size());
     std::erase_if(rows, [&](const SourceRow& row) {
-      return !containsWord(row.name, model.source_filter.data());
+      return !containsWord(row.name, model.panels.source_filter.data());
     });
   }
   const float pitch = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;

@@ -89,21 +89,22 @@ void drawButtons(const ViewModel& model, TimelineCursor& cursor, SteadyTime now,
 
 /// The shown moment, and where to type another.
 void drawTime(ViewModel& model, TimelineCursor& cursor, SteadyTime now, float room) {
-  if (model.asks_time) {
+  if (model.panels.asks_time) {
     ImGui::SetNextItemWidth(px(130));
     if (ImGui::IsWindowAppearing() || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
-    const bool entered =
-        ImGui::InputTextWithHint("##time", "12.5 or 1m02.5s", model.time_text.data(),
-                                 model.time_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputTextWithHint(
+        "##time", "12.5 or 1m02.5s", model.panels.time_text.data(), model.panels.time_text.size(),
+        ImGuiInputTextFlags_EnterReturnsTrue);
     const bool left = ImGui::IsItemDeactivated();
     if (entered) {
-      const auto moment = parseSessionTime(model.time_text.data(), model.origin(), cursor.end());
+      const auto moment =
+          parseSessionTime(model.panels.time_text.data(), model.origin(), cursor.end());
       if (moment.ok()) {
         cursor.seek(*moment, now);
         model.time_view.follow(cursor.position(now));
       }
     }
-    if (entered || left) model.asks_time = false;
+    if (entered || left) model.panels.asks_time = false;
     explain("Enter goes there; -1s is a second before the end");
     return;
   }
@@ -116,8 +117,8 @@ void drawTime(ViewModel& model, TimelineCursor& cursor, SteadyTime now, float ro
     ImGui::Text("%s", at.c_str());
   }
   if (ImGui::IsItemClicked()) {
-    model.time_text[0] = 0;
-    model.asks_time = true;
+    model.panels.time_text[0] = 0;
+    model.panels.asks_time = true;
   }
   explain("click or G: type a time");
   // With its largest width, so that what is beside it does not move.

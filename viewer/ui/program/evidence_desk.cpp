@@ -106,7 +106,7 @@ Status EvidenceDesk::begin(Result<EvidenceRun> run, const std::string& what, Vie
   }
   const auto made = run->wait();
   if (!made.ok()) return made.error();
-  if (!made->doubt.empty()) model.doubts.push_back(made->file.string() + ": " + made->doubt);
+  if (!made->doubt.empty()) model.panels.doubts.push_back(made->file.string() + ": " + made->doubt);
   return {};
 }
 
@@ -156,7 +156,7 @@ Status EvidenceDesk::make(ViewModel& model, const WindowSize& size, const fs::pa
   if (!run.ok()) return run.error();
   const auto made = run->wait();
   if (!made.ok()) return made.error();
-  if (!made->doubt.empty()) model.doubts.push_back(made->file.string() + ": " + made->doubt);
+  if (!made->doubt.empty()) model.panels.doubts.push_back(made->file.string() + ": " + made->doubt);
   return {};
 }
 

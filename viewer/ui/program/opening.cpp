@@ -9,7 +9,7 @@ Status Opening::open(const std::vector<std::filesystem::path>& files) {
   if (loader_.busy()) {
     return Error{ErrorKind::refused, "wait until " + loader_.name() + " is loaded", {}};
   }
-  model_.open.used = true;
+  model_.panels.open.used = true;
   auto request = requestOf(files, shown_);
   if (!request.ok()) return request.error();
   loader_.start(std::move(*request));
@@ -23,7 +23,7 @@ Result<std::optional<Opening::Loaded>> Opening::take() {
   loaded.emplace();
   if (result->ok()) {
     loaded->content = std::make_unique<ViewContent>(std::move(**result));
-  } else if (model_.is_empty && !model_.open.used) {
+  } else if (model_.is_empty && !model_.panels.open.used) {
     return result->error();
   } else {
     loaded->fault = result->error().text();

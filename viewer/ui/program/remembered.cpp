@@ -42,11 +42,11 @@ std::pair<int, int> Remembered::sizeFor(int width, int height) const {
 
 void Remembered::apply(ViewContent& content) {
   ViewModel& model = *content.model;
-  model.is_light = memory_.theme == Theme::light;
+  model.panels.is_light = memory_.theme == Theme::light;
   if (file_.empty()) return;
-  model.open.recent = memory_.recent;
+  model.panels.open.recent = memory_.recent;
   if (const auto* panels = memory_.panelsOf(whole(content.request.cell))) {
-    model.places.places = *panels;
+    model.panels.places.places = *panels;
   }
   if (model.is_empty) return;
   const RecentContent now{whole(content.request.cell), whole(content.request.log)};
@@ -56,9 +56,9 @@ void Remembered::apply(ViewContent& content) {
 
 void Remembered::keep(const ViewContent& content, const Window& window) {
   const ViewModel& model = *content.model;
-  memory_.theme = model.is_light ? Theme::light : Theme::dark;
+  memory_.theme = model.panels.is_light ? Theme::light : Theme::dark;
   std::tie(memory_.width, memory_.height) = window.size();
-  if (!model.is_empty) memory_.keepPanels(whole(content.request.cell), model.places.places);
+  if (!model.is_empty) memory_.keepPanels(whole(content.request.cell), model.panels.places.places);
 }
 
 void Remembered::save() const {

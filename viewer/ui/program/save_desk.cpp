@@ -23,7 +23,8 @@ Status SaveDesk::make(ViewModel& model, const std::filesystem::path& file) {
     if (const auto saved = saver_.look(*model.feed().keeper())) {
       if (!saved->ok()) return saved->error();
       const LiveSaver::Saved& made = **saved;
-      if (!made.doubt.empty()) model.doubts.push_back(made.file.string() + ": " + made.doubt);
+      if (!made.doubt.empty())
+        model.panels.doubts.push_back(made.file.string() + ": " + made.doubt);
       return {};
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -66,7 +66,8 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int heigh
 
 /// What is typed before the palette or the list of files has the keyboard is not lost.
 void collectTyped(ViewModel& model, std::span<const KeyPress> presses) {
-  LineStart& start = model.palette.shown ? model.palette.start : model.open.start;
+  LineStart& start =
+      model.panels.palette.shown ? model.panels.palette.start : model.panels.open.start;
   for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters) start.type(letter);
   for (const KeyPress& press : presses) {
     if (press.key == GLFW_KEY_ENTER || press.key == GLFW_KEY_KP_ENTER) start.enter = true;
@@ -88,7 +89,7 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
   const auto click = applyMouse(model, width_px, height_px);
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return click;
-  if (model.palette.shown || model.open.shown) {
+  if (model.panels.palette.shown || model.panels.open.shown) {
     // They get the keyboard in a moment, and close themselves.
     collectTyped(model, presses);
     return click;
@@ -108,7 +109,7 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
       continue;
     }
     tell(runKey(press, stage));
-    if (!model.palette.shown && !model.open.shown) continue;
+    if (!model.panels.palette.shown && !model.panels.open.shown) continue;
     // What follows is typed into it.
     collectTyped(model, presses.subspan(i + 1));
     return click;

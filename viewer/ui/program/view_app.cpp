@@ -166,7 +166,7 @@ void ViewApp::prepareView() {
     painter_->refreshFont();
     composer_.forget();
   }
-  interface_.useTheme(model_.is_light);
+  interface_.useTheme(model_.panels.is_light);
   if (detail_.prepare(picture_.renderer())) picture_.changed();
   detail_.setLooksByDefault(model_.hasLooksByDefault());
   detail_.tell(status_);

@@ -24,8 +24,8 @@ bool isBeyondDoubt(const ViewModel& model) {
     cli::warn(model.seenDamage().what() + "; what was shown may be older than its time says (" +
               model.seenDamage().where() + ")");
   }
-  for (const std::string& doubt : model.doubts) cli::warn(doubt);
-  return model.seenDamage().empty() && model.doubts.empty();
+  for (const std::string& doubt : model.panels.doubts) cli::warn(doubt);
+  return model.seenDamage().empty() && model.panels.doubts.empty();
 }
 
 Result<ViewContent> loadNow(const ContentRequest& request) {

@@ -34,7 +34,7 @@ Result<std::optional<DrawCounts>> WindowPicture::draw(const PictureTerms& terms,
     return choice.shown && FittedCameras::knows(choice.inset.camera);
   });
   if (shows_fitted && !fit_damage_.empty()) {
-    model_.doubts.push_back("a fitted camera may miss movement: " + fit_damage_.text());
+    model_.panels.doubts.push_back("a fitted camera may miss movement: " + fit_damage_.text());
     fit_damage_ = {};
   }
   ShownScene shown;

@@ -90,9 +90,9 @@ TEST_F(TimeCommands, MovesTheTimeLine) {
 TEST_F(TimeCommands, AMarkHasWords) {
   EXPECT_EQ(run("mark look at this"), "");
   EXPECT_EQ(requests_.mark, "look at this");
-  EXPECT_FALSE(model_->asks_mark);
+  EXPECT_FALSE(model_->panels.asks_mark);
   EXPECT_EQ(run("mark"), "");
-  EXPECT_TRUE(model_->asks_mark);
+  EXPECT_TRUE(model_->panels.asks_mark);
 }
 
 TEST_F(TimeCommands, AFindingIsGoneTo) {
@@ -123,7 +123,7 @@ TEST_F(TimeCommands, KeysOfTheTimeLine) {
   EXPECT_EQ(run("key J"), "");
   EXPECT_TRUE(model_->cursor()->reversed());
   EXPECT_EQ(run("key G"), "");
-  EXPECT_TRUE(model_->asks_time);
+  EXPECT_TRUE(model_->panels.asks_time);
 }
 
 }  // namespace
