@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "viewer/gl/hidden_drirc.h"
+#include "viewer/gl/shader_cache.h"
 
 namespace rocinante {
 namespace {
@@ -130,6 +131,7 @@ void pinRendererEnvironment(const std::string& caps) {
     ::setenv("XDG_CACHE_HOME", (std::string(home) + "/.cache").c_str(), 1);
   }
   if (const char* file = mesaVendorFile()) ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", file, 1);
+  avoidShaderCacheOnFullDisk();
 }
 
 std::string RendererKey::text() const {

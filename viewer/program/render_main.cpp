@@ -14,6 +14,7 @@
 #include "core/report/json_text.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/gl/context_option.h"
+#include "viewer/gl/shader_cache.h"
 #include "viewer/picture/picture_size.h"
 #include "viewer/program/render_job.h"
 
@@ -284,7 +285,11 @@ int main(int argc, char** argv) {
       app, static_cast<int>(words.size()), arguments.data(), kExamples, [&]() -> Result<cli::Exit> {
         // Mesa reads the environment when the first context is made.
         job.profile = profile == "fast" ? Profile::fast : Profile::reproducible;
-        if (job.profile == Profile::reproducible) pinRendererEnvironment(caps);
+        if (job.profile == Profile::reproducible) {
+          pinRendererEnvironment(caps);
+        } else {
+          avoidShaderCacheOnFullDisk();
+        }
         const auto pixels = parsePictureSize(size);
         if (!pixels) return pixels.error();
         std::tie(job.look.width, job.look.height) = *pixels;

@@ -8,6 +8,7 @@
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/foreign/recordings/opened_recording.h"
+#include "viewer/gl/shader_cache.h"
 #include "viewer/ui/live/kept_folder.h"
 #include "viewer/ui/program/frame_journal.h"
 #include "viewer/ui/program/view_program.h"
@@ -310,6 +311,10 @@ bool wantsReproducible(int argc, char** argv) {
 }  // namespace rocinante
 
 int main(int argc, char** argv) {
-  if (rocinante::wantsReproducible(argc, argv)) rocinante::pinRendererEnvironment();
+  if (rocinante::wantsReproducible(argc, argv)) {
+    rocinante::pinRendererEnvironment();
+  } else {
+    rocinante::avoidShaderCacheOnFullDisk();
+  }
   return rocinante::viewMain(argc, argv);
 }
