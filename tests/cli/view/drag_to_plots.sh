@@ -1,5 +1,5 @@
-# A joint's name dragged from the device's panel onto the time line at a real window, by xdotool: its curve is plotted.
-# One that is dropped elsewhere is not. The table of what is plotted tells which.
+# A joint's name and a part of a pose dragged from the device's panel onto the time line at a real window, by xdotool:
+# their curves are plotted. One that is dropped elsewhere is not. The table of what is plotted tells which.
 command -v xdotool >/dev/null || { echo "skipped: no xdotool"; exit 77; }
 export ASAN_OPTIONS=detect_leaks=0
 cp "$SRC/examples/demo/session.mcap" .
@@ -17,16 +17,28 @@ drag() {
   xdotool mousemove --window "$window" $((($1 + $3) / 2)) $((($2 + $4) / 2)) mousemove --window "$window" "$3" "$4"
   xdotool mouseup 1
 }
+frames() {
+  local until_then=$(($(wc -l <frames.csv) + 30))
+  until [ "$(wc -l <frames.csv)" -ge $until_then ]; do
+    kill -0 $viewer || { cat view.txt; exit 1; }
+    xdotool mousemove --window "$window" 450 300 mousemove --window "$window" 451 301
+  done
+}
 # The arm, whose panel then comes.
-frames=$(wc -l <frames.csv)
 xdotool mousemove --window "$window" 628 440 click 1
-until [ "$(wc -l <frames.csv)" -ge $((frames + 30)) ]; do
-  kill -0 $viewer || { cat view.txt; exit 1; }
-  xdotool mousemove --window "$window" 450 300 mousemove --window "$window" 451 301
-done
+frames
 # joint2, onto the picture; joint1, onto the time line.
-drag 635 283 450 300
-drag 635 264 450 560
+drag 635 303 450 300
+drag 635 284 450 560
+frames
+# The canister's x, as packets have said it by then.
+for command in "seek 10s" "select canister"; do
+  xdotool key --window 0 ctrl+p type --window 0 "$command"
+  xdotool key --window 0 Return
+  frames
+done
+drag 632 114 450 560
+frames
 until ls curves-*.csv >/dev/null 2>&1; do
   kill -0 $viewer || { cat view.txt; exit 1; }
   # "table", above the curves
