@@ -63,6 +63,8 @@ class Playhead {
   /// The next datagram and its due time. Empty while nothing is due: paused, ended, or waiting for
   /// an `ack`. The same until take() or a command.
   Result<std::optional<Next>> next(SteadyTime now);
+  /// While next() is empty and no command comes, it stays so until then.
+  SteadyTime idleUntil() const { return restatements_.dueAt(); }
   /// Takes the datagram of next(); valid until the next call of any function.
   ByteView take(SteadyTime now);
 

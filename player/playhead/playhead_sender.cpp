@@ -1,5 +1,7 @@
 #include "player/playhead/playhead_sender.h"
 
+#include <algorithm>
+
 #include "player/send/pacing.h"
 #include "player/send/send_batch.h"
 
@@ -48,6 +50,8 @@ class AckWatch {
   AckWatch(CommandSource* source, Nanoseconds timeout) : source_(source), timeout_(timeout) {}
 
   void skipTime(Nanoseconds skipped) { since_ += skipped; }
+  /// When judge() will fail if nobody acknowledges.
+  SteadyTime deadline() const { return waits_ ? since_ + timeout_ : SteadyTime::max(); }
 
   Status judge(const Playhead& playhead, SteadyTime now) {
     const std::optional<std::uint64_t> awaited = playhead.lockstep().awaited();
@@ -61,7 +65,7 @@ class AckWatch {
       since_ = now;
       if (awaited_ > 0 && source_ != nullptr) source_->tell("step " + std::to_string(awaited_));
     }
-    if (now - since_ <= timeout_) return {};
+    if (now < deadline()) return {};
     const std::string what = awaited_ == 0 ? std::string("no command reached the control endpoint")
                                            : "ack " + std::to_string(awaited_) + " did not arrive";
     return Error{ErrorKind::refused, what + " within --ack-timeout", {}};
@@ -90,6 +94,8 @@ void publish(Playhead& playhead, const std::optional<Playhead::Next>& next, Stea
 Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, SendPort& edge,
                              SendJournal& journal, CommandSource* commands, PlayStatus& status) {
   constexpr Nanoseconds kPublishEach = std::chrono::milliseconds(50);
+  // Commands and signals end a sleep; a signal that comes just before it must not wait for long.
+  constexpr Nanoseconds kLongestIdle = std::chrono::milliseconds(500);
   Pacing pacing;
   SendBatch batch;
   PendingCommand asking(commands, rules);
@@ -118,7 +124,8 @@ Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, Sen
       const bool over = playhead.state() == Playhead::State::ended && playhead.isPlaying() &&
                         !playhead.lockstep().isWaiting();
       if (over && !rules.stays) return SendEnd::finished;
-      edge.sleepUntil(now + Pacing::kLongestSleep);
+      publish(playhead, *next, now, status);
+      edge.sleepUntil(std::min({playhead.idleUntil(), ack_watch.deadline(), now + kLongestIdle}));
       continue;
     }
     const Pacing::Step step = pacing.step(now, (*next)->deadline);

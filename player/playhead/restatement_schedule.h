@@ -36,7 +36,8 @@ class RestatementSchedule {
   void restamp(SteadyTime now) { asked_at_ = now; }
 
   /// The next one is to begin.
-  bool isDue(SteadyTime now) const { return repeat_.count() > 0 && now >= due_at_; }
+  bool isDue(SteadyTime now) const { return now >= dueAt(); }
+  SteadyTime dueAt() const { return repeat_.count() > 0 ? due_at_ : SteadyTime::max(); }
   /// Datagrams are left.
   bool isSending() const { return taken_ < block_.size(); }
   SteadyTime askedAt() const { return asked_at_; }              ///< since when they are due

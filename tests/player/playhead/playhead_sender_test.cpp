@@ -195,6 +195,22 @@ TEST_F(SendPlayheadTest, WithoutAnAckItGivesUp) {
   EXPECT_THAT(commands.told, ElementsAre("step 1"));
 }
 
+TEST_F(SendPlayheadTest, PausedItSleepsUntilItRestatesOrLooksForASignal) {
+  PlayheadOptions options;
+  options.start_paused = true;
+  options.repeat = 10s;
+  FakeSendPort edge;
+  edge.stop_after_sends = 7;  // the state of the start, and six times again
+  FakeJournal journal;
+  FakeCommands commands({});
+  EXPECT_EQ(send(kThree, options, edge, journal, &commands, true).value(), SendEnd::stopped);
+  EXPECT_EQ(edge.sends, 7U);
+  EXPECT_GE(edge.slept, 59s);
+  EXPECT_LE(edge.slept, 61s);
+  EXPECT_LE(edge.sleeps, 2U * 61U);
+  EXPECT_LE(edge.longest_sleep, 500ms);
+}
+
 TEST_F(SendPlayheadTest, ASpanThatWasLeftIsReportedAsLongAsItWasPlayed) {
   PlayheadOptions options;
   options.start_paused = true;
