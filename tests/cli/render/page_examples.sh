@@ -2,6 +2,10 @@
 cp "$SRC"/examples/demo/*.* . && cp -r "$SRC/examples/demo/arm" "$SRC/examples/demo/textures" .
 mv demo.cell.toml cell.toml && cp arm.urdf panda.urdf && cp session.mcap today.mcap && cp session.mcap accepted.mcap
 mkdir bin && printf '#!/bin/sh\nfor last; do :; done\ncat >"${last#file:}"\n' >bin/ffmpeg && chmod +x bin/ffmpeg
+# What examples of backdrops name; the video is a picture here (tests/cli/render/backdrop.sh has videos).
+rocinante render cell.toml session.mcap --at 0 --samples 1 --size 64x48 -o photo.png
+printf '\n[[camera]]\nname = "bench-camera"\neye = [1.9, -1.4, 1.25]\ntarget = [0.2, 0.1, 0.3]\n%s\n' \
+  'intrinsics = { fx = 45.0, fy = 45.0, cx = 31.5, cy = 23.5, width = 64, height = 48 }' >>cell.toml
 cat >run.py <<'PY'
 import os, re, shlex, subprocess
 page = open(os.environ["SRC"] + "/docs/programs/render.md", encoding="utf-8").read()
@@ -10,6 +14,7 @@ commands = [line for block in blocks for line in block.splitlines() if line.star
 commands = [line for line in commands if "[" not in line]  # but for the synopsis
 ran = 0
 for command in commands:
+    command = command.replace("take3.mp4", "photo.png")
     small = " --samples 1 --shading plain" + ("" if "--size" in command else " --size 32x24")
     if "--video" in command:
         small += " --from 2s --until 2200ms"
