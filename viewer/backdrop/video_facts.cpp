@@ -76,8 +76,8 @@ Result<VideoFacts> parseVideoFacts(std::string_view text) {
                                 facts.height));
   }
   std::ranges::sort(facts.times);
-  const auto same = std::ranges::unique(facts.times);
-  facts.times.erase(same.begin(), same.end());
+  // Not std::ranges::unique, whose answer clang 14 does not compile with the library of g++ 12.
+  facts.times.erase(std::unique(facts.times.begin(), facts.times.end()), facts.times.end());
   return facts;
 }
 
