@@ -18,6 +18,6 @@ struct LensDistortion {
 };
 
 /// Limits of CameraIntrinsics, of a side and of the whole picture.
-inline constexpr int kMostLensSide = 16384, kMostLensPixels = 7680 * 4320;
+inline constexpr int kMaxLensSide = 16384, kMaxLensPixels = 7680 * 4320;
 
 }  // namespace rocinante

@@ -32,10 +32,10 @@ std::optional<double> pixels(TomlTable& table, std::string_view key, double leas
 std::optional<int> side(TomlTable& table, std::string_view key) {
   const auto value = pixels(table, key, 1);
   if (!value) return std::nullopt;
-  if (*value <= kMostLensSide && *value == std::floor(*value)) return static_cast<int>(*value);
+  if (*value <= kMaxLensSide && *value == std::floor(*value)) return static_cast<int>(*value);
   table.error(
       "cell.bad-number", key,
-      fmt::format("`{}` of {} must be a whole number up to {}", key, table.what(), kMostLensSide));
+      fmt::format("`{}` of {} must be a whole number up to {}", key, table.what(), kMaxLensSide));
   return std::nullopt;
 }
 
@@ -45,7 +45,7 @@ std::optional<CameraIntrinsics> readIntrinsics(TomlTable lens) {
   const auto width = side(lens, "width"), height = side(lens, "height");
   lens.finish();
   if (!fx || !fy || !cx || !cy || !width || !height) return std::nullopt;
-  if (std::int64_t{*width} * *height > kMostLensPixels) {
+  if (std::int64_t{*width} * *height > kMaxLensPixels) {
     lens.error("cell.bad-number", "width", "the picture has more pixels than 7680x4320");
     return std::nullopt;
   }

@@ -118,7 +118,7 @@ fs::path Backdrop::nameOf(std::size_t number) const {
 
 Result<Picture> Backdrop::read(std::size_t number, const std::function<bool()>& stopped) {
   if (video_) return video_->read(number, stopped);
-  return readPicture(nameOf(number), kMostLensPixels);
+  return readPicture(nameOf(number), kMaxLensPixels);
 }
 
 Status Backdrop::checkSize(const Picture& picture, std::size_t number) const {

@@ -70,8 +70,8 @@ Result<VideoFacts> parseVideoFacts(std::string_view text) {
   if (facts.times.empty()) {
     return badVideo(any_packet ? "the pictures of the video have no times" : "it has no video");
   }
-  if (facts.width < 1 || facts.height < 1 || facts.width > kMostLensSide ||
-      facts.height > kMostLensSide || facts.width > kMostLensPixels / facts.height) {
+  if (facts.width < 1 || facts.height < 1 || facts.width > kMaxLensSide ||
+      facts.height > kMaxLensSide || facts.width > kMaxLensPixels / facts.height) {
     return badVideo(fmt::format("pictures of {}x{} are no backdrop: at most 7680x4320", facts.width,
                                 facts.height));
   }
