@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// A folder of files that can be made anew, each named after the 32 hexadecimal digits of its key.
+/// A folder of files that can be made again, each named after the 32 hexadecimal digits of its key.
 /// Never fails: write errors are ignored. Several threads and processes may use one folder at a
 /// time; files appear whole. Other files in it are never touched.
 class CacheFolder {

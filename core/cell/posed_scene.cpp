@@ -85,7 +85,7 @@ class ScenePoser {
     if (known_ == nullptr || !first) {
       standing.links = linkPoses(model, joints);
     } else {
-      reckonLinks(standing, (*known_)[name], joints);
+      computeLinks(standing, (*known_)[name], joints);
     }
     if (state && state->pose) {
       standing.pose = state->pose->value.pose;
@@ -99,8 +99,8 @@ class ScenePoser {
   }
 
   /// The links of a device, from the cache or computed.
-  static void reckonLinks(Standing& standing, ScenePoseCache::Known& known,
-                          const JointVector& joints) {
+  static void computeLinks(Standing& standing, ScenePoseCache::Known& known,
+                           const JointVector& joints) {
     const Model* model = standing.device.model;
     standing.known = &known;
     standing.links_moved = known.model != model || !sameBits(known.joints, joints.values);

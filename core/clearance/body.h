@@ -10,8 +10,8 @@
 namespace rocinante {
 
 /// The solids of a link in its own space: its collision geometry, or its visuals' triangles when it
-/// has none. Spheres and capsules are exact, and so are boxes; a cylinder has so many sides that it
-/// is within 0.01 mm of round up to a radius of 2 m (its corners lie on the circle).
+/// has none. Spheres and capsules are exact, and so are boxes; a cylinder has as many sides as it
+/// needs to be within 0.01 mm of round up to a radius of 2 m (its corners lie on the circle).
 std::vector<Solid> solidsOf(const Link& link);
 
 /// The trees of a cell's links, each built once, when first asked for. Keeps nothing of the models,

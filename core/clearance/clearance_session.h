@@ -13,7 +13,7 @@ namespace rocinante {
 /// Judges the clearances of a cell over a session, packet by packet. Packets are gathered to one
 /// placement until one moves a device a second time, or for kGathered: no value that a source sent
 /// is left out, and what several sources say at nearly the same time is one step. Needs no more
-/// memory as the session goes on. The cell must outlive it. One thread.
+/// memory as the session continues. The cell must outlive it. One thread.
 class ClearanceSession {
  public:
   static constexpr Nanoseconds kGathered{20'000'000};

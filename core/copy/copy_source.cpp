@@ -115,7 +115,7 @@ Status CopySource::takeMessage() {
     }
     const LogMessage message = *read;
     const std::string& topic = message.channel->topic;
-    // Keyframes are made anew, and losses come from reader().losses().
+    // Keyframes are made again, and losses come from reader().losses().
     if (topic == profile::kKeyframeTopic || topic == profile::kLossTopic) continue;
     message_is_lead_ = message.log_time < options_.range.from;
     if (message_is_lead_) {

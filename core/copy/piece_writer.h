@@ -35,7 +35,7 @@ struct PieceCounts {
 };
 
 /// Writes one output of a copy: equal channels (topic, encoding, metadata) become one, keyframes
-/// are made anew, everything else is copied unchanged.
+/// are made again, everything else is copied unchanged.
 class PieceWriter {
  public:
   static Result<PieceWriter> start(std::unique_ptr<ByteSink> sink, const PieceOptions& options);

@@ -13,7 +13,7 @@ namespace rocinante {
 /// same session id that begins where the other ends. Not for sharing between threads.
 class NextPiece {
  public:
-  /// The log says that its recorder goes on in another piece.
+  /// The log says that its recorder continues in another piece.
   static bool expected(const LogReader& finished);
 
   /// Empty when there is none, or none with a message yet. Other logs of the folder are opened once

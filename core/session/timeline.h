@@ -43,7 +43,7 @@ namespace rocinante {
 class Timeline {
  public:
   static Result<Timeline> open(const std::filesystem::path& path);
-  /// The same for a log that may still be written. refresh() reads what was appended, and goes on
+  /// The same for a log that may still be written. refresh() reads what was appended, and continues
   /// with the next piece of a recording in pieces (`record --split-time`), which it finds in the
   /// same folder by its session's id. Pieces that their recorder deletes drop out: start() then
   /// moves. Each later piece opens with the state before it, so every moment is found in one piece.

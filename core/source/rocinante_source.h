@@ -77,7 +77,7 @@ typedef struct rk_source_config {
   void *context; /* handed to `send` */
 } rk_source_config;
 
-/* Memory that is enough for so many devices with so many joints in all, with poses, an order and
+/* Enough memory for this many devices with this many joints in all, with poses, an order and
  * names of up to 15 bytes, at 1,200 bytes a datagram. */
 #define RK_SOURCE_BYTES(devices, joints) \
   ((size_t)12288 + (size_t)(devices)*1024 + (size_t)(joints)*96)
@@ -1569,7 +1569,7 @@ static inline void rk_send_changes(rk_source *s) {
 }
 
 /* Begins a restatement: shares the items out into parts. Values may grow until their part is sent,
- * so an eighth is left free; where that was not enough, the longest possible lines are reckoned. */
+ * so an eighth is left free; where that was not enough, the longest possible lines are assumed. */
 static inline void rk_plan_round(rk_source *s, int64_t now) {
   const size_t room = s->is_careful ? s->line_most : s->line_most - s->line_most / 8;
   size_t used = 0;

@@ -30,7 +30,7 @@ class FindingCommand {
   void add(std::string json);
   /// Reaps those that ended, and starts those that wait.
   void tend();
-  /// Gives those that run this long to end; the rest goes on without us.
+  /// Gives those that run this long to end; the rest continues without us.
   void finish(int at_most_ms);
 
   bool isIdle() const { return running_.empty() && waiting_.empty(); }

@@ -145,7 +145,7 @@ class Playhead {
   std::uint64_t sent_ = 0;
   std::uint64_t runs_ = 0;
 
-  RestatementSchedule restatements_;  ///< of what lies before place_: sent before the run goes on
+  RestatementSchedule restatements_;  ///< of what lies before place_: sent before the run continues
   bool in_block_ = false;             ///< a restatement of the run has begun
   std::uint64_t steps_ = 0;           ///< messages still to send at once
   std::optional<LogTime> through_;    ///< send all messages up to this moment at once

@@ -67,7 +67,7 @@ void declare(CLI::App& app, Arguments& my) {
   app.add_option("--max-rate", my.max_rate, "send the values of a device at most HZ times a second")
       ->option_text("HZ");
   app.add_option("--bandwidth", my.bandwidth,
-                 "send at most so many bits a second to each output: 28.8k, 2M")
+                 "send at most this many bits a second to each output: 28.8k, 2M")
       ->option_text("RATE");
   app.add_option("--restate", my.restate, "filtered outputs restate everything this often")
       ->option_text("TIME=2s");

@@ -71,7 +71,7 @@ Status PieceSequence::seam(LogTime time) {
     retry_at_ = time + kRetry;
     const std::string trouble = made.error().text();
     if (trouble != last_trouble_) {
-      notes_.warn(fmt::format("cannot create the next piece; recording goes on in {}: {}",
+      notes_.warn(fmt::format("cannot create the next piece; recording continues in {}: {}",
                               piece_->file().path.string(), trouble));
       last_trouble_ = trouble;
     }

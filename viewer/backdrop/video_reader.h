@@ -9,8 +9,8 @@
 
 namespace rocinante {
 
-/// Pictures of a video, decoded by the programs ffprobe and ffmpeg. Reading forwards goes on where
-/// it was; anything else begins anew at the wanted picture. Not thread-safe.
+/// Pictures of a video, decoded by the programs ffprobe and ffmpeg. Reading forwards continues
+/// where it was; anything else begins anew at the wanted picture. Not thread-safe.
 class VideoReader {
  public:
   /// refused, saying what to install, when the programs are missing.

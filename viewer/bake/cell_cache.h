@@ -18,7 +18,7 @@ namespace rocinante {
 /// request, every file by its content, every answer of the file system to the search, the code that
 /// read it, and the libraries of that process (cell_inputs.h). It then equals what loading would
 /// give, and its pictures have the same bits. Never fails: an entry that is damaged or outdated is
-/// made anew. Several threads and processes may use one folder at a time.
+/// made again. Several threads and processes may use one folder at a time.
 class CellCache {
  public:
   static constexpr std::uint64_t kDefaultBytes = std::uint64_t{512} << 20;

@@ -4,7 +4,7 @@
 function rocinantePlots(page) {
   const kHeight = 40;            // of a lane, in pixels
   const kMessages = 2000;        // read at a time
-  const kReadMs = 12;            // in one go, so that the page goes on
+  const kReadMs = 12;            // in one go, so that the page continues
   const kShowMs = 150;           // how often curves grow while the log is read
   const panel = document.getElementById("plots");
   const say = document.getElementById("plots-say");

@@ -273,7 +273,7 @@ Result<const DetailRung*> FrameMaker::Impl::prepareRung(int detail) {
   const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(detail)];
   // A browser's page has neither threads nor a cache for them.
   if (rung.level.geometry_error_px > 0 && !renderer->gl().is_embedded) {
-    // A reproducible picture must not depend on cached files: coarser meshes are made anew.
+    // A reproducible picture must not depend on cached files: coarser meshes are made again.
     const DetailCache cache = profile == Profile::fast ? DetailCache::ofUser() : DetailCache();
     renderer->prepareDetail(cache, static_cast<int>(std::thread::hardware_concurrency()));
     renderer->takeReadyDetail(true);

@@ -14,7 +14,7 @@ struct CameraView {
   double fov_deg = 45;                   ///< vertical; from 0.01 to 179
   std::optional<double> ortho_height_m;  ///< orthographic: metres from top to bottom
   /// Of a calibrated camera, in place of `fov_deg`: its picture lies in the drawn one by fitOf(),
-  /// and the scene goes on around it. Ignored when orthographic.
+  /// and the scene continues around it. Ignored when orthographic.
   std::optional<CameraIntrinsics> intrinsics{};
   bool operator==(const CameraView&) const = default;
 };

@@ -13,7 +13,7 @@
 namespace rocinante {
 
 /// The joint values of a session as curves, drawn as the window's plots are. One pass over the log
-/// gathers them, a few messages at a time, between which a page goes on.
+/// gathers them, a few messages at a time, between which a page continues.
 class WebPlots {
  public:
   /// Borrows the cell and the bytes of the log.

@@ -239,7 +239,7 @@ Status GltfRecording::addDevice(LogTime time, double seconds, const PosedDevice&
   }
   std::vector<Mat4> now{device.base};
   now.insert(now.end(), device.link_world.begin(), device.link_world.end());
-  // What nobody wrote since is no new value: the motion goes on to the next one.
+  // What nobody wrote since is no new value: the motion continues to the next one.
   const DeviceState* const stated = state.findDevice(device.name);
   const bool is_written = stated != nullptr && stated->last_write > tracks.sampled;
   if (!is_written && sameLinks(tracks.known, now)) return {};

@@ -14,8 +14,8 @@ namespace rocinante {
 
 /// Keeps the logs of imported recordings between runs: `KEY.mcap`, and `KEY.sum` with its size and
 /// hash. Several processes may use one folder: a log is made by one of them while the others wait,
-/// and appears whole or not at all. A damaged one is deleted and made anew. Not for sharing between
-/// threads.
+/// and appears whole or not at all. A damaged one is deleted and made again. Not for sharing
+/// between threads.
 class ImportCache {
  public:
   static constexpr std::uint64_t kDefaultBytes = std::uint64_t{8} << 30;

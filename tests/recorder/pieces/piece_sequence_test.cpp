@@ -354,7 +354,7 @@ TEST(PieceSequence, WhereTheNextPieceCannotBeMadeTheOldOneGoesOn) {
     if (note.is_trouble) warnings.push_back(note.text);
   }
   ASSERT_EQ(warnings.size(), 1U) << "told once";
-  EXPECT_NE(warnings[0].find("cannot create the next piece; recording goes on in "),
+  EXPECT_NE(warnings[0].find("cannot create the next piece; recording continues in "),
             std::string::npos)
       << warnings[0];
 }
