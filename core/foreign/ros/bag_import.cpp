@@ -85,7 +85,14 @@ class Import {
     std::vector<std::optional<Outlet>> outlets;  ///< by topic
   };
 
-  Error nothing() const { return {ErrorKind::not_found, "there is no message to import", {}}; }
+  Error nothing() const {
+    std::string what = "there is no message to import";
+    for (const Input& input : inputs_) {
+      const std::vector<std::string> damage = input.bag->damage();
+      if (!damage.empty()) what += "; " + damage.front();
+    }
+    return {ErrorKind::not_found, std::move(what), {}};
+  }
 
   static Status advance(Input& input) {
     Result<std::optional<BagMessage>> message = input.bag->next();

@@ -108,8 +108,8 @@ class Ros1Bag final : public BagReader {
     next_ = 0;
     const std::size_t end = end_ != 0 ? end_ : bytes_.size();
     if (position_ >= end || onlyZeros(bytes_.subspan(position_, end - position_))) return false;
-    const std::optional<Ros1Record> record = ros1RecordAt(bytes_.first(end), position_);
-    if (!record) {
+    const std::optional<Ros1Record> record = wholeOrCutRos1RecordAt(bytes_.first(end), position_);
+    if (!record || (record->is_cut && record->op != Ros1Op::chunk)) {
       damaged(position_, "the bag ends inside a record, or its lengths are wrong");
       position_ = end;
       return false;
@@ -130,14 +130,26 @@ class Ros1Bag final : public BagReader {
     if (is_mapped_ && !mapped_.whole()) {
       return damaged(record.offset, "the bag became shorter while it was read");
     }
-    Result<ByteView> records = expandRos1Chunk(record, budget_, scratch_);
+    Result<ByteView> records =
+        record.is_cut ? recordsOfCut(record) : expandRos1Chunk(record, budget_, scratch_);
     if (!records) return damaged(record.offset, records.error().what);
     for (std::size_t at = 0; at < records->size();) {
       const std::optional<Ros1Record> inner = ros1RecordAt(*records, at);
+      if (!inner && record.is_cut) return;  // that was told
       if (!inner) return damaged(record.offset, "a record reaches past the end of its chunk");
       take(*inner, record.offset);
       at = inner->end;
     }
+  }
+
+  /// Without compression the records that are whole can be read.
+  Result<ByteView> recordsOfCut(const Ros1Record& chunk) {
+    const auto compression = chunk.field("compression");
+    if (!compression || textOf(*compression) != "none") {
+      return Error{ErrorKind::damaged, "the bag ends inside a compressed chunk, which is lost", {}};
+    }
+    damaged(chunk.offset, "the bag ends inside a chunk: read up to there");
+    return chunk.data;
   }
 
   void take(const Ros1Record& record, std::size_t place) {

@@ -1,5 +1,7 @@
 #include "core/foreign/ros/ros1_record.h"
 
+#include <algorithm>
+
 namespace rocinante::ros {
 namespace {
 
@@ -37,18 +39,29 @@ std::optional<ByteView> ros1Field(const Ros1Fields& fields, std::string_view nam
 }
 
 std::optional<Ros1Record> ros1RecordAt(ByteView bytes, std::size_t offset) {
+  std::optional<Ros1Record> record = wholeOrCutRos1RecordAt(bytes, offset);
+  if (record && record->is_cut) return std::nullopt;
+  return record;
+}
+
+std::optional<Ros1Record> wholeOrCutRos1RecordAt(ByteView bytes, std::size_t offset) {
   Ros1Record record;
   record.offset = offset;
   record.end = offset;
   const std::optional<ByteView> header = blockAt(bytes, record.end);
   if (!header) return std::nullopt;
-  const std::optional<ByteView> data = blockAt(bytes, record.end);
-  if (!data) return std::nullopt;
   record.fields = ros1Fields(*header);
   const std::optional<std::uint8_t> op = record.number<std::uint8_t>("op");
   if (!op) return std::nullopt;
   record.op = Ros1Op{*op};
-  record.data = *data;
+  const ByteView rest = bytes.subspan(record.end);
+  if (const std::optional<ByteView> data = blockAt(bytes, record.end)) {
+    record.data = *data;
+  } else {
+    record.is_cut = true;
+    record.data = rest.subspan(std::min(rest.size(), sizeof(std::uint32_t)));
+    record.end = bytes.size();
+  }
   return record;
 }
 

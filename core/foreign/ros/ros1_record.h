@@ -33,6 +33,7 @@ std::optional<ByteView> ros1Field(const Ros1Fields& fields, std::string_view nam
 /// A record: u32 length and header, u32 length and data. Borrowed.
 struct Ros1Record {
   Ros1Op op{};
+  bool is_cut = false;  ///< the bytes end within its data
   std::size_t offset = 0;
   std::size_t end = 0;
   Ros1Fields fields;
@@ -52,5 +53,7 @@ struct Ros1Record {
 
 /// Empty when a length reaches past the end, or the header has no op.
 std::optional<Ros1Record> ros1RecordAt(ByteView bytes, std::size_t offset);
+/// The same, but of a record that is cut, the data that are there. Empty when its header is cut.
+std::optional<Ros1Record> wholeOrCutRos1RecordAt(ByteView bytes, std::size_t offset);
 
 }  // namespace rocinante::ros

@@ -170,15 +170,41 @@ TEST(BagImport, TellsWhereABagWasCut) {
   Bytes records = connection;
   mcap::appendBytes(records, bagMessage(4, 3, jointState(Kind::ros1, 1, {"a"}, {0.5})));
   const Bytes bag = bagOf(records, connection, "none", records);
+  const std::size_t chunk_end = bag.size() - connection.size();
   for (std::size_t length = 0; length < bag.size(); ++length) {
     SCOPED_TRACE(length);
     const Bytes cut = rocinante::test::cutAt(bag, length);
     Result<std::unique_ptr<BagReader>> reader = openRos1Bytes(cut, "a.bag");
     if (!reader) continue;
-    while (*(*reader)->next()) {
-    }
+    std::size_t messages = 0;
+    while (*(*reader)->next()) ++messages;
+    EXPECT_EQ(messages, length < chunk_end ? 0U : 1U);
     EXPECT_FALSE((*reader)->damage().empty());
   }
+}
+
+TEST(BagImport, ReadsARos1ChunkUpToWhereItWasCut) {
+  const Bytes connection = bagConnection(4, "/joint_states", "sensor_msgs/JointState");
+  Bytes records = connection;
+  for (std::uint32_t second = 1; second <= 3; ++second) {
+    mcap::appendBytes(records, bagMessage(4, second, jointState(Kind::ros1, 1, {"a"}, {0.5})));
+  }
+  const Bytes bag = bagOf(records, connection, "none", records);
+  const Bytes cut = rocinante::test::cutAt(bag, bag.size() - connection.size() - 1);
+  Result<Imported> made = imported(*openRos1Bytes(cut, "a.bag"));
+  ASSERT_TRUE(made.ok()) << made.error().text();
+  EXPECT_EQ(made->report.packets, 2U);
+  EXPECT_FALSE(made->report.lostNothing());
+}
+
+TEST(BagImport, SaysWhatACutBagWithoutAMessageLacks) {
+  const Bytes connection = bagConnection(4, "/joint_states", "sensor_msgs/JointState");
+  const Bytes bag = bagOf(connection, connection, "lz4", connection);
+  const Bytes cut = rocinante::test::cutAt(bag, bag.size() - connection.size() - 1);
+  const Result<Imported> made = imported(*openRos1Bytes(cut, "a.bag"));
+  ASSERT_FALSE(made.ok());
+  EXPECT_NE(made.error().text().find("the bag has no index: it was not closed"), std::string::npos)
+      << made.error().text();
 }
 
 TEST(BagImport, ReadsRos1ChunksOfLz4) {
