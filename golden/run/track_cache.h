@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 
+#include "core/base/cache_folder.h"
 #include "core/base/result.h"
 #include "golden/run/session_track.h"
 
@@ -17,10 +19,11 @@ class TrackCache {
 
   /// A cache that keeps nothing.
   TrackCache() = default;
-  explicit TrackCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit TrackCache(std::filesystem::path folder)
+      : files_(std::move(folder), ".track", kMaxBytes) {}
   /// XDG_CACHE_HOME/rocinante/runs, else HOME/.cache/rocinante/runs; keeps nothing if neither is an
   /// absolute path.
-  static TrackCache ofUser();
+  static TrackCache ofUser() { return TrackCache(CacheFolder::ofUser("runs")); }
 
   /// trackSession(), or what it returned before for a file of these bytes (their XXH3-128) and a
   /// cell of these kinematics.
@@ -28,9 +31,7 @@ class TrackCache {
                              const std::string& bytes_hash, Nanoseconds step) const;
 
  private:
-  void makeRoomFor(std::uint64_t bytes) const;
-
-  std::filesystem::path folder_;  ///< empty: none
+  CacheFolder files_;
 };
 
 /// A hash of everything of a cell that a track depends on: devices, where they are, and their
