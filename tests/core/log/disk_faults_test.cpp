@@ -9,6 +9,7 @@
 #include "core/mcap/file_sink.h"
 #include "tests/core/log/log_support.h"
 #include "tests/core/mcap/faulty_sink.h"
+#include "tests/support/next_place.h"
 #include "tests/support/stream_reader.h"
 #include "tests/support/temporary_folder.h"
 
@@ -121,7 +122,7 @@ TEST_P(DiskFault, ADiskThatFillsAtAnyByteEndsInAWholeFile) {
   ASSERT_TRUE(unlimited.closed.ok());
   ASSERT_EQ(storedIn(unlimited.file), kMessages);
   std::uint64_t stored_before = 0;
-  for (std::size_t room = 0; room < unlimited.file.size(); room += 5) {
+  for (std::size_t room = 0; room < unlimited.file.size(); room += 5 * nextPlace()) {
     SCOPED_TRACE(room);
     DiskFaults faults;
     faults.room = room;
@@ -147,7 +148,7 @@ TEST_P(DiskFault, ADiskThatFillsAtAnyByteEndsInAWholeFile) {
 
 TEST_P(DiskFault, WithoutPreallocationAFullDiskLeavesAReadableFileAndAnExactCount) {
   const Outcome unlimited = record({});
-  for (std::size_t room = 0; room < unlimited.file.size(); room += 5) {
+  for (std::size_t room = 0; room < unlimited.file.size(); room += 5 * nextPlace()) {
     SCOPED_TRACE(room);
     DiskFaults faults;
     faults.room = room;

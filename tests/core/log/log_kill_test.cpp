@@ -4,6 +4,7 @@
 
 #include "core/mcap/byte_sink.h"
 #include "tests/core/log/log_support.h"
+#include "tests/support/next_place.h"
 
 namespace rocinante::test {
 namespace {
@@ -114,7 +115,8 @@ TEST_P(KilledLog, AtEveryByteOfEveryWriteGivesBackWhatWasFlushedInBothDirections
   std::size_t open_chunks = 0;
   for (std::size_t i = 0; i < recording.writes.size(); ++i) {
     const Write& write = recording.writes[i];
-    for (std::size_t count = 0; count < std::max<std::size_t>(write.bytes.size(), 1); ++count) {
+    for (std::size_t count = 0; count < std::max<std::size_t>(write.bytes.size(), 1);
+         count += nextPlace()) {
       SCOPED_TRACE(::testing::Message() << "write " << i << " byte " << count);
       Bytes now = file;
       apply(now, write, count);
@@ -147,7 +149,7 @@ TEST_P(KilledLog, AtEveryByteOfEveryWriteGivesBackWhatWasFlushedInBothDirections
   LogReader reader = openLog(file);
   EXPECT_THAT(readAll(reader), ElementsAreArray(recording.messages));
   EXPECT_THAT(reader.damage(), IsEmpty());
-  EXPECT_GT(open_chunks, 100U);
+  EXPECT_GT(open_chunks, 100U / nextPlace());
 }
 
 INSTANTIATE_TEST_SUITE_P(Compression, KilledLog,
