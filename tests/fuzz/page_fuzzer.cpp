@@ -35,6 +35,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::string kPage = pageOf({});
   const std::size_t hash = kPage.find("data-xxh3=\"") + 11;
   extract(kPage.substr(0, hash) + text);
+  std::string of_1 = kPage.substr(0, hash);
+  of_1[of_1.find("page 2") + 5] = '1';
+  extract(of_1 + text);
   extract(kPage.substr(0, hash) + text + kPage.substr(hash + 32));
   return 0;
 }

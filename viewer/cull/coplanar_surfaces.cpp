@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace rocinante {
@@ -25,12 +25,19 @@ struct FlatTriangle {
 };
 
 /// A rounded plane; both sides give the same key.
-using PlaneKey = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
-using Planes = std::map<PlaneKey, std::vector<FlatTriangle>>;
+using PlaneKey = std::array<std::int64_t, 4>;
 
-/// Sorts the triangles by plane and sums the parts' areas.
-Planes planesOf(const Mesh& mesh, double slack, std::vector<double>& area) {
-  Planes planes;
+/// Where a triangle lies: in its plane and in the nearer neighbouring one.
+struct PlacedTriangle {
+  FlatTriangle flat;
+  PlaneKey plane, neighbour;
+};
+
+/// The triangles with an area, and sums the parts' areas.
+std::vector<PlacedTriangle> placedTriangles(const Mesh& mesh, double slack,
+                                            std::vector<double>& area) {
+  std::vector<PlacedTriangle> placed;
+  placed.reserve(mesh.triangleCount());
   for (std::uint32_t part = 0; part < mesh.parts.size(); ++part) {
     const MeshPart& run = mesh.parts[part];
     for (std::uint32_t i = 0; i + 2 < run.index_count; i += 3) {
@@ -62,17 +69,68 @@ Planes planesOf(const Mesh& mesh, double slack, std::vector<double>& area) {
       }
       const auto whole = [](double value) { return static_cast<std::int64_t>(std::floor(value)); };
       const double offset = dotOf(normal, p[0]) / (8 * slack);
-      PlaneKey key{whole(normal.x * 256 + 0.5), whole(normal.y * 256 + 0.5),
-                   whole(normal.z * 256 + 0.5), whole(offset)};
-      planes[key].push_back(flat);
+      const PlaneKey key{whole(normal.x * 256 + 0.5), whole(normal.y * 256 + 0.5),
+                         whole(normal.z * 256 + 0.5), whole(offset)};
       // Also into the nearer neighbouring plane: two coplanar triangles must share a plane even if
       // rounding separates them.
-      std::get<3>(key) += offset - std::floor(offset) < 0.5 ? -1 : 1;
-      planes[key].push_back(flat);
+      PlaneKey neighbour = key;
+      neighbour[3] += offset - std::floor(offset) < 0.5 ? -1 : 1;
+      placed.push_back({flat, key, neighbour});
     }
   }
-  return planes;
+  return placed;
 }
+
+std::size_t hashOf(const PlaneKey& key) {
+  std::uint64_t hash = 0;
+  for (const std::int64_t each : key) {
+    hash = (hash ^ static_cast<std::uint64_t>(each)) * 0x9E3779B97F4A7C15U;
+    hash ^= hash >> 29U;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+/// The planes that triangles of several parts share: few, so that only those are sorted. In the
+/// order of their keys, each with its triangles in the mesh's order.
+class SharedPlanes {
+ public:
+  explicit SharedPlanes(const std::vector<PlacedTriangle>& placed) : placed_(placed) {
+    // By hash: the only part seen, or that there are several. Keys that meet cost time alone.
+    std::vector<std::uint32_t> parts(std::bit_ceil(4 * placed.size() + 1), kNone);
+    const auto seen = [&](const PlaneKey& key) -> std::uint32_t& {
+      return parts[hashOf(key) & (parts.size() - 1)];
+    };
+    const auto mark = [&](const PlaneKey& key, std::uint32_t part) {
+      std::uint32_t& only = seen(key);
+      if (only != part) only = only == kNone ? part : kSeveral;
+    };
+    for (const PlacedTriangle& each : placed) {
+      mark(each.plane, each.flat.part);
+      mark(each.neighbour, each.flat.part);
+    }
+    for (std::uint32_t i = 0; i < placed.size(); ++i) {
+      if (seen(placed[i].plane) == kSeveral) entries_.push_back({placed[i].plane, i});
+      if (seen(placed[i].neighbour) == kSeveral) entries_.push_back({placed[i].neighbour, i});
+    }
+    std::ranges::sort(entries_);
+  }
+
+  /// The triangles of the next plane; false when there is none.
+  bool next(std::vector<FlatTriangle>& triangles) {
+    triangles.clear();
+    const std::size_t first = at_;
+    while (at_ < entries_.size() && entries_[at_].first == entries_[first].first) {
+      triangles.push_back(placed_[entries_[at_++].second].flat);
+    }
+    return !triangles.empty();
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU, kSeveral = 0xFFFFFFFEU;
+  const std::vector<PlacedTriangle>& placed_;
+  std::vector<std::pair<PlaneKey, std::uint32_t>> entries_;
+  std::size_t at_ = 0;
+};
 
 using PartPair = std::pair<std::uint32_t, std::uint32_t>;  // lower number first
 
@@ -158,10 +216,11 @@ CoplanarSurfaces coplanarSurfaces(const Mesh& mesh, const std::vector<std::uint3
   if (!(slack > 0)) return surfaces;
 
   std::vector<double> area(mesh.parts.size(), 0);
-  Planes planes = planesOf(mesh, slack, area);
+  const std::vector<PlacedTriangle> placed = placedTriangles(mesh, slack, area);
+  SharedPlanes planes(placed);
   std::set<PartPair> same_way;
   std::size_t tests = 0;
-  for (auto& [key, triangles] : planes) {
+  for (std::vector<FlatTriangle> triangles; planes.next(triangles);) {
     findOverlaps(triangles, bodies, slack, tests, same_way, surfaces);
   }
   if (!same_way.empty()) rankParts(area, same_way, surfaces.ranks);

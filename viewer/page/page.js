@@ -10,28 +10,17 @@ function say(text, isFault) {
   element("message").classList.toggle("fault", Boolean(isFault));
 }
 
-function bytesOf(id) {
-  const script = element("rocinante-" + id);
-  const text = atob(script.textContent);
-  script.remove();
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  return bytes;
-}
-
-const inflatedStream = (id) => new Blob([bytesOf(id)]).stream().pipeThrough(new DecompressionStream("gzip"));
-const inflated = async (id) => new Uint8Array(await new Response(inflatedStream(id)).arrayBuffer());
-
 // Compiled while the browser makes a context to draw with, and reads what comes after this script.
 async function startViewer() {
-  const compiled = WebAssembly.compile(await inflated("viewer"));
-  compiled.catch(() => {});  // awaited below
+  const text = rocinanteParts.inflated("viewer-script");
+  const compiled = WebAssembly.compile(await rocinanteParts.inflated("viewer"));
+  for (const awaited_below of [text, compiled]) awaited_below.catch(() => {});
   // viewer/web/web_context.cpp takes it over. Frames are drawn into framebuffers of its own and copied: the
   // canvas needs neither depth nor samples. A paused page is drawn once.
   canvas.getContext("webgl2", {alpha: false, depth: false, antialias: false, preserveDrawingBuffer: true});
   // In place of a second file: the script is a part of this one.
   const script = document.createElement("script");
-  script.textContent = new TextDecoder().decode(await inflated("viewer-script"));
+  script.textContent = new TextDecoder().decode(await text);
   document.head.append(script);
   const module = await compiled;
   return rocinanteViewer({
@@ -44,64 +33,8 @@ async function startViewer() {
   });
 }
 function fail(problem) {
-  say("This browser cannot show the session: " + (problem && problem.message || problem), true);
-}
-
-// Parts that stand after this script are there once the document is.
-const wholeDocument = new Promise((done) => {
-  if (document.readyState !== "loading") done();
-  else document.addEventListener("DOMContentLoaded", done);
-});
-
-// Calls of the viewer.
-function makeCalls(viewer) {
-  const taken = (bytes) => {
-    const at = viewer._malloc(Math.max(bytes.length, 1));
-    viewer.HEAPU8.set(bytes, at);
-    return at;
-  };
-  const text = (at) => viewer.UTF8ToString(at);
-  const json = (at) => JSON.parse(text(at));
-  const withText = (given, use) => {
-    const at = taken(new TextEncoder().encode(given + "\0"));
-    const answer = use(at);
-    viewer._free(at);
-    return answer;
-  };
-  return {
-    open(cell, log) {
-      const at = [taken(cell), taken(log)];
-      const fault = text(viewer._rocinante_open(at[0], cell.length, at[1], log.length));
-      at.forEach((each) => viewer._free(each));
-      return fault;
-    },
-    about: () => json(viewer._rocinante_about()),
-    events: () => json(viewer._rocinante_events()),
-    devices: (ns) => json(viewer._rocinante_devices(ns)),
-    poses: (ns) => text(viewer._rocinante_poses(ns)),
-    // Care: 0 everything, 1 as much as is drawn in time, 2 little.
-    draw: (ns, width, height, scale, care = 0) => text(viewer._rocinante_draw(ns, width, height, scale, care)),
-    makeDetail: () => viewer._rocinante_make_detail() !== 0,
-    finishPictures: () => viewer._rocinante_finish_pictures(),
-    frameTook: (ms) => viewer._rocinante_frame_took(ms),
-    rung: () => viewer._rocinante_rung(),
-    pick: (...all) => json(viewer._rocinante_pick(...all)),
-    select: (path) => withText(path, (at) => text(viewer._rocinante_select(at))),
-    readPlots: (messages) => viewer._rocinante_read_plots(messages),
-    plots: (device, ...all) => withText(device, (at) => json(viewer._rocinante_plots(at, ...all))),
-    fold(log) {
-      const at = taken(log);
-      const answer = json(viewer._rocinante_fold(at, log.length));
-      viewer._free(at);
-      return answer;
-    },
-    warning: () => text(viewer._rocinante_warning()),
-    camera: () => text(viewer._rocinante_camera()),
-    useCamera: (name) => withText(name, (at) => text(viewer._rocinante_use_camera(at))),
-    orbit: (...all) => text(viewer._rocinante_orbit(...all)),
-    pan: (...all) => text(viewer._rocinante_pan(...all)),
-    zoom: (...all) => text(viewer._rocinante_zoom(...all)),
-  };
+  const what = problem && problem.message || String(problem);
+  say(problem && problem.ofPage ? what : "This browser cannot show the session: " + what, true);
 }
 
 let calls, about, panels, plots;
@@ -121,6 +54,7 @@ let wasMoving = false;   // the last frame was drawn as one of many
 let listedAt = 0;        // when the devices were last listed
 let restTimer = 0;
 const kRestMs = 60;      // nothing moved for this long: at rest, and everything is drawn
+const kBeginningBytes = 4 << 20;  // of a log; more than a chunk of it has
 const kListMs = 100;     // how often the values are listed while frames are drawn one after another
 const careOf = {whole: 0, moving: 1, first: 2};
 // Since the page was opened, in the order in which they come; restMs: from the last movement until
@@ -149,10 +83,16 @@ function whenDrawn(then) {
   setTimeout(look, 0);
 }
 
-function draw(care) {
+function drawPicture(care) {
   const {width, height, scale} = size();
   if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
   const fault = calls.draw(now, width, height, scale, care);
+  canvas.getContext("webgl2").flush();  // it draws beside what follows here
+  return fault;
+}
+
+function draw(care) {
+  const fault = drawPicture(care);
   const warning = calls.warning();
   const trouble = window.rocinanteServed ? window.rocinanteServed.trouble : "";
   say(fault || linkFault || trouble || warning, Boolean(fault || linkFault));
@@ -171,6 +111,11 @@ function makeDetail() {
   if (due && !playing) { setTimeout(makeDetail, 50); return; }
   if (calls.makeDetail()) setTimeout(makeDetail, 0);
   else stats.detailedMs = performance.now();
+}
+
+// Pictures on surfaces, one by one, and the whole picture then: it has them, as any that is asked for sooner.
+function decodeNext() {
+  if (calls.nextPicture()) setTimeout(decodeNext, 0); else ask();
 }
 
 // While a log plays, the next frame is prepared as soon as the browser wants one, beside the last ones
@@ -337,6 +282,27 @@ function listenToBar() {
   }
 }
 
+// Of a long log, its beginning is shown while the browser reads the rest of the page: a moment that is there,
+// by a camera that does not depend on the rest.
+async function openSession(viewer, cell) {
+  const log = rocinanteParts.readLog(viewer, ({there, size}) => say(`Reading the log: ${Math.round(100 * there / size)} % ...`));
+  await log.reaches(kBeginningBytes);
+  const fault = calls.open(cell, log);
+  if (log.there === log.size) return fault;
+  if (!fault) showBeginning();
+  await log.reaches(log.size);
+  return fault ? calls.open(cell, log) : calls.openWhole();
+}
+function showBeginning() {
+  about = calls.about();
+  now = about.start_ns;
+  const words = new URLSearchParams(location.hash.slice(1));
+  if (words.has("t")) now = Math.round(Number(words.get("t")) * 1e9);
+  if (words.has("camera") && calls.useCamera(words.get("camera")) || calls.isFitted()) return;
+  if (!(now >= about.start_ns && now < about.end_ns) || drawPicture(careOf.first)) return;
+  whenDrawn(() => { stats.firstPictureMs = stats.firstPictureMs || performance.now(); });
+}
+
 // What pointers and the panels beside the picture see of it.
 const page = {
   get calls() { return calls; },
@@ -353,13 +319,14 @@ const page = {
 
 try {
   const viewerStarts = startViewer();
-  await wholeDocument;
-  const findings = inflated("findings");
-  const [viewer, cell] = await Promise.all([viewerStarts, inflated("cell")]);
-  calls = makeCalls(viewer);
+  await rocinanteParts.beforeLog();
+  const given = ["findings", "events"].map(rocinanteParts.inflated);
+  for (const awaited_below of given) awaited_below.catch(() => {});
+  const [viewer, cell] = await Promise.all([viewerStarts, rocinanteParts.inflated("cell")]);
+  calls = rocinanteCalls(viewer);
   stats.startedMs = performance.now();
   const served = window.rocinanteServed;  // served.js: the session comes from a server
-  const fault = served ? await served.open(viewer, calls, cell, say) : calls.open(cell, bytesOf("log"));
+  const fault = served ? await served.open(viewer, calls, cell, say) : await openSession(viewer, cell);
   if (fault) { say(fault, true); return; }
   stats.openedMs = performance.now();
   about = calls.about();
@@ -376,21 +343,19 @@ try {
   canvas.addEventListener("webglcontextlost", () => say("the browser has taken its WebGL 2 back: open the page again", true));
   // For tests, and for whoever looks from the console.
   window.rocinante = {calls, stats, about, plots, now: () => now, seek, setPlaying, isPlaying: () => playing,
-    isAtRest: () => !due && !isDrawing && !playing && !wasMoving};
+    isAtRest: () => stats.frames > 1 && !due && !isDrawing && !playing && !wasMoving};
   draw(careOf.first);
   stats.firstDrawnMs = performance.now();
   whenDrawn(async () => {
-    stats.firstPictureMs = performance.now();
-    ask();
+    stats.firstPictureMs = stats.firstPictureMs || performance.now();
+    decodeNext();
     new ResizeObserver(() => { plots.show(); ask(); }).observe(canvas);
-    const found = JSON.parse(new TextDecoder().decode(await findings));
-    events = calls.events();
+    const [found, happened] = (await Promise.all(given)).map((bytes) => JSON.parse(new TextDecoder().decode(bytes)));
+    events = happened || calls.events();
     panels.showList(found, events);
     if (served) served.run(about, seek);
     setTimeout(makeDetail, 200);
   });
-  // Beside the browser's renderer, which draws that first picture meanwhile.
-  calls.finishPictures();
 } catch (problem) {
   fail(problem);
 }

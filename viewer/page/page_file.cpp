@@ -13,13 +13,20 @@
 namespace rocinante {
 namespace {
 
-constexpr std::string_view kFirstLines = "<!DOCTYPE html>\n<!-- rocinante page 1 -->\n";
+constexpr std::string_view kFirstLines = "<!DOCTYPE html>\n<!-- rocinante page 2 -->\n";
+/// Its log is one piece, without its size.
+constexpr std::string_view kFirstLinesOf1 = "<!DOCTYPE html>\n<!-- rocinante page 1 -->\n";
 /// The log is the last of the page's parts, so the last of these is its own.
 constexpr std::string_view kLogBegins =
     "\n<script type=\"text/plain\" id=\"rocinante-log\" data-xxh3=\"";
 constexpr std::string_view kPartBegins = "<script type=\"text/plain\" id=\"rocinante-";
 constexpr std::string_view kPartEnds = "</script>\n";
 constexpr std::size_t kHashDigits = 32;
+constexpr std::string_view kSizeBegins = "\" data-bytes=\"";
+/// A browser reads a page in pieces of 64 KiB, and a text within a piece several times as fast as
+/// one of many pieces.
+constexpr std::size_t kLogPieceBytes = 48U << 10U;
+constexpr std::string_view kNextPieceBegins = "<script type=\"text/plain\" data-log>";
 
 /// A gzip member without a time or a name, so that the same bytes give the same bytes.
 Bytes compressed(ByteView bytes) {
@@ -98,14 +105,46 @@ std::string filled(const PageParts& parts, const std::string& before_script,
   fill(page, "{{plots}}", kPagePlots);
   fill(page, "{{pointers}}", kPagePointers);
   fill(page, "{{panels}}", kPagePanels);
+  fill(page, "{{calls}}", kPageCalls);
+  fill(page, "{{parts}}", kPageParts);
   fill(page, "{{viewer}}",
        part("viewer", parts.viewer) + part("viewer-script", bytesOf(parts.viewer_script)) +
            before_script);
   return page;
 }
 
+/// The log, in pieces that a browser decodes while it reads on.
+std::string logPart(ByteView log) {
+  std::string part =
+      fmt::format("{}{}{}{}\">", kLogBegins, hexOf(xxh3(log)), kSizeBegins, log.size());
+  part.reserve(part.size() + log.size() / 3 * 4 + log.size() / kLogPieceBytes * 64 + 64);
+  while (log.size() > kLogPieceBytes) {
+    part.append(base64Of(log.first(kLogPieceBytes))).append(kPartEnds).append(kNextPieceBegins);
+    log = log.subspan(kLogPieceBytes);
+  }
+  return part.append(base64Of(log)).append(kPartEnds);
+}
+
+/// Appends the pieces that `left` begins with; why it cannot otherwise.
+std::optional<std::string_view> appendPieces(std::string_view left, Bytes& log) {
+  while (true) {
+    const std::size_t end = left.find('<');
+    if (end == std::string_view::npos) return "the page ends within its log: it was cut";
+    const auto piece = bytesOfBase64(left.substr(0, end));
+    if (!piece) return "the page's log is not base64: it was changed";
+    log.insert(log.end(), piece->begin(), piece->end());
+    left.remove_prefix(end);
+    if (!left.starts_with(kPartEnds))
+      return "the page's log does not end as one does: it was changed";
+    left.remove_prefix(kPartEnds.size());
+    if (!left.starts_with(kNextPieceBegins)) return std::nullopt;
+    left.remove_prefix(kNextPieceBegins.size());
+  }
+}
+
 std::string sessionParts(const PageParts& parts) {
-  return part("findings", bytesOf(parts.findings)) + part("cell", parts.cell);
+  return part("findings", bytesOf(parts.findings)) + part("events", bytesOf(parts.events)) +
+         part("cell", parts.cell);
 }
 
 }  // namespace
@@ -124,13 +163,13 @@ std::string servedPageOf(const PageParts& parts, bool is_live) {
 std::string pageOf(const PageParts& parts) {
   std::string session = sessionParts(parts);
   session.pop_back();  // the line end before the log's own
-  session += fmt::format("{}{}\">{}{}", kLogBegins, hexOf(xxh3(parts.log)), base64Of(parts.log),
-                         kPartEnds);
+  session += logPart(parts.log);
   return filled(parts, "", session);
 }
 
 Result<Bytes> logOfPage(std::string_view page, const std::string& name) {
-  if (!page.starts_with(kFirstLines)) {
+  const bool is_of_1 = page.starts_with(kFirstLinesOf1);
+  if (!is_of_1 && !page.starts_with(kFirstLines)) {
     return Error{ErrorKind::unsupported, "is not a page of rocinante, or one of another version",
                  name};
   }
@@ -142,15 +181,22 @@ Result<Bytes> logOfPage(std::string_view page, const std::string& name) {
   std::string_view left = page.substr(at + kLogBegins.size());
   const std::string_view hash = left.substr(0, kHashDigits);
   left.remove_prefix(hash.size());
-  if (!left.starts_with("\">")) return damaged("the page's log has no checksum: it was changed");
-  left.remove_prefix(2);
-  const std::size_t end = left.find('<');
-  if (end == std::string_view::npos) return damaged("the page ends within its log: it was cut");
-  auto log = bytesOfBase64(left.substr(0, end));
-  if (!log || hexOf(xxh3(*log)) != hash) {
+  const std::size_t text = left.find("\">");
+  std::string said_size(left.substr(0, std::min(text, left.size())));
+  if (text == std::string_view::npos || said_size.starts_with(kSizeBegins) == is_of_1) {
+    return damaged("the page's log has no checksum: it was changed");
+  }
+  left.remove_prefix(text + 2);
+  Bytes log;
+  log.reserve(left.size() / 4 * 3);
+  if (const auto fault = appendPieces(left, log)) return damaged(std::string(*fault));
+  if (hexOf(xxh3(log)) != hash) {
     return damaged("the page's log fails its checksum: it was changed");
   }
-  return std::move(*log);
+  if (!is_of_1 && said_size != fmt::format("{}{}", kSizeBegins, log.size())) {
+    return damaged("the page's log has another size than it says: it was changed");
+  }
+  return log;
 }
 
 }  // namespace rocinante

@@ -16,6 +16,7 @@ struct PageParts {
   Bytes cell;                     ///< a baked cell (docs/baked-cell.md)
   std::string left_out;           ///< what the cell lacks to be small; empty: nothing
   std::string findings = "null";  ///< pageFindings(), or null: nobody has looked
+  std::string events = "null";    ///< pageEvents(), or null: the viewer finds them in the log
   Bytes log;
 };
 

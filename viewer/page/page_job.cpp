@@ -11,7 +11,9 @@
 #include "core/cell/cell.h"
 #include "core/check/check.h"
 #include "core/log/log_reader.h"
+#include "core/session/timeline.h"
 #include "viewer/page/page_cell.h"
+#include "viewer/page/page_events.h"
 #include "viewer/page/page_file.h"
 #include "viewer/page/page_findings.h"
 #include "viewer/page/page_limits.h"
@@ -67,6 +69,17 @@ Result<std::string> judged(const Cell& cell, const Bytes& bytes, const std::stri
   return pageFindings(*found);
 }
 
+/// So that a page need not read all of a long log for them. Marks beside the file stay there.
+Result<std::string> eventsOf(const Bytes& bytes) {
+  auto reader = LogReader::openBytes(bytes, "the page's log");
+  if (!reader) return reader.error();
+  Timeline session = Timeline::of(std::move(*reader));
+  StateDamage damage;
+  const auto events = session.events(&damage);
+  if (!events) return events.error();
+  return pageEvents(**events, session.origin());
+}
+
 }  // namespace
 
 Result<MadePage> pageFor(const PageJob& job) {
@@ -96,6 +109,9 @@ Result<MadePage> pageFor(const PageJob& job) {
   auto findings = judged(*cell, parts.log, job.log.string(), report);
   if (!findings) return findings.error();
   parts.findings = std::move(*findings);
+  auto events = eventsOf(parts.log);
+  if (!events) return events.error();
+  parts.events = std::move(*events);
   parts.cell = pageCell(*cell, {}, job.parallel);
   parts.title = job.log.filename().string();
   std::string& page = made.html;

@@ -25,22 +25,25 @@ async function piece(from, size) {
   }
 }
 
-async function log(say) {
+// In the viewer's memory.
+async function readLog(viewer, say) {
   const first = await piece(0, kPieceBytes);
-  if (first.whole === null || first.whole === first.bytes.length) return first.bytes;
-  const bytes = new Uint8Array(first.whole);
-  let at = 0;
-  for (let next = first; ; next = await piece(at, kPieceBytes)) {
-    bytes.set(next.bytes, at);
-    at += next.bytes.length;
-    say(`Reading the log: ${Math.round(100 * at / bytes.length)} % ...`);
-    if (at >= bytes.length || next.bytes.length === 0) return bytes;
+  const size = first.whole === null ? first.bytes.length : first.whole;
+  const log = {at: viewer._malloc(Math.max(size, 1)), size, there: 0};
+  if (!log.at) throw new Error("it has not the memory for a log of " + Math.round(size / 1e6) + " MB");
+  for (let next = first; ; next = await piece(log.there, kPieceBytes)) {
+    const bytes = next.bytes.subarray(0, size - log.there);
+    viewer.HEAPU8.set(bytes, log.at + log.there);
+    log.there += bytes.length;
+    if (log.there === size) return log;
+    if (bytes.length === 0) throw new Error("the server's log ends early");
+    say(`Reading the log: ${Math.round(100 * log.there / size)} % ...`);
   }
 }
 
 // Empty, or what is wrong.
 served.open = async (viewer, calls, cell, say) => {
-  if (kind === "log") return calls.open(cell, await log(say));
+  if (kind === "log") return calls.open(cell, await readLog(viewer, say));
   const taken = (bytes) => {
     const at = viewer._malloc(bytes.length);
     viewer.HEAPU8.set(bytes, at);

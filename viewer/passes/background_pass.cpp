@@ -9,21 +9,24 @@
 
 namespace rocinante {
 
-Result<BackgroundPass> BackgroundPass::create(const GlTable& gl) {
-  auto program =
-      ShaderProgram::link(gl, "background", shader::kBackgroundVertex, shader::kBackgroundFragment);
-  if (!program) return program.error();
-  return BackgroundPass(gl, std::move(*program));
+BackgroundPass::BackgroundPass(const GlTable& gl)
+    : gl_(gl),
+      program_(ShaderProgram::begin(gl, "background", shader::kBackgroundVertex,
+                                    shader::kBackgroundFragment)) {
+  gl_.GenVertexArrays(1, &empty_array_);
 }
 
-BackgroundPass::BackgroundPass(const GlTable& gl, ShaderProgram program)
-    : gl_(gl), program_(std::move(program)) {
-  gl_.GenVertexArrays(1, &empty_array_);
+Status BackgroundPass::prepare() {
+  if (ready_) return {};
+  Status linked = program_.finish();
+  ready_ = linked.has_value();
+  return linked;
 }
 
 BackgroundPass::BackgroundPass(BackgroundPass&& other) noexcept
     : gl_(other.gl_),
       program_(std::move(other.program_)),
+      ready_(other.ready_),
       empty_array_(std::exchange(other.empty_array_, 0)),
       kept_(std::exchange(other.kept_, {})) {}
 

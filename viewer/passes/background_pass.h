@@ -14,10 +14,14 @@ namespace rocinante {
 /// current whenever it is used or destroyed.
 class BackgroundPass {
  public:
-  static Result<BackgroundPass> create(const GlTable& gl);
+  /// Begins its program.
+  explicit BackgroundPass(const GlTable& gl);
   ~BackgroundPass();
   BackgroundPass(BackgroundPass&& other) noexcept;
   BackgroundPass& operator=(BackgroundPass&&) = delete;
+
+  /// Required before it draws; waits for the driver on first use.
+  Status prepare();
 
   /// Overwrites colour and alpha of the part in RGBA8, with `only` of what lies in both; keeps its
   /// depths. Leaves viewport and scissor so (setViewport).
@@ -35,13 +39,13 @@ class BackgroundPass {
   static constexpr std::size_t kKept = 4;                             // a view and its insets
   static constexpr std::int64_t kKeptBytes = std::int64_t{64} << 20;  // of one of them
 
-  BackgroundPass(const GlTable& gl, ShaderProgram program);
   void drawGradient(const CellScene& look) const;
   const Kept* kept(const CellScene& look, int width, int height, GLint samples, GLuint bound);
   void forget(const Kept& kept) const;
 
   const GlTable& gl_;
   ShaderProgram program_;
+  bool ready_ = false;
   GLuint empty_array_ = 0;
   std::vector<Kept> kept_;
 };

@@ -6,17 +6,10 @@
 
 namespace rocinante {
 
-Result<DrawPasses> DrawPasses::create(const GlTable& gl, const TextAtlas& atlas) {
-  auto scene = ScenePass::create(gl);
-  if (!scene) return scene.error();
-  auto background = BackgroundPass::create(gl);
-  if (!background) return background.error();
-  auto grid = GridPass::create(gl);
-  if (!grid) return grid.error();
-  auto overlay = OverlayPass::create(gl, atlas);
-  if (!overlay) return overlay.error();
-  return DrawPasses{gl, std::move(*scene), std::move(*background), std::move(*grid),
-                    std::move(*overlay)};
+Status DrawPasses::prepare(const SurfaceLook& surfaces, const CellScene& look) {
+  if (Status ready = background.prepare(); !ready) return ready;
+  if (Status ready = overlay.prepare(); !ready) return ready;
+  return scene.prepare(surfaces, look);
 }
 
 void DrawPasses::begin(const CellScene& look, const PixelRectangle& part, int frame_height,

@@ -13,7 +13,13 @@ namespace rocinante {
 /// The draw stage: only GL calls. Every pass draws into the bound framebuffer. Call begin() before
 /// the first pass and end() after the last. Its context must be current.
 struct DrawPasses {
-  static Result<DrawPasses> create(const GlTable& gl, const TextAtlas& atlas);
+  /// Begins its programs, which the driver compiles while other things are made ready.
+  explicit DrawPasses(const GlTable& table)
+      : gl(table), scene(table), background(table), grid(table), overlay(table) {}
+
+  /// What is needed to draw these surfaces, and the lights of `look`: before begin(). Waits for the
+  /// driver on first use. refused with the compiler's message.
+  Status prepare(const SurfaceLook& surfaces, const CellScene& look);
 
   /// The depth range that a Camera must have for these passes.
   ClipDepth clipDepth() const {

@@ -12,14 +12,7 @@
 
 namespace rocinante {
 
-Result<GridPass> GridPass::create(const GlTable& gl) {
-  auto program = ShaderProgram::link(gl, "grid", shader::kGridVertex, shader::kGridFragment);
-  if (!program) return program.error();
-  return GridPass(gl, std::move(*program));
-}
-
-GridPass::GridPass(const GlTable& gl, ShaderProgram program)
-    : gl_(gl), program_(std::move(program)) {
+GridPass::GridPass(const GlTable& gl) : gl_(gl) {
   gl_.GenVertexArrays(1, &array_);
   gl_.BindVertexArray(array_);
   gl_.GenBuffers(1, &vertices_);
@@ -33,8 +26,7 @@ GridPass::GridPass(const GlTable& gl, ShaderProgram program)
 
 GridPass::GridPass(GridPass&& other) noexcept
     : gl_(other.gl_),
-      program_(std::move(other.program_)),
-      darkened_(std::move(other.darkened_)),
+      programs_(std::move(other.programs_)),
       array_(std::exchange(other.array_, 0)),
       vertices_(std::exchange(other.vertices_, 0)) {}
 
@@ -43,10 +35,10 @@ GridPass::~GridPass() {
   gl_.DeleteBuffers(1, &vertices_);
 }
 
-/// Of shadows, of contact, or of both.
-Result<const ShaderProgram*> GridPass::darkened(bool by_shadows, bool by_contact) {
-  const auto found = darkened_.find({by_shadows, by_contact});
-  if (found != darkened_.end()) return &found->second;
+/// The one that is darkened by shadows, by contact, by both or by neither.
+Result<const ShaderProgram*> GridPass::program(bool by_shadows, bool by_contact) {
+  const auto found = programs_.find({by_shadows, by_contact});
+  if (found != programs_.end()) return &found->second;
   std::string vertex(shader::kGridVertex), fragment(shader::kGridFragment);
   if (by_contact) {
     vertex = shader::withContact(vertex, false);
@@ -58,7 +50,7 @@ Result<const ShaderProgram*> GridPass::darkened(bool by_shadows, bool by_contact
   }
   auto made = ShaderProgram::link(gl_, "grid", vertex, fragment);
   if (!made) return made.error();
-  return &darkened_.emplace(std::pair(by_shadows, by_contact), std::move(*made)).first->second;
+  return &programs_.emplace(std::pair(by_shadows, by_contact), std::move(*made)).first->second;
 }
 
 Status GridPass::draw(const Camera& camera, const CellScene& look, double scale,
@@ -66,13 +58,9 @@ Status GridPass::draw(const Camera& camera, const CellScene& look, double scale,
   if (!(look.grid_size_m > 0) || !(look.grid_step_m > 0)) return {};
   // A light from below casts no shadow on the ground.
   const bool by_shadows = shadows != nullptr && look.light_direction.z > 0;
-  const ShaderProgram* chosen = &program_;
-  if (by_shadows || contact != nullptr) {
-    const auto made = darkened(by_shadows, contact != nullptr);
-    if (!made) return made.error();
-    chosen = *made;
-  }
-  const ShaderProgram& program = *chosen;
+  const auto made = program(by_shadows, contact != nullptr);
+  if (!made) return made.error();
+  const ShaderProgram& program = **made;
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_FALSE);
   gl_.Enable(GL_BLEND);

@@ -15,7 +15,7 @@ namespace rocinante {
 /// context must be current whenever it is used or destroyed.
 class GridPass {
  public:
-  static Result<GridPass> create(const GlTable& gl);
+  explicit GridPass(const GlTable& gl);
   ~GridPass();
   GridPass(GridPass&& other) noexcept;
   GridPass& operator=(GridPass&&) = delete;
@@ -26,12 +26,10 @@ class GridPass {
               const ShadowLookup* shadows, const ContactLookup* contact);
 
  private:
-  GridPass(const GlTable& gl, ShaderProgram program);
-  Result<const ShaderProgram*> darkened(bool by_shadows, bool by_contact);
+  Result<const ShaderProgram*> program(bool by_shadows, bool by_contact);
 
   const GlTable& gl_;
-  ShaderProgram program_;
-  std::map<std::pair<bool, bool>, ShaderProgram> darkened_;  // made on first use
+  std::map<std::pair<bool, bool>, ShaderProgram> programs_;  // made on first use
   GLuint array_ = 0, vertices_ = 0;
 };
 

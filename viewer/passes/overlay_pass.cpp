@@ -6,17 +6,12 @@
 
 namespace rocinante {
 
-Result<OverlayPass> OverlayPass::create(const GlTable& gl, const TextAtlas& atlas) {
-  auto program =
-      ShaderProgram::link(gl, "overlay", shader::kOverlayVertex, shader::kOverlayFragment);
-  if (!program) return program.error();
-  return OverlayPass(gl, std::move(*program), atlas);
-}
-
-OverlayPass::OverlayPass(const GlTable& gl, ShaderProgram program, const TextAtlas& atlas)
-    : gl_(gl), program_(std::move(program)), buffer_(gl) {
+OverlayPass::OverlayPass(const GlTable& gl)
+    : gl_(gl),
+      program_(
+          ShaderProgram::begin(gl, "overlay", shader::kOverlayVertex, shader::kOverlayFragment)),
+      buffer_(gl) {
   gl_.GenTextures(1, &atlas_texture_);
-  useText(atlas);
 }
 
 void OverlayPass::useText(const TextAtlas& atlas) {
@@ -32,9 +27,17 @@ void OverlayPass::useText(const TextAtlas& atlas) {
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
+Status OverlayPass::prepare() {
+  if (ready_) return {};
+  Status linked = program_.finish();
+  ready_ = linked.has_value();
+  return linked;
+}
+
 OverlayPass::OverlayPass(OverlayPass&& other) noexcept
     : gl_(other.gl_),
       program_(std::move(other.program_)),
+      ready_(other.ready_),
       buffer_(std::move(other.buffer_)),
       atlas_texture_(std::exchange(other.atlas_texture_, 0)),
       line_px_(other.line_px_) {}

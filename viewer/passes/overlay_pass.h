@@ -10,10 +10,14 @@ namespace rocinante {
 /// DrawPasses::begin() and end(). Its context must be current whenever it is used or destroyed.
 class OverlayPass {
  public:
-  static Result<OverlayPass> create(const GlTable& gl, const TextAtlas& atlas);
+  /// Begins its program.
+  explicit OverlayPass(const GlTable& gl);
   ~OverlayPass();
   OverlayPass(OverlayPass&& other) noexcept;
   OverlayPass& operator=(OverlayPass&&) = delete;
+
+  /// Required before it draws; waits for the driver on first use.
+  Status prepare();
 
   /// Sets the atlas of the following text.
   void useText(const TextAtlas& atlas);
@@ -23,11 +27,11 @@ class OverlayPass {
   void drawOnTop(const Overlay& overlay) const;
 
  private:
-  OverlayPass(const GlTable& gl, ShaderProgram program, const TextAtlas& atlas);
   void drawVertices(const Overlay& overlay) const;
 
   const GlTable& gl_;
   ShaderProgram program_;
+  bool ready_ = false;
   OverlayBuffer buffer_;
   GLuint atlas_texture_ = 0;
   int line_px_ = 0;  ///< of the atlas in the texture

@@ -62,10 +62,10 @@ class ScenePass::Items {
   void set(const DrawItem& item, bool depth_alone = false) {
     const GLuint texture =
         item.texture >= 0 ? textures_.name(static_cast<std::size_t>(item.texture)) : 0;
-    const Program& program = depth_alone && hasHoles(item) ? pass_.holes_
-                             : !plain_                     ? standard_
-                             : texture == 0                ? pass_.plain_
-                                                           : pass_.plain_mapped_;
+    const Program& program = depth_alone && hasHoles(item) ? *pass_.holes_
+                             : !plain_                     ? *standard_
+                             : texture == 0                ? *pass_.plain_
+                                                           : *pass_.plain_mapped_;
     if (&program != program_) use(program);
     if (mesh_.changesTo(item.mesh)) meshes_.bind(item.mesh);
     if (world_.changesTo(item.world)) setWorld(item.world);
@@ -83,7 +83,7 @@ class ScenePass::Items {
     const std::size_t count = ItemBatch::reach(items, catalog_);
     if (count < ItemBatch::kLeastItems) return 0;
     const DrawItem& first = items.front();
-    const Program& program = plain_ ? pass_.batched_plain_ : pass_.batched_;
+    const Program& program = plain_ ? *pass_.batched_plain_ : *pass_.batched_;
     if (&program != program_) use(program);
     setMaterial(first, 0);
     if (lift_.changesTo({first.coplanar_rank, first.lift_units})) setLift(first);
@@ -102,7 +102,7 @@ class ScenePass::Items {
     has_map_ = {};
     has_tint_ = {};
     program.shader.use();
-    if (&program == &standard_) {
+    if (&program == standard_) {
       if (variant_.shadows) bindShadows(gl_, program.shader, *surfaces_.shadows);
       if (variant_.contact) bindContact(gl_, program.shader, *surfaces_.contact);
       for (std::size_t i = 0; i < variant_.lights; ++i) setLight(program.shader, i);
@@ -210,7 +210,7 @@ class ScenePass::Items {
   const SurfaceLook& surfaces_;
   bool plain_;
   Variant variant_;
-  const Program& standard_;
+  const Program* standard_;
   const Program* program_ = nullptr;
   // Of the program.
   Latest<Mat4> world_;
@@ -223,83 +223,95 @@ class ScenePass::Items {
   Latest<GLuint> texture_;
 };
 
-Result<ScenePass::Program> ScenePass::finish(ShaderProgram begun) {
-  if (Status linked = begun.finish(); !linked) return linked.error();
-  Program program{.shader = std::move(begun)};
-  const ShaderProgram& shader = program.shader;
-  program.clip_from_model = shader.uniform("clip_from_model");
-  program.relative_from_model = shader.uniform("relative_from_model");
-  program.normal_from_model = shader.uniform("normal_from_model");
-  program.map_scale = shader.uniform("map_scale");
-  program.map_offset = shader.uniform("map_offset");
-  program.diffuse = shader.uniform("diffuse");
-  program.specular = shader.uniform("specular");
-  program.emission = shader.uniform("emission");
-  program.shininess = shader.uniform("shininess");
-  program.has_map = shader.uniform("has_map");
-  program.has_tint = shader.uniform("has_tint");
-  program.orthographic = shader.uniform("orthographic");
-  program.view_direction = shader.uniform("view_direction");
-  program.key_direction = shader.uniform("key_direction");
-  program.fill_direction = shader.uniform("fill_direction");
-  return program;
+Status ScenePass::finish(ShaderProgram begun, std::optional<Program>& program) {
+  if (Status linked = begun.finish(); !linked) return linked;
+  Program of{.shader = std::move(begun)};
+  const ShaderProgram& shader = of.shader;
+  of.clip_from_model = shader.uniform("clip_from_model");
+  of.relative_from_model = shader.uniform("relative_from_model");
+  of.normal_from_model = shader.uniform("normal_from_model");
+  of.map_scale = shader.uniform("map_scale");
+  of.map_offset = shader.uniform("map_offset");
+  of.diffuse = shader.uniform("diffuse");
+  of.specular = shader.uniform("specular");
+  of.emission = shader.uniform("emission");
+  of.shininess = shader.uniform("shininess");
+  of.has_map = shader.uniform("has_map");
+  of.has_tint = shader.uniform("has_tint");
+  of.orthographic = shader.uniform("orthographic");
+  of.view_direction = shader.uniform("view_direction");
+  of.key_direction = shader.uniform("key_direction");
+  of.fill_direction = shader.uniform("fill_direction");
+  program = std::move(of);
+  return {};
 }
 
-Result<ScenePass> ScenePass::create(const GlTable& gl) {
+ShaderProgram ScenePass::begin(std::string_view name, std::string_view vertex,
+                               std::string_view fragment) const {
+  return ShaderProgram::begin(gl_, name, vertex, fragment);
+}
+
+ScenePass::ScenePass(const GlTable& gl) : gl_(gl), batch_(gl) {
   using namespace shader;
-  const auto begin = [&](std::string_view name, std::string_view vertex,
-                         std::string_view fragment) {
-    return ShaderProgram::begin(gl, name, vertex, fragment);
-  };
-  std::array begun{begin("scene", kSceneVertex, kSceneFragment),
-                   begin("plain scene", kPlainVertex, kPlainFragment),
-                   begin("plain scene with pictures", kPlainVertex, kPlainMappedFragment),
-                   begin("depth of pictures with holes", kSceneVertex, kHolesFragment),
-                   begin("small items", kBatchedVertex, kSceneFragment),
-                   begin("small items, plain", kBatchedPlainVertex, kPlainFragment)};
-  std::vector<Program> made;
-  for (ShaderProgram& each : begun) {
-    auto program = finish(std::move(each));
-    if (!program) return program.error();
-    made.push_back(std::move(*program));
-  }
-  return ScenePass(gl, std::move(made[0]), std::move(made[1]), std::move(made[2]),
-                   std::move(made[3]), std::move(made[4]), std::move(made[5]));
+  begun_.emplace(Begun{
+      begin("plain scene", kPlainVertex, kPlainFragment),
+      begin("plain scene with pictures", kPlainVertex, kPlainMappedFragment),
+      begin("small items, plain", kBatchedPlainVertex, kPlainFragment),
+  });
 }
 
-ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped,
-                     Program holes, Program batched, Program batched_plain)
-    : gl_(gl),
-      standard_(std::move(standard)),
-      plain_(std::move(plain)),
-      plain_mapped_(std::move(plain_mapped)),
-      holes_(std::move(holes)),
-      batched_(std::move(batched)),
-      batched_plain_(std::move(batched_plain)),
-      batch_(gl) {}
+Status ScenePass::preparePlain() {
+  if (!begun_) return {};
+  Begun begun = std::move(*begun_);
+  begun_.reset();
+  if (Status linked = finish(std::move(begun.plain), plain_); !linked) return linked;
+  if (Status linked = finish(std::move(begun.mapped), plain_mapped_); !linked) return linked;
+  return finish(std::move(begun.batched), batched_plain_);
+}
+
+Status ScenePass::prepareStandard() {
+  if (standard_) return {};
+  using namespace shader;
+  ShaderProgram standard = begin("scene", kSceneVertex, kSceneFragment);
+  ShaderProgram batched = begin("small items", kBatchedVertex, kSceneFragment);
+  if (Status linked = finish(std::move(batched), batched_); !linked) return linked;
+  return finish(std::move(standard), standard_);
+}
+
+Status ScenePass::prepareHoles() {
+  if (holes_) return {};
+  using namespace shader;
+  return finish(begin("depth of pictures with holes", kSceneVertex, kHolesFragment), holes_);
+}
 
 ScenePass::Variant ScenePass::variantOf(const SurfaceLook& surfaces, const CellScene& look) {
   if (surfaces.shading == Shading::plain) return {};
   return {surfaces.shadows != nullptr, surfaces.contact != nullptr, look.lights.size()};
 }
 
-const ScenePass::Program& ScenePass::standardIn(const Variant& variant) const {
-  if (variant == Variant()) return standard_;
+const ScenePass::Program* ScenePass::standardIn(const Variant& variant) const {
+  if (variant == Variant()) return standard_ ? &*standard_ : nullptr;
   const auto found = variants_.find(variant);
   assert(found != variants_.end());
-  return found->second;
+  return &*found->second;
 }
 
 Status ScenePass::prepare(const SurfaceLook& surfaces, const CellScene& look) {
+  if (surfaces.depth_only) {
+    if (Status ready = prepareHoles(); !ready) return ready;
+  }
+  if (surfaces.shading == Shading::plain) return preparePlain();
   const Variant variant = variantOf(surfaces, look);
-  if (variant == Variant() || variants_.contains(variant)) return {};
+  if (variant == Variant()) return prepareStandard();
+  if (variants_.contains(variant)) return {};
   std::string fragment = shader::withLights(shader::kSceneFragment, variant.lights);
   if (variant.contact) fragment = shader::withContact(fragment, true);
   if (variant.shadows) fragment = shader::withShadows(fragment, true);
-  auto linked =
-      finish(ShaderProgram::begin(gl_, "scene with looks", shader::kSceneVertex, fragment));
-  if (!linked) return linked.error();
-  variants_.emplace(variant, std::move(*linked));
+  std::optional<Program> made;
+  if (Status linked = finish(begin("scene with looks", shader::kSceneVertex, fragment), made);
+      !linked)
+    return linked;
+  variants_.emplace(variant, std::move(made));
   return {};
 }
 

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "core/cell/cell.h"
 #include "viewer/cull/draw_list.h"
@@ -31,9 +33,11 @@ struct SurfaceLook {
 /// used or destroyed.
 class ScenePass {
  public:
-  static Result<ScenePass> create(const GlTable& gl);
+  /// Begins the programs of plain shading, which a page's first picture has.
+  explicit ScenePass(const GlTable& gl);
 
-  /// Compiles the programs for these surfaces and the lights of `look`, on first use.
+  /// Compiles the programs for these surfaces and the lights of `look`, on first use. Before they
+  /// are drawn.
   Status prepare(const SurfaceLook& surfaces, const CellScene& look);
   void drawOpaque(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
                   const TextureStore& textures, const Camera& camera, const CellScene& look,
@@ -61,18 +65,27 @@ class ScenePass {
   };
   static Variant variantOf(const SurfaceLook& surfaces, const CellScene& look);
   /// Requires prepare().
-  const Program& standardIn(const Variant& variant) const;
+  const Program* standardIn(const Variant& variant) const;
   class Items;  // one run of items: caches GL's state
-  ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped, Program holes,
-            Program batched, Program batched_plain);
-  static Result<Program> finish(ShaderProgram begun);
+  static Status finish(ShaderProgram begun, std::optional<Program>& program);
+  ShaderProgram begin(std::string_view name, std::string_view vertex,
+                      std::string_view fragment) const;
+  Status preparePlain();
+  Status prepareStandard();
+  Status prepareHoles();
 
   const GlTable& gl_;
-  Program standard_, plain_, plain_mapped_;
-  Program holes_;                        // depth only, for pictures with holes
-  Program batched_, batched_plain_;      // of standard and plain, for batch_
-  mutable ItemBatch batch_;              // memory reused by every frame
-  std::map<Variant, Program> variants_;  // of standard; see prepare()
+  /// Of plain shading, until it is prepared.
+  struct Begun {
+    ShaderProgram plain, mapped, batched;
+  };
+  std::optional<Begun> begun_;
+  // Empty until they are prepared.
+  std::optional<Program> standard_, plain_, plain_mapped_;
+  std::optional<Program> holes_;                        // depth only, for pictures with holes
+  std::optional<Program> batched_, batched_plain_;      // of standard and plain, for batch_
+  mutable ItemBatch batch_;                             // memory reused by every frame
+  std::map<Variant, std::optional<Program>> variants_;  // of standard; see prepare()
 };
 
 }  // namespace rocinante

@@ -47,10 +47,10 @@ TextureStore::TextureStore(const GlTable& gl, const std::vector<CatalogTexture>&
   if (!gl_.is_embedded) finish();
 }
 
-void TextureStore::finish() {
-  if (finished_) return;
-  finished_ = true;
-  for (std::size_t i = 0; i < files_.size(); ++i) read(files_[i], i);
+bool TextureStore::readNext() {
+  if (read_ == files_.size()) return false;
+  read(files_[read_], read_);
+  return ++read_ < files_.size();
 }
 
 void TextureStore::read(const CatalogTexture& texture, std::size_t number) {

@@ -26,8 +26,13 @@ class TextureStore {
   TextureStore(const TextureStore&) = delete;
   TextureStore& operator=(const TextureStore&) = delete;
 
+  /// Reads one more; false when none is left.
+  bool readNext();
   /// Reads what was not read yet.
-  void finish();
+  void finish() {
+    while (readNext()) {
+    }
+  }
 
   /// 0 when the picture could not be read.
   GLuint name(std::size_t number) const { return names_[number]; }
@@ -47,7 +52,7 @@ class TextureStore {
   const std::vector<CatalogTexture>& files_;
   Profile profile_;
   InputsHash& inputs_;
-  bool finished_ = false;
+  std::size_t read_ = 0;  // how many
   GLuint plain_sampler_ = 0;
   std::vector<GLuint> names_;
   std::vector<std::uint8_t> translucent_;

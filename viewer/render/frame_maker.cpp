@@ -335,6 +335,14 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
 
 void FrameMaker::showState(const SessionState* state) { impl_->given = state; }
 
+void FrameMaker::showSession(Timeline session) {
+  Impl& my = *impl_;
+  my.session.emplace(std::move(session));
+  my.fitted.emplace(my.cell, *my.renderer);
+  my.trails.emplace(my.cell);
+  my.rates.reset();
+}
+
 void FrameMaker::showBeside(Timeline beside, EventAlignment alignment) {
   impl_->names.expectBeside();
   impl_->beside.emplace(impl_->cell, std::move(beside), std::move(alignment));
@@ -419,6 +427,7 @@ void FrameMaker::fitLike(FrameMaker& other) { impl_->fit_of = other.impl_.get();
 
 bool FrameMaker::makeNextDetail() { return impl_->renderer->makeNextDetail(); }
 void FrameMaker::finishPictures() { impl_->renderer->finishPictures(); }
+bool FrameMaker::readNextPicture() { return impl_->renderer->readNextPicture(); }
 
 const RendererKey& FrameMaker::key() const { return impl_->renderer->key(); }
 const std::string& FrameMaker::inputsHash() const { return impl_->renderer->inputsHash(); }

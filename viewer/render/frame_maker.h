@@ -69,6 +69,9 @@ class FrameMaker {
   /// Without a session: shows this state, which is borrowed, in place of the cell at rest.
   void showState(const SessionState* state);
 
+  /// Shows this one in place of the session that it was opened with: more of the same.
+  void showSession(Timeline session);
+
   /// Shows another session of the same cell beside the first, as clear ghosts; the cell's own
   /// ghosts are clear then, too. Only with a session.
   void showBeside(Timeline beside, EventAlignment alignment);
@@ -110,6 +113,8 @@ class FrameMaker {
   bool makeNextDetail();
   /// As Renderer::finishPictures(): nothing is left to do but in a browser.
   void finishPictures();
+  /// As Renderer::readNextPicture().
+  bool readNextPicture();
 
   const RendererKey& key() const;
   /// XXH3 of decoded textures, glyphs and vertex buffers: distinguishes different inputs from a

@@ -52,9 +52,6 @@ Result<Renderer> Renderer::create(RenderContext& context, const Cell& cell, Prof
     if (Status fit = requireReproducible(rendererKey(*gl)); !fit) return fit.error();
   }
   auto impl = std::make_unique<Impl>(*gl, cell, profile);
-  auto passes = DrawPasses::create(impl->gl, impl->atlas);
-  if (!passes) return passes.error();
-  impl->passes.emplace(std::move(*passes));
   return Renderer(std::move(impl));
 }
 
@@ -66,11 +63,11 @@ const TextAtlas& Renderer::Impl::atlasOf(double scale) const {
 
 Camera Renderer::Impl::cameraOf(const SceneFrame& frame, const CameraView& view, int width,
                                 int height) const {
-  const Camera camera(view, width, height, passes->clipDepth(), 1);
+  const Camera camera(view, width, height, passes.clipDepth(), 1);
   if (!camera.orthographic()) return camera;
   const double reach = depthReach(camera, visibleCorners(*frame.scene, catalog, *frame.choice),
                                   cell.scene.grid_size_m);
-  return Camera(view, width, height, passes->clipDepth(), reach);
+  return Camera(view, width, height, passes.clipDepth(), reach);
 }
 
 Status Renderer::Impl::glStatus() const {
@@ -157,7 +154,7 @@ Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
   addLinkFrames(on_top, *frame.scene, *frame.choice, style.frames, camera);
   addMeasures(on_top, *frame.scene, style, glyphs);
   if (style.camera_cone && &view != &frame.camera && camera.orthographic()) {
-    const Camera shown(frame.camera, whole_width, whole_height, passes->clipDepth(), 1);
+    const Camera shown(frame.camera, whole_width, whole_height, passes.clipDepth(), 1);
     addCameraCone(on_top, shown, shown.depthOf(frame.camera.target), camera);
   }
   if (frame.extras != nullptr) {
@@ -216,34 +213,33 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
                              ? EdgePass::kSurfaceRanks * static_cast<float>(frame.scale)
                              : 0;
   surfaces.depth_only = style.edges == EdgeStyle::only;
-  if (Status ready = passes->scene.prepare(surfaces, look); !ready) return ready.error();
+  if (Status ready = passes.prepare(surfaces, look); !ready) return ready.error();
 
   const bool plain_filtering = frame.detail.plain_filtering || style.shading == Shading::plain;
-  passes->begin(look, part, frame_height, frame.only);
+  passes.begin(look, part, frame_height, frame.only);
   if (Status behind = drawBackdrop(frame, view, number, camera, 1); !behind) return behind.error();
   setClamp(gl, camera.orthographic());
   if (plain_filtering) textures.beginPlainFiltering();
   for (const DrawnSet& set : sets) {
-    passes->scene.drawOpaque(*set.list, *set.catalog, *set.meshes, textures, camera, look,
-                             surfaces);
+    passes.scene.drawOpaque(*set.list, *set.catalog, *set.meshes, textures, camera, look, surfaces);
   }
   textures.endPlainFiltering();
   if (Status lines = drawEdges(sets, frame, camera); !lines) return lines.error();
   if (look.grid && choice.layerVisible("grid")) {
     const Status grid =
-        passes->grid.draw(camera, look, frame.scale, surfaces.shadows, surfaces.contact);
+        passes.grid.draw(camera, look, frame.scale, surfaces.shadows, surfaces.contact);
     if (!grid) return grid.error();
   }
   // Before translucent items, so that a planner's line shows through a ghost.
-  passes->overlay.drawInScene(in_scene);
+  passes.overlay.drawInScene(in_scene);
   const auto drawTranslucent = [&](bool behind_ghosts) {
     if (surfaces.depth_only) return;
     if (plain_filtering) textures.beginPlainFiltering();
     for (const DrawnSet& set : sets) {
       const std::span<const DrawItem> items = set.list->translucent;
       const std::size_t behind = countBehind(items, list.ghosts);
-      passes->scene.drawTranslucent(behind_ghosts ? items.first(behind) : items.subspan(behind),
-                                    *set.catalog, *set.meshes, textures, camera, look, surfaces);
+      passes.scene.drawTranslucent(behind_ghosts ? items.first(behind) : items.subspan(behind),
+                                   *set.catalog, *set.meshes, textures, camera, look, surfaces);
     }
     textures.endPlainFiltering();
   };
@@ -258,7 +254,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   const Status over = drawBackdrop(frame, view, number, camera, frame.backdrop_opacity);
   if (!over) return over.error();
   if (outlines != nullptr) outlines->draw();
-  if (frame.on_top) passes->overlay.drawOnTop(onTopOf(frame, camera, view));
+  if (frame.on_top) passes.overlay.drawOnTop(onTopOf(frame, camera, view));
   for (const DrawnSet& set : sets) {
     counts.triangles += set.list->triangles;
     counts.draws += set.list->opaque.size() + set.list->translucent.size() +
@@ -269,14 +265,14 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
 }
 
 void Renderer::Impl::drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const {
-  const Camera whole(frame.camera, target.width(), target.height(), passes->clipDepth(), 1);
+  const Camera whole(frame.camera, target.width(), target.height(), passes.clipDepth(), 1);
   for (const FrameInset& inset : frame.insets) {
     // In pixels of the whole picture, clipped to the inset.
     setViewport(gl, inset.part, target.height(), frame.only);
     gl.Viewport(0, 0, target.width(), target.height());
     Overlay overlay(whole, frame.scale);
     addInsetFrame(overlay, inset, atlasOf(frame.scale));
-    passes->overlay.drawOnTop(overlay);
+    passes.overlay.drawOnTop(overlay);
   }
 }
 
@@ -284,7 +280,7 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
   Impl& my = *impl_;
   const auto looks = my.looksOf(frame);
   if (!looks) return looks.error();
-  my.passes->overlay.useText(my.atlasOf(frame.scale));
+  my.passes.overlay.useText(my.atlasOf(frame.scale));
   my.whole_width = target.width();
   my.whole_height = target.height();
   target.bind();
@@ -303,7 +299,7 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
     counts->times += more->times;
   }
   if (frame.on_top) my.drawInsetFrames(frame, target);
-  my.passes->end();
+  my.passes.end();
   if (Status fine = my.glStatus(); !fine) return fine.error();
   return counts;
 }
@@ -311,14 +307,15 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
 Status Renderer::drawOnTop(const SceneFrame& frame, const FrameBuffer& target,
                            const std::function<void(std::size_t)>& refill_inset) {
   Impl& my = *impl_;
-  my.passes->overlay.useText(my.atlasOf(frame.scale));
+  if (Status ready = my.passes.overlay.prepare(); !ready) return ready;
+  my.passes.overlay.useText(my.atlasOf(frame.scale));
   my.whole_width = target.width();
   my.whole_height = target.height();
   target.resolve();
   const auto drawView = [&](const CameraView& view, const PixelRectangle& part) {
-    my.passes->beginOnTop(part, target.height());
+    my.passes.beginOnTop(part, target.height());
     const Camera camera = my.cameraOf(frame, view, part.width, part.height);
-    my.passes->overlay.drawOnTop(my.onTopOf(frame, camera, view));
+    my.passes.overlay.drawOnTop(my.onTopOf(frame, camera, view));
   };
   drawView(frame.camera, {0, 0, target.width(), target.height()});
   for (std::size_t i = 0; i < frame.insets.size(); ++i) {
@@ -326,7 +323,7 @@ Status Renderer::drawOnTop(const SceneFrame& frame, const FrameBuffer& target,
     drawView(frame.insets[i].camera, frame.insets[i].part);
   }
   my.drawInsetFrames(frame, target);
-  my.passes->end();
+  my.passes.end();
   return my.glStatus();
 }
 
@@ -395,6 +392,7 @@ const RendererKey& Renderer::key() const { return impl_->key; }
 const TextAtlas& Renderer::text(double scale) const { return impl_->atlasOf(scale); }
 const std::string& Renderer::inputsHash() const { return impl_->inputs_text; }
 void Renderer::finishPictures() { impl_->textures.finish(); }
+bool Renderer::readNextPicture() { return impl_->textures.readNext(); }
 const std::vector<std::string>& Renderer::warnings() const { return impl_->textures.warnings(); }
 
 }  // namespace rocinante

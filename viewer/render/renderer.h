@@ -149,6 +149,8 @@ class Renderer {
   /// Decodes the surfaces' pictures, which in a browser creating leaves to this: frames drawn
   /// before show none.
   void finishPictures();
+  /// The next of them; false when none is left.
+  bool readNextPicture();
   /// XXH3 of vertex buffers, decoded textures and glyphs.
   const std::string& inputsHash() const;
   /// Textures that could not be read.

@@ -25,6 +25,7 @@ struct Renderer::Impl {
   Impl(const GlTable& table, const Cell& the_cell, Profile profile)
       : gl(table),
         key(rendererKey(gl)),
+        passes(gl),
         cell(the_cell),
         catalog(cell),
         atlas(kTextPixels),
@@ -51,13 +52,13 @@ struct Renderer::Impl {
 
   GlTable gl;
   RendererKey key;
+  DrawPasses passes;  // before what takes time: its programs are compiled meanwhile
   const Cell& cell;
   SceneCatalog catalog;
   TextAtlas atlas;
   InputsHash inputs;
   MeshBuffers meshes;
   TextureStore textures;
-  std::optional<DrawPasses> passes;
   std::optional<DetailBuilder> detail_builder;          // borrows the catalog
   std::optional<std::vector<DetailInput>> detail_left;  // of makeNextDetail(); the same
   std::vector<std::size_t> detail_order;                // its meshes, the next one last

@@ -18,6 +18,7 @@ namespace {
 using namespace rocinante;
 
 std::optional<WebSession> session;
+WebLog page_log;  // opened again when its beginning was not enough
 std::string answer;
 
 const char* say(std::string text) {
@@ -43,15 +44,21 @@ std::int64_t ns(double given) { return static_cast<std::int64_t>(given); }
 
 extern "C" {
 
-/// Empty, or what is wrong.
+/// Takes over `log`, which malloc() gave and the page still fills: of `log_size` bytes `there` are
+/// there. Empty, or what is wrong.
 EMSCRIPTEN_KEEPALIVE const char* rocinante_open(const std::uint8_t* cell, std::size_t cell_size,
-                                                const std::uint8_t* log, std::size_t log_size) {
+                                                std::uint8_t* log, std::size_t log_size,
+                                                std::size_t there) {
   session.reset();
-  auto opened = WebSession::open(bytesAt(cell, cell_size), bytesAt(log, log_size));
+  auto* const bytes = reinterpret_cast<std::byte*>(log);
+  if (page_log.whole().data() != bytes) page_log = WebLog(bytes, log_size);
+  auto opened = WebSession::open(bytesAt(cell, cell_size), page_log, there);
   if (!opened) return say(opened.error().text());
   session.emplace(std::move(*opened));
   return say(std::string());
 }
+/// The whole log is there now. Empty, or what is wrong.
+EMSCRIPTEN_KEEPALIVE const char* rocinante_open_whole() { return say(session->openWhole()); }
 
 /// The same for a live session, which rocinante_take() feeds.
 EMSCRIPTEN_KEEPALIVE const char* rocinante_open_live(const std::uint8_t* cell,
@@ -90,7 +97,8 @@ EMSCRIPTEN_KEEPALIVE const char* rocinante_draw(double at, int width, int height
 }
 /// 0 when nothing is left to make.
 EMSCRIPTEN_KEEPALIVE int rocinante_make_detail() { return session->makeNextDetail() ? 1 : 0; }
-EMSCRIPTEN_KEEPALIVE void rocinante_finish_pictures() { session->finishPictures(); }
+/// The same.
+EMSCRIPTEN_KEEPALIVE int rocinante_next_picture() { return session->readNextPicture() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void rocinante_frame_took(double ms) { session->frameTook(ms); }
 EMSCRIPTEN_KEEPALIVE int rocinante_rung() { return session->rung(); }
 EMSCRIPTEN_KEEPALIVE const char* rocinante_pick(double at, double x, double y, int width,
@@ -124,6 +132,8 @@ EMSCRIPTEN_KEEPALIVE const char* rocinante_zoom(double at, double steps, double 
                                                 int width, int height) {
   return say(session->zoomAt(ns(at), steps, right, down, width, height));
 }
+/// Whether the camera in use depends on the whole session.
+EMSCRIPTEN_KEEPALIVE int rocinante_is_fitted() { return session->isFitted() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE const char* rocinante_camera() { return say(session->camera()); }
 EMSCRIPTEN_KEEPALIVE const char* rocinante_warning() { return say(session->warning()); }
 /// JSON: what folding this log gave. Of any log, for whoever measures.

@@ -17,6 +17,8 @@
 namespace rocinante {
 namespace {
 
+constexpr const char* kLogName = "the page's log";
+
 std::string text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -49,17 +51,16 @@ Result<WebSession> WebSession::openLive(Bytes cell_bytes) {
   if (!context) return context.error();
   auto maker = FrameMaker::open(std::move(*cell), std::nullopt, Profile::fast, std::move(*context));
   if (!maker) return maker.error();
-  WebSession session(nullptr, std::move(*maker));
+  WebSession session(WebLog(), std::move(*maker));
   session.live_ = std::make_unique<WebLive>();
   session.maker_.showState(&session.live_->state());
   return session;
 }
 
-Result<WebSession> WebSession::open(Bytes cell_bytes, Bytes log_bytes) {
+Result<WebSession> WebSession::open(Bytes cell_bytes, WebLog log, std::size_t there) {
   auto cell = cellOf(std::move(cell_bytes));
   if (!cell) return cell.error();
-  auto log = std::make_shared<const Bytes>(std::move(log_bytes));
-  auto reader = LogReader::openBytes(*log, "the page's log");
+  auto reader = LogReader::openBytes(log.first(there), kLogName);
   if (!reader) return reader.error();
   auto context = makeWebContext();
   if (!context) return context.error();
@@ -67,6 +68,21 @@ Result<WebSession> WebSession::open(Bytes cell_bytes, Bytes log_bytes) {
                                 std::move(*context));
   if (!maker) return maker.error();
   return WebSession(std::move(log), std::move(*maker));
+}
+
+Status WebSession::openWhole() {
+  auto reader = LogReader::openBytes(log_.whole(), kLogName);
+  if (!reader) return reader.error();
+  maker_.showSession(Timeline::of(std::move(*reader)));
+  warning_.clear();
+  return {};
+}
+
+bool WebSession::isFitted() const {
+  FrameRequest request;
+  request.camera = camera_;
+  request.insets.emplace();
+  return !by_hand_ && maker_.asksFit(request);
 }
 
 LogTime WebSession::momentOf(std::int64_t ns) {
@@ -232,7 +248,7 @@ Status WebSession::select(const std::string& path) {
 Result<double> WebSession::readPlots(std::uint64_t messages) {
   if (live_) return 1.0;  // what was is not kept
   if (!plots_) {
-    auto reader = LogReader::openBytes(*log_, "the page's log");
+    auto reader = LogReader::openBytes(log_.whole(), kLogName);
     if (!reader) return reader.error();
     if (Status there = reader->rewind(); !there) return there.error();
     plots_.emplace(maker_.cell(), std::move(*reader), maker_.session()->start(),

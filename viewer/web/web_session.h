@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,13 +19,29 @@
 
 namespace rocinante {
 
+/// A log in memory that malloc() gave, freed with the last copy of this.
+class WebLog {
+ public:
+  WebLog() = default;
+  WebLog(std::byte* bytes, std::size_t size) : bytes_(bytes, &std::free), size_(size) {}
+  ByteView first(std::size_t count) const { return {bytes_.get(), std::min(count, size_)}; }
+  ByteView whole() const { return {bytes_.get(), size_}; }
+
+ private:
+  std::shared_ptr<std::byte> bytes_;
+  std::size_t size_ = 0;
+};
+
 /// A session in a page: a log and a baked cell in memory, and a camera that the mouse moves. The
 /// fold, the poses and the frames are those of the programs. One thread.
 class WebSession {
  public:
-  /// Takes the bytes of a log and of a baked cell (docs/baked-cell.md), and the canvas. damaged,
-  /// with a sentence for the reader of the page, when either is.
-  static Result<WebSession> open(Bytes cell, Bytes log);
+  /// Takes the bytes of a baked cell (docs/baked-cell.md) and of a log, of which the first `there`
+  /// are there, and the canvas. damaged, with a sentence for the reader of the page, when either
+  /// is. Until openWhole() a session is what the log's beginning says.
+  static Result<WebSession> open(Bytes cell, WebLog log, std::size_t there);
+  /// All of the log is there.
+  Status openWhole();
 
   /// The same without a log: shows what live() is given.
   static Result<WebSession> openLive(Bytes cell);
@@ -55,8 +74,9 @@ class WebSession {
   /// Makes the coarser versions of one more mesh, which frames with Care::moving need; false when
   /// none is left.
   bool makeNextDetail();
-  /// Decodes the pictures of surfaces, which else the first draw() but with Care::first does.
-  void finishPictures() { maker_.finishPictures(); }
+  /// Decodes one more picture of surfaces; false when none is left. The first draw() but with
+  /// Care::first decodes what is left.
+  bool readNextPicture() { return maker_.readNextPicture(); }
   /// What the last frame cost, drawn with Care::moving.
   void frameTook(double ms) { governor_.frameDrawn(ms); }
   /// The rung of detail of moving pictures.
@@ -83,13 +103,14 @@ class WebSession {
   Status zoomAt(std::int64_t ns, double steps, double right, double down, int width, int height);
   /// The camera in use: its name, or the viewpoint in numbers once it was moved by hand.
   std::string camera() const;
+  /// Whether it depends on the whole session.
+  bool isFitted() const;
 
   /// Why a picture or state may lack something: a damaged log. Empty when nothing is known of.
   const std::string& warning() const { return warning_; }
 
  private:
-  WebSession(std::shared_ptr<const Bytes> log, FrameMaker maker)
-      : log_(std::move(log)), maker_(std::move(maker)) {}
+  WebSession(WebLog log, FrameMaker maker) : log_(std::move(log)), maker_(std::move(maker)) {}
 
   LogTime momentOf(std::int64_t ns);
   FrameRequest requestAt(std::int64_t ns, int width, int height);
@@ -97,8 +118,8 @@ class WebSession {
   Status takeByHand(std::int64_t ns, int width, int height);
   void note(const StateDamage& damage);
 
-  std::shared_ptr<const Bytes> log_;  // the maker's timeline borrows it
-  std::unique_ptr<WebLive> live_;     // the maker borrows its state
+  WebLog log_;                     // the maker's timeline borrows it
+  std::unique_ptr<WebLive> live_;  // the maker borrows its state
   FrameMaker maker_;
   std::string camera_;
   std::optional<Turntable> by_hand_;

@@ -44,9 +44,9 @@ BareLoop::BareLoop(const GlTable& gl, std::shared_ptr<Scene> scene)
 Result<BareLoop> BareLoop::create(const GlTable& gl, const Cell& cell, const PosedScene& scene,
                                   const CameraView& view, int width, int height, Shading shading) {
   using namespace shader;
-  auto background = BackgroundPass::create(gl);
-  if (!background) return background.error();
-  auto made = std::make_shared<Scene>(gl, cell, std::move(*background));
+  BackgroundPass background(gl);
+  if (Status ready = background.prepare(); !ready) return ready.error();
+  auto made = std::make_shared<Scene>(gl, cell, std::move(background));
   const bool plain = shading == Shading::plain;
   for (const auto& [vertex, fragment] : {std::pair(kSceneVertex, kSceneFragment),
                                          {kPlainVertex, kPlainFragment},

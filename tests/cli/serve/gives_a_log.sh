@@ -11,7 +11,7 @@ serving = Serving(f"{demo}/demo.cell.toml", f"{demo}/session.mcap", "--token", "
                   "--origin", "https://robot.example:8443")
 token = "?token=open-sesame"
 status, head, body = serving.get("/" + token)
-print("page", status, b"<!-- rocinante page 1 -->" in body, b"connect-src 'self'" in body, b'data-kind="log"' in body,
+print("page", status, b"<!-- rocinante page 2 -->" in body, b"connect-src 'self'" in body, b'data-kind="log"' in body,
       "frame" in head.lower())
 print("log", serving.get("/log" + token)[2] == log, serving.get("/log", "Authorization: Bearer open-sesame")[2] == log)
 for text in ("bytes=0-0", "bytes=10-19", "bytes=236440-", "bytes=-5", "bytes=5-999999999"):

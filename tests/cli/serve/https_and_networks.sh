@@ -21,7 +21,7 @@ trusting = ssl.create_default_context(cafile="robot.pem")
 serving = Serving(cell, "--live", "127.0.0.1:0", "--tls-cert", "robot.pem", "--tls-key", "robot.key", tls=trusting)
 print(serving.said[-1].split(" at ")[1].split(":")[0])
 status, head, body = serving.get("/")
-print("page", status, b"<!-- rocinante page 1 -->" in body)
+print("page", status, b"<!-- rocinante page 2 -->" in body)
 page = WebSocket(serving.port, "rocinante.v1", origin=f"https://127.0.0.1:{serving.port}", tls=trusting)
 serving.send("RK1 arm 1 -\njoints arm 0 0.5 0 0 0 0\n")
 found = []

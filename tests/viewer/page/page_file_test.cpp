@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/hash.h"
 #include "viewer/page/base64.h"
 
 namespace rocinante {
@@ -23,14 +24,48 @@ PageParts smallParts() {
 }
 
 TEST(PageFile, CarriesItsLogByteForByte) {
-  for (const std::size_t size : {0U, 1U, 2U, 3U, 4U, 1000U}) {
+  constexpr std::size_t kPiece = 48U << 10U;
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4},
+        std::size_t{1000}, kPiece - 1, kPiece, kPiece + 1, 2 * kPiece, 3 * kPiece + 7}) {
     SCOPED_TRACE(size);
     PageParts parts = smallParts();
-    parts.log.assign(size, std::byte{0xA5});
+    for (std::size_t i = 0; i < size; ++i) parts.log.push_back(std::byte(i * 7 % 251));
     const auto log = logOfPage(pageOf(parts), "page.html");
     ASSERT_TRUE(log.has_value()) << log.error().text();
     EXPECT_EQ(*log, parts.log);
   }
+}
+
+TEST(PageFile, ItsPiecesAreInThePageInOrder) {
+  PageParts parts = smallParts();
+  parts.log.assign(100'000, std::byte{0});
+  const std::string page = pageOf(parts);
+  const std::string piece(65536, 'A');
+  EXPECT_NE(page.find("data-bytes=\"100000\">" + piece +
+                      "</script>\n<script type=\"text/plain\" data-log>" + piece + "</script>\n"),
+            std::string::npos);
+}
+
+TEST(PageFile, GivesTheLogOfAPageOfTheFirstVersion) {
+  const std::string page =
+      "<!DOCTYPE html>\n<!-- rocinante page 1 -->\n<html>"
+      "\n<script type=\"text/plain\" id=\"rocinante-log\" "
+      "data-xxh3=\"" +
+      hexOf(xxh3(bytesOf("foobar"))) + "\">Zm9vYmFy</script>\n</body>";
+  const auto log = logOfPage(page, "old.html");
+  ASSERT_TRUE(log.has_value()) << log.error().text();
+  EXPECT_EQ(*log, bytesFrom("foobar"));
+}
+
+TEST(PageFile, ALogOfAnotherSizeThanItSaysIsRefused) {
+  std::string page = pageOf(smallParts());
+  const std::size_t at = page.find("data-bytes=\"58\"");
+  ASSERT_NE(at, std::string::npos);
+  page.replace(at, 15, "data-bytes=\"59\"");
+  const auto log = logOfPage(page, "page.html");
+  ASSERT_FALSE(log.has_value());
+  EXPECT_EQ(log.error().kind, ErrorKind::damaged);
 }
 
 TEST(PageFile, IsTheSameForTheSameParts) { EXPECT_EQ(pageOf(smallParts()), pageOf(smallParts())); }
@@ -56,13 +91,13 @@ TEST(PageFile, ANameIsTextAndNothingElse) {
 
 TEST(PageFile, NothingOfAPartEndsIt) {
   const std::string page = pageOf(smallParts());
-  // Five parts and the page's own script.
+  // Six parts and the page's own script.
   std::size_t ends = 0;
   for (std::size_t at = page.find("</script>"); at != std::string::npos;
        at = page.find("</script>", at + 1)) {
     ++ends;
   }
-  EXPECT_EQ(ends, 6U);
+  EXPECT_EQ(ends, 7U);
 }
 
 TEST(PageFile, APageThatWasCutOrChangedGivesNoLog) {

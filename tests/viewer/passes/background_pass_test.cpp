@@ -23,9 +23,9 @@ class Background : public ::testing::TestWithParam<int> {
     auto gl = fillGlTable([&](const char* name) { return context_->procAddress(name); });
     ASSERT_TRUE(gl.has_value());
     gl_ = *gl;
-    auto pass = BackgroundPass::create(gl_);
-    ASSERT_TRUE(pass.has_value()) << pass.error().text();
-    pass_.emplace(std::move(*pass));
+    pass_.emplace(gl_);
+    const Status ready = pass_->prepare();
+    ASSERT_TRUE(ready.has_value()) << ready.error().text();
     look_.background_top = {0.2F, 0.4F, 0.6F};
     look_.background_bottom = {0.8F, 0.6F, 0.4F};
   }

@@ -81,9 +81,7 @@ TEST(ItemBatch, HasTheBitsOfItemsDrawnOneByOne) {
   cell.models["crowd"] = crowd(random);
   CellDevice& device = cell.devices.emplace_back();
   device.name = device.model = "crowd";
-  const TextAtlas atlas(16);
-  auto passes = DrawPasses::create(*gl, atlas);
-  ASSERT_TRUE(passes.has_value()) << passes.error().text();
+  DrawPasses passes(*gl);
   InputsHash inputs;
   const SceneCatalog catalog(cell);
   const MeshBuffers meshes(*gl, catalog, inputs);
@@ -100,17 +98,18 @@ TEST(ItemBatch, HasTheBitsOfItemsDrawnOneByOne) {
     view.eye = {1000, -8, 2};
     view.target = {1000, 0, 0};
     if (orthographic) view.ortho_height_m = 6;
-    const Camera camera(view, 160, 120, passes->clipDepth(), 50);
+    const Camera camera(view, 160, 120, passes.clipDepth(), 50);
     DrawList list = makeDrawList(scene, catalog, *choice, camera, {});
     ASSERT_GT(ItemBatch::reach(list.opaque, catalog), ItemBatch::kLeastItems);
     for (const Shading shading : {Shading::standard, Shading::plain}) {
       SurfaceLook surfaces;
       surfaces.shading = shading;
       const auto drawn = [&] {
+        EXPECT_TRUE(passes.prepare(surfaces, cell.scene).has_value());
         target->bind();
-        passes->begin(cell.scene, {0, 0, 160, 120}, 120);
-        passes->scene.drawOpaque(list, catalog, meshes, textures, camera, cell.scene, surfaces);
-        passes->end();
+        passes.begin(cell.scene, {0, 0, 160, 120}, 120);
+        passes.scene.drawOpaque(list, catalog, meshes, textures, camera, cell.scene, surfaces);
+        passes.end();
         target->resolve();
         return target->read();
       };
