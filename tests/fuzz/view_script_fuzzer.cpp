@@ -19,8 +19,7 @@ void require(bool sound) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto script =
-      parseViewScript({reinterpret_cast<const char*>(data), size}, "fuzz.script");
+  const auto script = parseViewScript({reinterpret_cast<const char*>(data), size}, "fuzz.script");
   if (!script.ok()) {
     require(script.error().where.starts_with("fuzz.script:"));
     return 0;

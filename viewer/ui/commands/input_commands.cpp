@@ -44,7 +44,8 @@ Status takeMouseOut(CommandWords /*words*/, const CommandStage& stage) {
 Status changeButton(CommandWords words, const CommandStage& stage) {
   const auto number = std::ranges::find(kMouseButtons, words[0]) - kMouseButtons.begin();
   if (static_cast<std::size_t>(number) == kMouseButtons.size()) {
-    return badWord(fmt::format("`{}` is not a button: {}", words[0], fmt::join(kMouseButtons, ", ")));
+    return badWord(
+        fmt::format("`{}` is not a button: {}", words[0], fmt::join(kMouseButtons, ", ")));
   }
   if (words[1] != "down" && words[1] != "up") {
     return badWord(fmt::format("`{}` is neither down nor up", words[1]));

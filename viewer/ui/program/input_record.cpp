@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <cstdlib>
+#include <cstring>
 #include <tuple>
 #include <utility>
 
@@ -15,9 +15,7 @@
 namespace rocinante {
 namespace {
 
-std::string reasonOfWriting() {
-  return std::string("cannot be written: ") + std::strerror(errno);
-}
+std::string reasonOfWriting() { return std::string("cannot be written: ") + std::strerror(errno); }
 
 void tellHeld(std::string& lines, const FrameInput& before, const FrameInput& seen) {
   // A key that is pressed is down in its frame anyway.

@@ -30,23 +30,18 @@ constexpr std::array kEditingKeys{
     EditingKey{GLFW_KEY_END, ImGuiKey_End},
 };
 /// Keys that it asks for only while they are held, and takes from the window system.
-constexpr std::array kOtherKeys{
-    EditingKey{GLFW_KEY_TAB, ImGuiKey_Tab},
-    EditingKey{GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
-    EditingKey{GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown},
-    EditingKey{GLFW_KEY_INSERT, ImGuiKey_Insert},
-    EditingKey{GLFW_KEY_SPACE, ImGuiKey_Space},
+constexpr std::array kOtherKeys {
+  EditingKey{GLFW_KEY_TAB, ImGuiKey_Tab}, EditingKey{GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
+      EditingKey{GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown},
+      EditingKey{GLFW_KEY_INSERT, ImGuiKey_Insert}, EditingKey{GLFW_KEY_SPACE, ImGuiKey_Space},
 #if IMGUI_VERSION_NUM >= 18700
-    EditingKey{GLFW_KEY_KP_ENTER, ImGuiKey_KeypadEnter},
+      EditingKey{GLFW_KEY_KP_ENTER, ImGuiKey_KeypadEnter},
 #else
-    EditingKey{GLFW_KEY_KP_ENTER, ImGuiKey_KeyPadEnter},
+      EditingKey{GLFW_KEY_KP_ENTER, ImGuiKey_KeyPadEnter},
 #endif
-    EditingKey{GLFW_KEY_A, ImGuiKey_A},
-    EditingKey{GLFW_KEY_C, ImGuiKey_C},
-    EditingKey{GLFW_KEY_V, ImGuiKey_V},
-    EditingKey{GLFW_KEY_X, ImGuiKey_X},
-    EditingKey{GLFW_KEY_Y, ImGuiKey_Y},
-    EditingKey{GLFW_KEY_Z, ImGuiKey_Z},
+      EditingKey{GLFW_KEY_A, ImGuiKey_A}, EditingKey{GLFW_KEY_C, ImGuiKey_C},
+      EditingKey{GLFW_KEY_V, ImGuiKey_V}, EditingKey{GLFW_KEY_X, ImGuiKey_X},
+      EditingKey{GLFW_KEY_Y, ImGuiKey_Y}, EditingKey{GLFW_KEY_Z, ImGuiKey_Z},
 };
 
 /// Held keys that change what others and the mouse mean.
@@ -142,8 +137,8 @@ void tellInput(ImGuiIO& io, const FrameInput& input) {
   io.MouseWheelH = static_cast<float>(input.wheel_across);
 #endif
   const auto tell = [&](const EditingKey& key) {
-    const bool pressed = std::ranges::find(input.presses, key.glfw, &KeyPress::key) !=
-                         input.presses.end();
+    const bool pressed =
+        std::ranges::find(input.presses, key.glfw, &KeyPress::key) != input.presses.end();
     setDown(io, key, pressed || std::ranges::binary_search(input.held, key.glfw));
   };
   std::ranges::for_each(kEditingKeys, tell);

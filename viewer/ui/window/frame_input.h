@@ -21,7 +21,7 @@ struct FrameInput {
   std::vector<KeyPress> presses;  ///< that came since the last frame, in order
   /// Keys that are down, by GLFW's numbers, as far as lines of text and drags ask for them; sorted.
   std::vector<int> held;
-  std::string typed;  ///< UTF-8, since the last frame
+  std::string typed;          ///< UTF-8, since the last frame
   int width = 0, height = 0;  ///< of the picture, in pixels; 0: the window's
   double scale = 1;           ///< of text and panels, where the size is said
 
