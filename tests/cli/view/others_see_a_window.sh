@@ -32,6 +32,12 @@ echo "record: exit $?"
 # Where the surfaces are depends on the last bits of a renderer's depth.
 rocinante log cat s.mcap | tr '|' '\n' | sed -n 's/^ \([a-z]* [^ ]*\).*/\1/p' | sort -u
 
+# It is seen as long as it was there: as it closed, it took back what it had said.
+for at in start end; do
+  printf "$at\nwatch ann\nquit\n" >look.txt
+  with_display rocinante view box.urdf s.mcap --size 320x240 --script look.txt 2>&1 && echo "$at: seen" || echo "$at: exit $?"
+done
+
 # Another window, live: it watches ann, and stays where ann looked.
 cat >bob.txt <<'SCRIPT'
 panels off

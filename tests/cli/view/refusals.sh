@@ -14,3 +14,10 @@ try box.urdf --at 3
 try box.urdf session.mcap --live 127.0.0.1:0
 try box.urdf --live --live 127.0.0.1:0 --live nonsense
 try missing.urdf
+# Recorded input that no window ever had.
+printf 'mouse 10 10\nframe-at 2s\nframe-at 1s\n' >script.txt
+try box.urdf --script script.txt
+printf 'frame-at 1e99s\n' >script.txt
+try box.urdf --script script.txt
+try box.urdf --script script.txt --record-input again.txt
+try box.urdf --record-input /nowhere/input.txt

@@ -9,6 +9,7 @@
 #include "core/base/time.h"
 #include "viewer/ui/commands/viewer_requests.h"
 #include "viewer/ui/model/view_model.h"
+#include "viewer/ui/window/frame_input.h"
 
 namespace rocinante {
 
@@ -19,6 +20,7 @@ struct CommandStage {
   SteadyTime now;
   int height_px = 1;  ///< of the picture: drags are relative to it
   ViewerRequests& requests;
+  FrameInput* input = nullptr;  ///< of a script: what its coming frames see of mouse and keyboard
 };
 
 using CommandWords = std::span<const std::string>;

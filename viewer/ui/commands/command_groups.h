@@ -27,6 +27,8 @@ std::vector<Command> publishCommands();
 std::vector<Command> programCommands();
 /// What only a script needs.
 std::vector<Command> scriptCommands();
+/// Mouse and keyboard of a script.
+std::vector<Command> inputCommands();
 
 /// "next" or "previous", as true or false. bad_argument without a place.
 Result<bool> isNext(const std::string& word);

@@ -46,6 +46,10 @@ struct ViewerRequests {
   std::optional<int> rung;
   /// Frames that a script draws before its next command.
   std::optional<int> frames;
+  /// Draw a frame at this time since the script began.
+  std::optional<Nanoseconds> frame_at;
+  /// Wait until the files that were opened are shown.
+  bool await_files = false;
   /// Why a key or a typed command did nothing: a sentence to show.
   std::optional<std::string> fault;
 };

@@ -108,9 +108,6 @@ void Publisher::say(const std::string& text) {
   sending_.said(sending_.source().event(text), "the event");
 }
 
-void Publisher::leave(SteadyTime now, WallTime wall) {
-  point(std::nullopt);
-  sending_.finish(now, wall);
-}
+void Publisher::leave(SteadyTime now, WallTime wall) { sending_.withdraw(now, wall); }
 
 }  // namespace rocinante

@@ -42,7 +42,7 @@ class Publisher {
   void eraseDrawn();
   /// An event.
   void say(const std::string& text);
-  /// Erases the pointer and sends what is left to say.
+  /// Sends what is left to say, then takes back everything: others forget this window.
   void leave(SteadyTime now, WallTime wall);
 
   void tick(SteadyTime now, WallTime wall) { sending_.tick(now, wall); }

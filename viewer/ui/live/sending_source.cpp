@@ -6,7 +6,9 @@
 #include <random>
 #include <utility>
 
+#include "core/base/bytes.h"
 #include "core/base/plain_text.h"
+#include "core/packet/packet_text.h"
 #include "core/transport/open_sink.h"
 
 namespace rocinante {
@@ -52,7 +54,8 @@ Result<SendingSource> SendingSource::into(std::unique_ptr<DatagramSink> sink,
         return true;
       });
   if (!source) return source.error();
-  return SendingSource(std::move(sink), std::move(trouble), std::move(*source), settings.source);
+  return SendingSource(std::move(sink), std::move(trouble), std::move(*source), settings.source,
+                       run);
 }
 
 void SendingSource::said(SourceResult answer, std::string_view what) {
@@ -79,6 +82,25 @@ void SendingSource::finish(SteadyTime now, WallTime wall) {
   }
   changed_ = false;
   flushed_at_ = now;
+}
+
+void SendingSource::withdraw(SteadyTime now, WallTime wall) {
+  finish(now, wall);
+  // Nothing makes up for a lost one, so there is another.
+  for (std::uint32_t copy = 0; copy < 2; ++copy) {
+    const std::string id = fmt::format("end{}", copy);
+    PacketHeader header;
+    header.source = name_;
+    header.run = run_;
+    header.sequence = source_.sent() + copy;
+    header.time_ns = wall.time_since_epoch().count();
+    header.restated = true;
+    header.part = RestatementPart{id, 1, 1};
+    const PacketTextWriter packet(header);
+    const std::array payloads{bytesOf(packet.text())};
+    const auto sent = sink_->sendWithoutWaiting(payloads);
+    if (!sent) *trouble_ = sent.error().text();
+  }
 }
 
 }  // namespace rocinante

@@ -40,6 +40,9 @@ class SendingSource {
   void tick(SteadyTime now, WallTime wall);
   /// Sends what changed, due or not.
   void finish(SteadyTime now, WallTime wall);
+  /// Sends what changed, then takes back everything that was said: a whole restatement without
+  /// statements (docs/packet-format.md, section "Restatements"). Nothing may be sent after it.
+  void withdraw(SteadyTime now, WallTime wall);
 
   const Endpoint& endpoint() const { return sink_->endpoint(); }
   const std::string& name() const { return name_; }
@@ -49,17 +52,18 @@ class SendingSource {
 
  private:
   SendingSource(std::unique_ptr<DatagramSink> sink, std::unique_ptr<std::string> trouble,
-                Source source, std::string name)
+                Source source, std::string name, std::string run)
       : sink_(std::move(sink)),
         trouble_(std::move(trouble)),
         source_(std::move(source)),
-        name_(std::move(name)) {}
+        name_(std::move(name)),
+        run_(std::move(run)) {}
 
   // Borrowed by the source's Send, so they do not move.
   std::unique_ptr<DatagramSink> sink_;
   std::unique_ptr<std::string> trouble_;
   Source source_;
-  std::string name_;
+  std::string name_, run_;
   bool changed_ = false;
   std::optional<SteadyTime> flushed_at_;
 };

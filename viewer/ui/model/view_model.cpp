@@ -104,6 +104,9 @@ Result<bool> ViewModel::update(SteadyTime now) {
   const bool shows_live = feed_ && showsNow();
   if (shows_live) {
     moment = live_->time;
+    if (heard_) {
+      changed = others_.look(live_->state, live_->sources, feedTime(now)) || changed;
+    }
     if (changed) {
       damage_ = {};
       if (auto trails = findTrails(moment); !trails) loseLog(trails.error());
@@ -182,6 +185,13 @@ bool ViewModel::lookForNearest() {
 Status ViewModel::pose(LogTime moment) {
   scene_ = poses_->pose(*state_);
   publishing.addTo(scene_);
+  if (feed_ && showsNow()) {
+    // Nobody points there any more.
+    std::erase_if(scene_.drawings, [this](const PosedDrawing& drawing) {
+      return (drawing.id == Publisher::kPointer || drawing.id == Publisher::kPointerName) &&
+             others_.isSilent(drawing.source);
+    });
+  }
   if (!beside_ || !beside_shown) return {};
   StateDamage damage;
   if (auto added = beside_->addGhosts(scene_, moment, damage); !added) return added;
@@ -225,7 +235,7 @@ std::optional<Finding> ViewModel::liveReason(SteadyTime now) const {
     const SessionState& heard = live_->state;
     facts.only_windows =
         !heard.counts().empty() && std::ranges::all_of(heard.counts(), [&](const auto& source) {
-          return heard.views().contains(source.first);
+          return heard.views().contains(source.first) || others_.hasLeft(source.first);
         });
     bool any_known = false;
     for (const auto& [name, device] : live_->state.devices()) {
@@ -239,9 +249,16 @@ std::optional<Finding> ViewModel::liveReason(SteadyTime now) const {
 
 std::vector<SourceRow> ViewModel::sourceRows(SteadyTime now) const {
   if (!heard_) return rocinante::sourceRows({}, *cell_, {});
-  // The feed's clock is not the script's: only differences count.
-  const Nanoseconds since = live_at_ ? now - *live_at_ : Nanoseconds(0);
-  return rocinante::sourceRows(live_->sources, *cell_, live_->taken + since);
+  auto rows = rocinante::sourceRows(live_->sources, *cell_, feedTime(now));
+  std::erase_if(rows, [this](const SourceRow& row) {
+    return others_.hasLeft(row.name) &&
+           std::ranges::find(cell_->sources, row.name, &CellSource::name) == cell_->sources.end();
+  });
+  return rows;
+}
+
+SteadyTime ViewModel::feedTime(SteadyTime now) const {
+  return live_->taken + (live_at_ ? now - *live_at_ : Nanoseconds(0));
 }
 
 LogStudy* ViewModel::study() {
@@ -384,17 +401,20 @@ CameraView ViewModel::cameraView() {
     auto view = chooseCamera(camera_name_, scene_);
     if (view.ok()) {
       panels.complaint.clear();
+      named_view_ = *view;
       return *view;
     }
-    // A removed view or carrier: keep the present camera.
+    // A removed view or carrier, as of a window that closed: keep the present camera.
     panels.complaint = view.error().text();
     camera_name_.clear();
+    if (named_view_) turntable_ = Turntable(*named_view_);
   }
   return turntable_.view();
 }
 
 void ViewModel::useCamera(const std::string& name) {
   camera_name_ = name;
+  named_view_.reset();
   followed = {};
 }
 

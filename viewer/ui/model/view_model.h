@@ -12,6 +12,7 @@
 #include "core/session/timeline.h"
 #include "viewer/ui/live/live_feed.h"
 #include "viewer/ui/live/live_reason.h"
+#include "viewer/ui/live/other_windows.h"
 #include "viewer/ui/live/source_rows.h"
 #include "viewer/ui/model/backdrop_choice.h"
 #include "viewer/ui/model/hand_control.h"
@@ -176,6 +177,8 @@ class ViewModel {
   std::vector<std::string> viewsOfOthers() const;
   /// The one that is shown; empty: none.
   std::string watched() const;
+  /// Other windows, as far as they speak.
+  const OtherWindows& others() const { return others_; }
   /// Stays where the watched one looks from now.
   void stopWatching();
   /// Names of the cell's cameras and of the session's views.
@@ -248,6 +251,8 @@ class ViewModel {
   Status findTrails(LogTime moment);
   // Of a session that goes on (view_model_growing.cpp).
 
+  /// The clock of the feed, which is not a script's: only differences count.
+  SteadyTime feedTime(SteadyTime now) const;
   /// Takes what came; true when it changes the picture.
   bool hear(SteadyTime now);
   /// Looks at the growing log, now and then; true when the shown state may have become known.
@@ -267,6 +272,7 @@ class ViewModel {
   std::optional<LiveFeed> feed_;
   std::unique_ptr<LiveSnapshot> live_;
   bool heard_ = false;  ///< something has come
+  OtherWindows others_;
   /// The live state of the moment at which the user left now: the log has it a little later.
   struct LeftNow {
     LogTime time;
@@ -311,6 +317,7 @@ class ViewModel {
   std::set<std::string> hidden_, shown_paths_;
   ViewChoice choice_;
   std::string camera_name_;
+  std::optional<CameraView> named_view_;  ///< the last one of that name
   Turntable turntable_;
   std::optional<Vec3> followed_at_;
 };

@@ -24,7 +24,12 @@ void drawViewpoints(ViewModel& model) {
     }
     explain(here ? "stay here, without following" : "see what they see (Z: the next one)");
     ImGui::SameLine();
-    ImGui::TextUnformatted(plainText(name).c_str());
+    if (model.others().isSilent(name)) {
+      ImGui::TextDisabled("%s: silent", plainText(name).c_str());
+      explain("this window says nothing any more: it was killed, or cannot be heard");
+    } else {
+      ImGui::TextUnformatted(plainText(name).c_str());
+    }
     ImGui::PopID();
   }
 }
@@ -93,7 +98,8 @@ OthersBanner othersBanner(const ViewModel& model) {
   const bool with_others = model.isLive() || publishing.active() != nullptr;
   if (const std::string watched = model.watched(); with_others && !watched.empty()) {
     banner.what = fmt::format("the view is that of {}", plainText(watched));
-    banner.hint = "Z or a drag ends it";
+    banner.hint = model.others().isSilent(watched) ? "it is silent: closed, or cannot be heard"
+                                                   : "Z or a drag ends it";
   }
   const Publisher* const publisher = publishing.active();
   if (publisher == nullptr) return banner;

@@ -21,6 +21,10 @@ class MomentPreview {
   /// Goes on with the picture, in a window of that size; true when there is a new one. What cannot
   /// be drawn has none.
   bool advance(Renderer& renderer, int width, int height, double scale, SteadyTime now);
+  /// Waits for what advance() waits for.
+  void wait() const {
+    if (study_) study_->wait();
+  }
   /// Ends the thread that reads the cell, until the next picture.
   void pause() { study_.reset(); }
 

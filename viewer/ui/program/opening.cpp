@@ -1,8 +1,14 @@
 #include "viewer/ui/program/opening.h"
 
+#include <chrono>
 #include <utility>
 
 namespace rocinante {
+namespace {
+
+constexpr Nanoseconds kLongestReading = std::chrono::hours(24);
+
+}  // namespace
 
 Status Opening::open(const std::vector<std::filesystem::path>& files) {
   if (files.empty()) return {};
@@ -16,9 +22,9 @@ Status Opening::open(const std::vector<std::filesystem::path>& files) {
   return {};
 }
 
-Result<std::optional<Opening::Loaded>> Opening::take() {
+Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
   std::optional<Loaded> loaded;
-  auto result = loader_.poll();
+  auto result = loader_.waitFor(waits ? kLongestReading : Nanoseconds(0));
   if (!result) return loaded;
   loaded.emplace();
   if (result->ok()) {

@@ -26,8 +26,9 @@ class Opening {
     std::unique_ptr<ViewContent> content;  ///< null: it cannot be read
     std::string fault;                     ///< why, for the user
   };
-  /// Fails with what cannot be read when that is all that was asked for.
-  Result<std::optional<Loaded>> take();
+  /// Fails with what cannot be read when that is all that was asked for. `waits`: until it has
+  /// come.
+  Result<std::optional<Loaded>> take(bool waits);
 
   std::optional<LoadingStatus> status() const;
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace rocinante {
@@ -11,26 +13,45 @@ constexpr Nanoseconds kLongestAwait = std::chrono::minutes(1);
 
 }  // namespace
 
+ScriptRunner::ScriptRunner(std::vector<ViewCommand> commands, std::string name)
+    : commands_(std::move(commands)), name_(std::move(name)) {
+  timed_ =
+      std::ranges::any_of(commands_, [](const ViewCommand& one) { return one.at.has_value(); });
+  now_ = timeOfNext(now_);
+}
+
+/// When the frame is drawn that the coming commands lead to.
+SteadyTime ScriptRunner::timeOfNext(SteadyTime otherwise) const {
+  if (frames_to_wait_ > 1) return otherwise;
+  constexpr std::array<std::string_view, 4> kDrawing{"frame", "wait", "screenshot", "await"};
+  for (std::size_t i = next_; i < commands_.size(); ++i) {
+    if (commands_[i].at) return std::max(now_, SteadyTime(*commands_[i].at));
+    if (std::ranges::find(kDrawing, commands_[i].name) != kDrawing.end()) break;
+  }
+  return otherwise;
+}
+
 Error ScriptRunner::faultAt(const ViewCommand& command, std::string what) const {
   return {ErrorKind::bad_argument, std::move(what), fmt::format("{}:{}", name_, command.line)};
 }
 
-Result<ViewerRequests> ScriptRunner::run(const ViewCommand& command,
-                                         const ScriptStage& stage) const {
+Result<ViewerRequests> ScriptRunner::run(const ViewCommand& command, const ScriptStage& stage) {
   ViewerRequests requests;
-  Status done =
-      runCommand(command.name, command.words, {stage.model, stage.now, stage.height_px, requests});
+  Status done = runCommand(command.name, command.words,
+                           {stage.model, stage.now, stage.height_px, requests, &input_});
   if (!done) return faultAt(command, done.error().text());
   if (requests.evidence) return faultAt(command, "use `evidence FILE` for an evidence picture");
   if (requests.save_live) return faultAt(command, "use `save FILE` to save the live session");
-  if (!requests.open.empty()) {
-    return faultAt(command, "a script cannot open files; name them when the program starts");
+  if (!requests.open.empty() && command.name == "open") {
+    return faultAt(command, "use `drop FILE` to open a file");
   }
   ViewerRequests own;
   own.close = std::exchange(requests.close, false);
   own.frames = std::exchange(requests.frames, std::nullopt);
   own.screenshot = std::exchange(requests.screenshot, std::nullopt);
   own.await_length = std::exchange(requests.await_length, std::nullopt);
+  own.frame_at = std::exchange(requests.frame_at, std::nullopt);
+  own.await_files = std::exchange(requests.await_files, false);
   done = stage.apply(requests);
   if (!done) return faultAt(command, done.error().text());
   return own;
@@ -65,8 +86,12 @@ Status ScriptRunner::beforeFrame(const ScriptStage& stage) {
       --next_;
       return {};
     }
-    if (left->frames || left->screenshot) {
-      frames_to_wait_ = left->frames.value_or(0);
+    if (left->await_files) {
+      awaits_files_ = true;
+      return {};
+    }
+    if (left->frames || left->screenshot || left->frame_at) {
+      frames_to_wait_ = left->frames.value_or(left->frame_at ? 1 : 0);
       screenshot_ = left->screenshot;
       return {};
     }
@@ -78,6 +103,8 @@ Status ScriptRunner::beforeFrame(const ScriptStage& stage) {
 }
 
 Status ScriptRunner::afterFrame(const std::function<Picture()>& read) {
+  input_.endFrame();
+  now_ = timeOfNext(now_ + kFrame);
   if (!screenshot_) return {};
   const std::filesystem::path path = *std::exchange(screenshot_, std::nullopt);
   return writePng(path, read());

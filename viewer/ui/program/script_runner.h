@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -26,19 +27,31 @@ struct ScriptStage {
 /// `screenshot`).
 class ScriptRunner {
  public:
-  ScriptRunner(std::vector<ViewCommand> commands, std::string name)
-      : commands_(std::move(commands)), name_(std::move(name)) {}
+  /// From one frame to the next where the script says no other time.
+  static constexpr Nanoseconds kFrame{1'000'000'000 / 60};
+
+  ScriptRunner(std::vector<ViewCommand> commands, std::string name);
 
   bool finished() const { return finished_; }
+  /// Whether it says when frames are drawn, as the input of a person that was recorded.
+  bool isTimed() const { return timed_; }
+  /// The time of the coming frame.
+  SteadyTime now() const { return now_; }
+  /// What it sees of mouse and keyboard.
+  const FrameInput& input() const { return input_; }
+  /// The script goes on when opened files are shown; true once. No frame is drawn before.
+  bool awaitsFiles() const { return awaits_files_; }
+  bool takeAwaitsFiles() { return std::exchange(awaits_files_, false); }
   /// bad_argument with NAME:LINE when a command's words are invalid.
   Status beforeFrame(const ScriptStage& stage);
-  /// Writes a requested screenshot.
+  /// Writes a requested screenshot. The next frame is later.
   Status afterFrame(const std::function<Picture()>& read);
 
  private:
   /// What the command leaves to its caller: frames to draw, a screenshot, the end.
-  Result<ViewerRequests> run(const ViewCommand& command, const ScriptStage& stage) const;
+  Result<ViewerRequests> run(const ViewCommand& command, const ScriptStage& stage);
   Result<bool> awaited(const ViewCommand& command, Nanoseconds length, const ScriptStage& stage);
+  SteadyTime timeOfNext(SteadyTime otherwise) const;
   Error faultAt(const ViewCommand& command, std::string what) const;
 
   std::vector<ViewCommand> commands_;
@@ -47,6 +60,10 @@ class ScriptRunner {
   int frames_to_wait_ = 0;
   std::optional<std::filesystem::path> screenshot_;
   bool finished_ = false;
+  bool timed_ = false;
+  bool awaits_files_ = false;
+  SteadyTime now_{};
+  FrameInput input_;
   std::optional<SteadyTime> awaits_since_;
 };
 

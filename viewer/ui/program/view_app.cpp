@@ -34,8 +34,6 @@
 namespace rocinante {
 namespace {
 
-constexpr Nanoseconds kScriptedFrame{1'000'000'000 / 60};
-
 double millisecondsSince(SteadyTime start) {
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   return took.count();
@@ -44,7 +42,7 @@ double millisecondsSince(SteadyTime start) {
 class ViewApp {
  public:
   static Result<std::unique_ptr<ViewApp>> open(ViewContent& content, Window& window,
-                                               const ViewOptions& options, ContentLoader& loader);
+                                               const ViewOptions& options, WindowSession& session);
   ~ViewApp() {
     if (model_.isLive()) model_.feed().onNews({});
     model_.publishing.end(now(), std::chrono::system_clock::now());
@@ -55,12 +53,12 @@ class ViewApp {
   Result<std::unique_ptr<ViewContent>> run();
 
  private:
-  ViewApp(ViewContent& content, Window& window, const ViewOptions& options, ContentLoader& loader,
+  ViewApp(ViewContent& content, Window& window, const ViewOptions& options, WindowSession& session,
           Renderer renderer)
       : shown_(content.request),
         model_(*content.model),
         options_(options),
-        opening_(loader, model_, shown_),
+        opening_(session.loader, model_, shown_),
         window_(&window),
         interface_(options.script.empty() ? window_ : nullptr),
         picture_(model_, std::move(renderer), options.samples),
@@ -69,12 +67,20 @@ class ViewApp {
         evidence_(content.request, options.samples),
         saving_(content.request),
         backdrop_(content.backdrop.get(), [] { glfwPostEmptyEvent(); }),
-        script_(options.script, options.script_name) {}
+        script_(session.script),
+        record_(session.record) {}
 
   bool scripted() const { return !options_.script.empty(); }
+  /// A person's input, at the window or from a record of it: nothing waits to be asked for.
+  bool isPersonal() const { return !scripted() || script_.isTimed(); }
+  /// Recorded, a frame has one time, so that it can be drawn again.
   SteadyTime now() const {
-    return scripted() ? scripted_now_ : SteadyTime(std::chrono::steady_clock::now());
+    if (scripted()) return script_.now();
+    return recorded_now_.value_or(std::chrono::steady_clock::now());
   }
+  std::optional<float> frameSeconds();
+  void finishPreview();
+  void beginFrame();
   void prepareView();
   Status drawFrame(double app_ms);
   Status refine();
@@ -85,6 +91,7 @@ class ViewApp {
   void writeScreenshot();
   void openFiles(const std::vector<std::filesystem::path>& files);
   void waitForNews();
+  Result<std::unique_ptr<ViewContent>> takeOpened();
   bool showBackdrop();
   Status publish();
   Status makeVideoOrCase(const ViewerRequests& requests);
@@ -105,10 +112,12 @@ class ViewApp {
   EvidenceDesk evidence_;
   SaveDesk saving_;
   BackdropDesk backdrop_;
-  ScriptRunner script_;
+  ScriptRunner& script_;
+  InputRecord& record_;
   std::optional<std::filesystem::path> screenshot_;  ///< a user's, of the coming frame
   FrameDue frame_due_;
-  SteadyTime scripted_now_{};
+  std::optional<SteadyTime> recorded_now_;  ///< of this frame
+  std::optional<SteadyTime> last_frame_;
   FrameJournal journal_;
   PointerPace pointer_pace_;
   bool scene_drawn_ = false;  ///< in this frame
@@ -120,14 +129,15 @@ class ViewApp {
 };
 
 Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& window,
-                                               const ViewOptions& options, ContentLoader& loader) {
+                                               const ViewOptions& options, WindowSession& session) {
   ViewModel& model = *content.model;
   auto renderer = Renderer::create(window, model.cell(), options.profile);
   if (!renderer.ok()) return renderer.error();
   for (const std::string& warning : renderer->warnings()) {
     cli::warn(model.cell().shown(warning));
   }
-  std::unique_ptr<ViewApp> app(new ViewApp(content, window, options, loader, std::move(*renderer)));
+  std::unique_ptr<ViewApp> app(
+      new ViewApp(content, window, options, session, std::move(*renderer)));
   auto painter = ImguiPainter::create(app->picture_.renderer().gl());
   if (!painter.ok()) return painter.error();
   app->painter_ = std::move(*painter);
@@ -139,12 +149,12 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   if (model.isLive()) model.feed().onNews([] { glfwPostEmptyEvent(); });
   model.study_waits = app->scripted();
   model.study_delayed = !app->scripted();
-  if (app->scripted()) model.findings_wanted = false;  // until the script asks
+  if (!app->isPersonal()) model.findings_wanted = false;  // until the script asks
   ViewerStatus& status = app->status_;
   status.renderer = app->picture_.renderer().key().renderer;
-  status.tells_times = !app->scripted();
+  status.tells_times = !app->scripted() && !app->record_.active();
   // What nobody chose is the window's choice, where bits need not be the same each time.
-  if (!app->scripted() && options.profile == Profile::fast && content.request.styles.empty()) {
+  if (app->isPersonal() && options.profile == Profile::fast && content.request.styles.empty()) {
     model.useLooksByDefault();
   }
   app->detail_.tell(status);
@@ -155,12 +165,17 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
 }
 
 void ViewApp::prepareView() {
-  const int width = std::max(1, window_->framebufferWidth());
-  const int height = std::max(1, window_->framebufferHeight());
-  if (width != width_ || height != height_) detail_.forget();
+  const FrameInput& input = script_.input();
+  const bool says_size = input.width > 0;
+  const int width = says_size ? input.width : std::max(1, window_->framebufferWidth());
+  const int height = says_size ? input.height : std::max(1, window_->framebufferHeight());
+  if (width != width_ || height != height_) {
+    detail_.forget();
+    if (says_size) window_->resize(width, height);
+  }
   width_ = width;
   height_ = height;
-  const float screen_scale = scripted() ? 1 : window_->contentScale();
+  const float screen_scale = scripted() ? static_cast<float>(input.scale) : window_->contentScale();
   const float scale = options_.scale ? static_cast<float>(*options_.scale) : screen_scale;
   if (interface_.useScale(scale)) {
     painter_->refreshFont();
@@ -204,17 +219,37 @@ Status ViewApp::compose(bool same_picture) {
   return {};
 }
 
+/// Since the last frame, where it must not depend on when the clock is read.
+std::optional<float> ViewApp::frameSeconds() {
+  if (!script_.isTimed() && !record_.active()) return std::nullopt;
+  const std::optional<SteadyTime> last = std::exchange(last_frame_, now());
+  if (!last) return kScriptedSeconds;
+  constexpr float kLeast = 1e-6F;
+  return std::max(kLeast, static_cast<float>((now() - *last).count()) * 1e-9F);
+}
+
+void ViewApp::beginFrame() {
+  interface_.beginFrame(width_, height_, scripted() ? &script_.input() : nullptr, frameSeconds());
+  if (!record_.active()) return;
+  FrameInput seen = interface_.seen();
+  seen.width = width_;
+  seen.height = height_;
+  seen.scale = interface_.scale();
+  record_.add(seen, now());
+  if (const auto fault = record_.takeFault()) {
+    evidence_.say(*fault, true, now());
+    model_.panels.doubts.push_back(*fault);
+  }
+}
+
 Status ViewApp::drawFrame(double app_ms) {
   FrameTimes times;
   times.app = app_ms;
   const SteadyTime began = std::chrono::steady_clock::now();
-  interface_.beginFrame(width_, height_);
+  beginFrame();
   ViewerRequests requests;
   covered_ = drawPanels(model_, status_, now(), requests);
-  if (!scripted()) {
-    requests.click =
-        applyUserInput(model_, now(), width_, height_, window_->input().thisFrame().keys, requests);
-  }
+  requests.click = applyUserInput(model_, now(), width_, height_, interface_.presses(), requests);
   ImGui::Render();
   if (auto applied = applyRequests(requests); !applied) return applied;
   times.ui = millisecondsSince(began);
@@ -386,7 +421,7 @@ void ViewApp::waitForNews() {
 Status ViewApp::publish() {
   Publishing& publishing = model_.publishing;
   if (publishing.active() == nullptr) return {};
-  if (!scripted() && publishing.points()) {
+  if (publishing.points()) {
     const auto place = mouseOnPicture();
     if (pointer_pace_.due(place, now())) {
       if (!place) {
@@ -415,6 +450,28 @@ void ViewApp::openFiles(const std::vector<std::filesystem::path>& files) {
   if (Status begun = opening_.open(files); !begun) evidence_.say(begun.error().text(), true, now());
 }
 
+/// A script has no idle time, in which a window draws it.
+void ViewApp::finishPreview() {
+  const auto advance = [&] {
+    return preview_.advance(picture_.renderer(), width_, height_, interface_.scale(), now());
+  };
+  if (advance()) return;
+  preview_.wait();
+  advance();
+}
+
+/// What was opened or dropped, once it has come; a script waits for it where it says so.
+Result<std::unique_ptr<ViewContent>> ViewApp::takeOpened() {
+  auto loaded = opening_.take(scripted());
+  if (!loaded.ok()) return loaded.error();
+  if (!*loaded) return nullptr;
+  record_.addFilesCame();
+  if ((*loaded)->content != nullptr) return std::move((*loaded)->content);
+  evidence_.say((*loaded)->fault, true, now());
+  frame_due_.happened(now());
+  return nullptr;
+}
+
 Result<std::unique_ptr<ViewContent>> ViewApp::run() {
   std::unique_ptr<ViewContent> next;
   if (model_.cameraName().empty()) {
@@ -422,13 +479,13 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     model_.fit(picture_.corners(false), window_->framebufferWidth(), window_->framebufferHeight());
   }
   while (!window_->closeRequested() && !cli::stopRequested()) {
-    openFiles(window_->takeDropped());
-    auto loaded = opening_.take();
-    if (!loaded.ok()) return loaded.error();
-    if (*loaded) {
-      if ((*loaded)->content != nullptr) return std::move((*loaded)->content);
-      evidence_.say((*loaded)->fault, true, now());
-      frame_due_.happened(now());
+    if (record_.active()) recorded_now_ = std::chrono::steady_clock::now();
+    if (!scripted() || script_.takeAwaitsFiles()) {
+      const auto dropped = window_->takeDropped();
+      record_.addDrop(dropped);
+      openFiles(dropped);
+      auto opened = takeOpened();
+      if (!opened.ok() || *opened != nullptr) return opened;
     }
     const SteadyTime began = std::chrono::steady_clock::now();
     auto changed = model_.update(now());
@@ -454,19 +511,20 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
         return stepped.error();
       }
       if (script_.finished()) return next;
+      if (script_.awaitsFiles()) continue;
       // The script's changes must show in this frame.
       if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
       showBackdrop();
       prepareView();
       picture_.changed();
     }
+    if (script_.isTimed()) finishPreview();
     status_.loading = opening_.status();
     if (auto drawn = drawFrame(app_ms); !drawn) return drawn.error();
     if (scripted()) {
       if (auto kept = script_.afterFrame([this] { return picture_.pixels().read(); }); !kept) {
         return kept.error();
       }
-      scripted_now_ += kScriptedFrame;
     }
     if (screenshot_) writeScreenshot();
     if (scripted()) picture_.pixels().blitTo(0);
@@ -482,8 +540,8 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
 
 Result<std::unique_ptr<ViewContent>> showContent(ViewContent& content, Window& window,
                                                  const ViewOptions& options,
-                                                 ContentLoader& loader) {
-  auto app = ViewApp::open(content, window, options, loader);
+                                                 WindowSession& session) {
+  auto app = ViewApp::open(content, window, options, session);
   if (!app.ok()) return app.error();
   return (*app)->run();
 }

@@ -8,6 +8,8 @@
 
 #include "core/base/result.h"
 #include "viewer/render/renderer.h"
+#include "viewer/ui/program/input_record.h"
+#include "viewer/ui/program/script_runner.h"
 #include "viewer/ui/program/view_content.h"
 #include "viewer/ui/program/view_script.h"
 #include "viewer/ui/window/window.h"
@@ -30,17 +32,27 @@ struct ViewOptions {
   std::optional<int> detail;
   double target_fps = 30;
   /// Drives the window instead of a user: time then advances by 1/60 s per frame, independent of
-  /// the clock, and mouse and keyboard are ignored, so that screenshots are reproducible.
+  /// the clock, and the real mouse and keyboard are ignored, so that screenshots are reproducible.
   std::vector<ViewCommand> script;
-  std::string script_name;            ///< for error messages
+  std::string script_name;  ///< for error messages
+  /// What the user does is written here, as a script; empty: it is not. Implies `fresh`.
+  std::filesystem::path record_input;
   std::filesystem::path frame_times;  ///< a FrameJournal that was begun; empty: none
   std::string notice;                 ///< shown for a while at the start, to a user; may be empty
+};
+
+/// What stays while one content of a window gives way to the next.
+struct WindowSession {
+  ContentLoader& loader;
+  ScriptRunner script;
+  InputRecord record;
 };
 
 /// Shows the content until the window is closed, the script ends, or a signal stops it: null; or
 /// until the loader has something else to show. The window says what cannot be loaded, unless
 /// nothing was shown yet: then it is the error. Main thread.
 Result<std::unique_ptr<ViewContent>> showContent(ViewContent& content, Window& window,
-                                                 const ViewOptions& options, ContentLoader& loader);
+                                                 const ViewOptions& options,
+                                                 WindowSession& session);
 
 }  // namespace rocinante

@@ -32,7 +32,12 @@ constexpr char kExamples[] =
     "  rocinante view cell.toml --live --keep 1h,8GB\n"
     "  rocinante view cell.toml --live :49152 --decoders kuka.decoders.toml\n"
     "  rocinante view cell.toml --live 0.0.0.0:19960 --camera overview\n"
-    "  rocinante view cell.toml session.mcap --profile reproducible --script look.txt\n";
+    "  rocinante view cell.toml session.mcap --profile reproducible --script look.txt\n"
+    "  rocinante view cell.toml session.mcap --record-input bug.txt"
+    "   --script bug.txt does it again\n";
+
+/// Hours of recorded input.
+constexpr std::size_t kMostScriptBytes = 16U << 20U;
 
 struct Arguments {
   std::filesystem::path cell, log, beside, script;
@@ -53,7 +58,7 @@ struct Arguments {
   bool is_live = false, fresh = false;
   int samples = 4;
   std::optional<double> scale;
-  std::filesystem::path frame_times;
+  std::filesystem::path frame_times, record_input;
 };
 
 Result<ContentRequest> contentRequest(const Arguments& arguments) {
@@ -127,6 +132,7 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
   options.samples = arguments.samples;
   options.scale = arguments.scale;
   options.frame_times = arguments.frame_times;
+  options.record_input = arguments.record_input;
   if (!options.frame_times.empty()) {
     if (Status begun = FrameJournal::begin(options.frame_times); !begun) return begun.error();
   }
@@ -142,7 +148,7 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
   }
   options.profile = arguments.profile == "fast" ? Profile::fast : Profile::reproducible;
   if (!arguments.script.empty()) {
-    const auto text = readFile(arguments.script, 1U << 20U);
+    const auto text = readFile(arguments.script, kMostScriptBytes);
     if (!text.ok()) return text.error();
     auto commands = parseViewScript(*text, arguments.script.string());
     if (!commands.ok()) return commands.error();
@@ -172,7 +178,7 @@ Result<Exit> lookAtLeftovers(const Arguments& arguments) {
 Result<Exit> view(const Arguments& arguments) {
   auto options = viewOptions(arguments);
   if (!options.ok()) return options.error();
-  if (arguments.is_live) {
+  if (arguments.is_live && arguments.record_input.empty()) {
     options->notice = leftoversOffer(KeptFolder::leftovers(KeptFolder::ofUser()));
     if (!options->notice.empty()) cli::warn(options->notice);
   }
@@ -281,7 +287,12 @@ int viewMain(int argc, char** argv) {
   app.add_option("--frame-times", arguments.frame_times,
                  "write when each frame was shown and what it cost, as CSV")
       ->type_name("FILE");
-  app.add_option("--script", arguments.script, "drive the window from this file, then close it");
+  auto* script = app.add_option("--script", arguments.script,
+                                "drive the window from this file, then close it");
+  app.add_option("--record-input", arguments.record_input,
+                 "write what mouse and keyboard do here, as a script that does it again")
+      ->type_name("FILE")
+      ->excludes(script);
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<Exit> {
     if (arguments.leftovers || arguments.forget_leftovers) return lookAtLeftovers(arguments);
     cli::catchStopSignals();

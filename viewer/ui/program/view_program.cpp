@@ -34,10 +34,8 @@ Result<ViewContent> loadNow(const ContentRequest& request) {
 }
 
 /// What the window begins with: nothing if reading takes a while.
-Result<ViewContent> firstContent(const ContentRequest& first, bool scripted,
-                                 ContentLoader& loader) {
-  // A script finds everything there.
-  if (scripted) return loadNow(first);
+Result<ViewContent> firstContent(const ContentRequest& first, bool whole, ContentLoader& loader) {
+  if (whole) return loadNow(first);
   if (first.empty()) return emptyContent();
   auto loaded = loader.waitFor(kAtOnce);
   return loaded ? std::move(*loaded) : Result<ViewContent>(emptyContent());
@@ -47,15 +45,19 @@ Result<ViewContent> firstContent(const ContentRequest& first, bool scripted,
 
 Result<bool> runViewer(const ContentRequest& first, const ViewOptions& options) {
   const bool scripted = !options.script.empty();
+  auto record = InputRecord::begin(options.record_input);
+  if (!record.ok()) return record.error();
+  // What a script or a record of input begins with is there.
+  const bool whole = scripted || record->active();
   ContentLoader loader;
   std::optional<Result<ViewContent>> begun;
-  if (scripted) {
-    begun = firstContent(first, scripted, loader);
+  if (whole) {
+    begun = firstContent(first, whole, loader);
     if (!begun->ok()) return begun->error();
   } else if (!first.empty()) {
     loader.start(first);
   }
-  Remembered remembered = Remembered::load(!scripted && !options.fresh);
+  Remembered remembered = Remembered::load(!whole && !options.fresh);
   const auto [width, height] = remembered.sizeFor(options.width, options.height);
   auto window = Window::open("Opening Rocinante", width, height, !scripted);
   if (!window.ok()) {
@@ -64,9 +66,10 @@ Result<bool> runViewer(const ContentRequest& first, const ViewOptions& options) 
     if (loaded && !loaded->ok()) return loaded->error();
     return window.error();
   }
-  if (!begun) begun = firstContent(first, scripted, loader);
+  if (!begun) begun = firstContent(first, whole, loader);
   if (!begun->ok()) return begun->error();
 
+  WindowSession session{loader, {options.script, options.script_name}, std::move(*record)};
   bool beyond_doubt = true;
   auto content = std::make_unique<ViewContent>(std::move(**begun));
   while (content != nullptr) {
@@ -78,7 +81,7 @@ Result<bool> runViewer(const ContentRequest& first, const ViewOptions& options) 
       (*window)->setTitle(loader.busy() ? "Loading " + loader.name() + ": Rocinante" : "Rocinante");
     }
     remembered.apply(*content);
-    auto next = showContent(*content, **window, options, loader);
+    auto next = showContent(*content, **window, options, session);
     if (!next.ok()) return next.error();
     remembered.keep(*content, **window);
     beyond_doubt = isBeyondDoubt(*content->model) && beyond_doubt;

@@ -7,60 +7,12 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <array>
-#include <cfloat>
 #include <cmath>
 
 #include "viewer/overlay/embedded_font.h"
 #include "viewer/ui/window/panel_style.h"
 
 namespace rocinante {
-namespace {
-
-/// Sets the mouse of the coming frame, overriding the backend.
-void tellMouse(ImGuiIO& io, const InputState& seen, ImVec2 at) {
-#if IMGUI_VERSION_NUM >= 18700
-  // Since ImGui 1.87 these events are queued after the backend's, and the last one counts.
-  io.AddMousePosEvent(at.x, at.y);
-  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
-    io.AddMouseButtonEvent(button, seen.down[static_cast<std::size_t>(button)]);
-  }
-#else
-  std::ranges::copy(seen.down, io.MouseDown);
-  io.MousePos = at;
-#endif
-}
-
-/// The keys of lines and lists that Dear ImGui asks for.
-struct EditingKey {
-  int glfw;
-  ImGuiKey key;
-};
-constexpr std::array kEditingKeys{
-    EditingKey{GLFW_KEY_ENTER, ImGuiKey_Enter},
-    EditingKey{GLFW_KEY_ESCAPE, ImGuiKey_Escape},
-    EditingKey{GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
-    EditingKey{GLFW_KEY_DELETE, ImGuiKey_Delete},
-    EditingKey{GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
-    EditingKey{GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
-    EditingKey{GLFW_KEY_UP, ImGuiKey_UpArrow},
-    EditingKey{GLFW_KEY_DOWN, ImGuiKey_DownArrow},
-    EditingKey{GLFW_KEY_HOME, ImGuiKey_Home},
-    EditingKey{GLFW_KEY_END, ImGuiKey_End},
-};
-
-bool tellKey(ImGuiIO& io, int glfw, bool down) {
-  const auto* const known = std::ranges::find(kEditingKeys, glfw, &EditingKey::glfw);
-  if (known == kEditingKeys.end()) return false;
-#if IMGUI_VERSION_NUM >= 18700
-  io.AddKeyEvent(known->key, down);
-#else
-  io.KeysDown[glfw] = down;
-#endif
-  return true;
-}
-
-}  // namespace
 
 InterfaceContext::InterfaceContext(Window* window) : window_(window) {
   ImGui::CreateContext();
@@ -73,7 +25,11 @@ InterfaceContext::InterfaceContext(Window* window) : window_(window) {
   ImGui::GetIO().ConfigInputTrickleEventQueue = false;
 #endif
   useScale(1);
-  if (window_ != nullptr) ImGui_ImplGlfw_InitForOpenGL(window_->handle(), true);
+  if (window_ != nullptr) {
+    ImGui_ImplGlfw_InitForOpenGL(window_->handle(), true);
+  } else {
+    nameKeys(ImGui::GetIO());
+  }
 }
 
 InterfaceContext::~InterfaceContext() {
@@ -120,29 +76,45 @@ void InterfaceContext::tellKeys(const std::vector<KeyPress>& presses) {
   }
 }
 
-void InterfaceContext::beginFrame(int width, int height) {
+/// The backend reads the present mouse and buttons: for a click between two frames it would report
+/// the wrong place, and the release one frame late.
+void InterfaceContext::tellWindow(double width, double height) {
   ImGuiIO& io = ImGui::GetIO();
-  const ImVec2 pixels(static_cast<float>(width), static_cast<float>(height));
+  const bool outside = !window_->followsPointer() && !window_->input().pending();
+  const InputState& seen = window_->input().nextFrame();
+  std::optional<std::pair<double, double>> at;
+  // GLFW uses window units.
+  if ((!outside || seen.anyDown()) && io.DisplaySize.x > 0 && io.DisplaySize.y > 0) {
+    const auto x = static_cast<float>(seen.x), y = static_cast<float>(seen.y);
+    at = {x * static_cast<float>(width) / io.DisplaySize.x,
+          y * static_cast<float>(height) / io.DisplaySize.y};
+  }
+  tellMouse(io, seen.down, at);
+  tellKeys(seen.keys);
+  presses_ = seen.keys;
+}
+
+void InterfaceContext::beginFrame(int width, int height, const FrameInput* scripted,
+                                  std::optional<float> seconds) {
+  ImGuiIO& io = ImGui::GetIO();
   if (window_ != nullptr) {
     ImGui_ImplGlfw_NewFrame();
-    // The backend reads the present mouse and buttons: for a click between two frames it would
-    // report the wrong place, and the release one frame late.
-    const bool outside = !window_->followsPointer() && !window_->input().pending();
-    const InputState& seen = window_->input().nextFrame();
-    ImVec2 at(-FLT_MAX, -FLT_MAX);
-    // GLFW uses window units.
-    if ((!outside || seen.anyDown()) && io.DisplaySize.x > 0 && io.DisplaySize.y > 0) {
-      at = ImVec2(static_cast<float>(seen.x) * pixels.x / io.DisplaySize.x,
-                  static_cast<float>(seen.y) * pixels.y / io.DisplaySize.y);
-    }
-    tellMouse(io, seen, at);
-    tellKeys(seen.keys);
+    tellWindow(width, height);
   } else {
-    io.DeltaTime = 1.0F / 60.0F;
+    io.DeltaTime = kScriptedSeconds;
+    if (scripted != nullptr) tellInput(io, *scripted);
+    presses_ = scripted != nullptr ? scripted->presses : std::vector<KeyPress>();
   }
-  io.DisplaySize = pixels;
+  if (seconds) io.DeltaTime = *seconds;
+  io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
   io.DisplayFramebufferScale = ImVec2(1, 1);
   ImGui::NewFrame();
+}
+
+FrameInput InterfaceContext::seen() const {
+  FrameInput input = seenInput();
+  input.presses = presses_;
+  return input;
 }
 
 }  // namespace rocinante

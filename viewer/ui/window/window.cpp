@@ -188,6 +188,8 @@ bool Window::followsPointer() const {
          glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE;
 }
 
+void Window::resize(int width, int height) { glfwSetWindowSize(window_, width, height); }
+
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
 bool Window::closeRequested() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }

@@ -38,6 +38,8 @@ class Window final : public RenderContext {
   float contentScale() const;
   /// Whether the window follows the pointer: it is over the window, or the window has the focus.
   bool followsPointer() const;
+  /// In pixels.
+  void resize(int width, int height);
   void setTitle(const std::string& title);
   /// Files that were dropped on the window since the last call.
   std::vector<std::filesystem::path> takeDropped() { return std::exchange(dropped_, {}); }

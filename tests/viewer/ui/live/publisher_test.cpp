@@ -99,7 +99,7 @@ TEST_F(Publishes, DrawnThingsAreReceivedAsTheyAreShownHere) {
   EXPECT_TRUE(folded().drawings().empty());
 }
 
-TEST_F(Publishes, ForThoseWhoComeLaterAndLeavesNoPointerBehind) {
+TEST_F(Publishes, ForThoseWhoComeLaterAndLeavesNothingBehind) {
   Publisher ann = open();
   ann.look({});
   ann.point(Vec3{1, 0, 0});
@@ -114,8 +114,35 @@ TEST_F(Publishes, ForThoseWhoComeLaterAndLeavesNoPointerBehind) {
   EXPECT_EQ(folded().drawings().count({"ann", "pointer"}), 1U);
   ann.leave(SteadyTime(5s), WallTime(5s));
   const SessionState left = folded();
-  EXPECT_EQ(left.drawings().count({"ann", "pointer"}), 0U);
-  EXPECT_EQ(left.drawings().size(), 1U);
+  EXPECT_TRUE(left.drawings().empty());
+  EXPECT_TRUE(left.views().empty());
+}
+
+TEST_F(Publishes, WhatItSaidLastIsHeardBeforeItLeaves) {
+  Publisher ann = open();
+  ann.look({});
+  ann.tick(SteadyTime{}, WallTime{});
+  ann.say("bye");
+  take();
+  ann.leave(SteadyTime(1ms), WallTime(1s));
+  EXPECT_EQ(take(),
+            "RK1 ann@r 1 1\nevent \"bye\"\n"
+            "RK1 ann@r 2 1 restated part=end0:1/1\nRK1 ann@r 3 1 restated part=end1:1/1\n");
+}
+
+TEST_F(Publishes, OneOfTheLastDatagramsMayBeLost) {
+  for (const int lost : {1, 2}) {
+    everything_.clear();
+    Publisher ann = open();
+    ann.look({});
+    ann.addLabel({"", "", {0, 0, 0}}, "worn");
+    ann.leave(SteadyTime{}, WallTime{});
+    take();
+    ASSERT_EQ(everything_.size(), 3U);
+    everything_.erase(everything_.begin() + lost);
+    EXPECT_TRUE(folded().views().empty());
+    EXPECT_TRUE(folded().drawings().empty());
+  }
 }
 
 TEST_F(Publishes, ALongLineGoesOnInAnother) {

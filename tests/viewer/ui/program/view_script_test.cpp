@@ -23,6 +23,19 @@ TEST(ParseViewScript, FaultsNameTheLine) {
             "`orbit` takes 2 words, not 1 (s.txt:1)");
 }
 
+TEST(ParseViewScript, FramesAreDrawnOneAfterAnother) {
+  const auto commands = parseViewScript("frame-at 0s\nframe-at 1.000000001s", "s");
+  ASSERT_TRUE(commands.ok());
+  EXPECT_EQ(*(*commands)[1].at, Nanoseconds(1'000'000'001));
+  EXPECT_EQ(parseViewScript("frame-at 1s\nframe-at 1s", "s").error().text(),
+            "`1s` must be later than the frame before it (s:2)");
+  EXPECT_EQ(parseViewScript("frame-at -1s", "s").error().text(),
+            "`-1s` must be from 0s to 24h (s:1)");
+  EXPECT_EQ(parseViewScript("frame-at 25h", "s").error().text(),
+            "`25h` must be from 0s to 24h (s:1)");
+  EXPECT_FALSE(parseViewScript("frame-at soon", "s").ok());
+}
+
 TEST(ParseViewScript, NothingIsNoFault) {
   EXPECT_TRUE(parseViewScript("", "s")->empty());
   EXPECT_TRUE(parseViewScript("# only words\n\n", "s")->empty());

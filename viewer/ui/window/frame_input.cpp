@@ -1,0 +1,184 @@
+#include "viewer/ui/window/frame_input.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cfloat>
+
+namespace rocinante {
+namespace {
+
+/// A key of lines and lists that Dear ImGui asks for.
+struct EditingKey {
+  int glfw;
+  ImGuiKey key;
+};
+constexpr std::array kEditingKeys{
+    EditingKey{GLFW_KEY_ENTER, ImGuiKey_Enter},
+    EditingKey{GLFW_KEY_ESCAPE, ImGuiKey_Escape},
+    EditingKey{GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
+    EditingKey{GLFW_KEY_DELETE, ImGuiKey_Delete},
+    EditingKey{GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
+    EditingKey{GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
+    EditingKey{GLFW_KEY_UP, ImGuiKey_UpArrow},
+    EditingKey{GLFW_KEY_DOWN, ImGuiKey_DownArrow},
+    EditingKey{GLFW_KEY_HOME, ImGuiKey_Home},
+    EditingKey{GLFW_KEY_END, ImGuiKey_End},
+};
+/// Keys that it asks for only while they are held, and takes from the window system.
+constexpr std::array kOtherKeys {
+  EditingKey{GLFW_KEY_TAB, ImGuiKey_Tab}, EditingKey{GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
+      EditingKey{GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown},
+      EditingKey{GLFW_KEY_INSERT, ImGuiKey_Insert}, EditingKey{GLFW_KEY_SPACE, ImGuiKey_Space},
+#if IMGUI_VERSION_NUM >= 18700
+      EditingKey{GLFW_KEY_KP_ENTER, ImGuiKey_KeypadEnter},
+#else
+      EditingKey{GLFW_KEY_KP_ENTER, ImGuiKey_KeyPadEnter},
+#endif
+      EditingKey{GLFW_KEY_A, ImGuiKey_A}, EditingKey{GLFW_KEY_C, ImGuiKey_C},
+      EditingKey{GLFW_KEY_V, ImGuiKey_V}, EditingKey{GLFW_KEY_X, ImGuiKey_X},
+      EditingKey{GLFW_KEY_Y, ImGuiKey_Y}, EditingKey{GLFW_KEY_Z, ImGuiKey_Z},
+};
+
+/// Held keys that change what others and the mouse mean.
+struct ModifierKey {
+  int glfw;
+  bool ImGuiIO::*held;
+};
+constexpr std::array kModifiers{
+    ModifierKey{GLFW_KEY_LEFT_SHIFT, &ImGuiIO::KeyShift},
+    ModifierKey{GLFW_KEY_LEFT_CONTROL, &ImGuiIO::KeyCtrl},
+    ModifierKey{GLFW_KEY_LEFT_ALT, &ImGuiIO::KeyAlt},
+    ModifierKey{GLFW_KEY_LEFT_SUPER, &ImGuiIO::KeySuper},
+};
+
+template <typename Keys>
+const EditingKey* findKey(const Keys& keys, int glfw) {
+  const auto found = std::ranges::find(keys, glfw, &EditingKey::glfw);
+  return found == keys.end() ? nullptr : &*found;
+}
+
+bool isDown([[maybe_unused]] const ImGuiIO& io, const EditingKey& key) {
+#if IMGUI_VERSION_NUM >= 18700
+  return ImGui::IsKeyDown(key.key);
+#else
+  return io.KeysDown[key.glfw];
+#endif
+}
+
+void setDown(ImGuiIO& io, const EditingKey& key, bool down) {
+#if IMGUI_VERSION_NUM >= 18700
+  io.AddKeyEvent(key.key, down);
+#else
+  io.KeysDown[key.glfw] = down;
+#endif
+}
+
+void setModifiers(ImGuiIO& io, const std::vector<int>& held) {
+  const auto is_held = [&](int glfw) { return std::ranges::binary_search(held, glfw); };
+#if IMGUI_VERSION_NUM >= 18900
+  constexpr std::array kTold{ImGuiMod_Shift, ImGuiMod_Ctrl, ImGuiMod_Alt, ImGuiMod_Super};
+#elif IMGUI_VERSION_NUM >= 18700
+  constexpr std::array kTold{ImGuiKey_ModShift, ImGuiKey_ModCtrl, ImGuiKey_ModAlt,
+                             ImGuiKey_ModSuper};
+#endif
+  for (std::size_t i = 0; i < kModifiers.size(); ++i) {
+#if IMGUI_VERSION_NUM >= 18700
+    io.AddKeyEvent(kTold[i], is_held(kModifiers[i].glfw));
+#else
+    io.*kModifiers[i].held = is_held(kModifiers[i].glfw);
+#endif
+  }
+}
+
+}  // namespace
+
+void FrameInput::endFrame() {
+  wheel = wheel_across = 0;
+  presses.clear();
+  typed.clear();
+}
+
+FrameInput seenInput() {
+  const ImGuiIO& io = ImGui::GetIO();
+  FrameInput seen;
+  if (ImGui::IsMousePosValid()) seen.mouse = {io.MousePos.x, io.MousePos.y};
+  std::copy(std::begin(io.MouseDown), std::end(io.MouseDown), seen.down.begin());
+  seen.wheel = io.MouseWheel;
+  seen.wheel_across = io.MouseWheelH;
+  const auto take = [&](const EditingKey& key) {
+    if (isDown(io, key)) seen.held.push_back(key.glfw);
+  };
+  std::ranges::for_each(kEditingKeys, take);
+  std::ranges::for_each(kOtherKeys, take);
+  for (const ModifierKey& modifier : kModifiers) {
+    if (io.*modifier.held) seen.held.push_back(modifier.glfw);
+  }
+  std::ranges::sort(seen.held);
+  for (const ImWchar letter : io.InputQueueCharacters) {
+    std::array<char, 5> bytes{};
+    seen.typed += ImTextCharToUtf8(bytes.data(), letter);
+  }
+  return seen;
+}
+
+void tellInput(ImGuiIO& io, const FrameInput& input) {
+  tellMouse(io, input.down, input.mouse);
+#if IMGUI_VERSION_NUM >= 18700
+  if (input.wheel != 0 || input.wheel_across != 0) {
+    io.AddMouseWheelEvent(static_cast<float>(input.wheel_across), static_cast<float>(input.wheel));
+  }
+#else
+  io.MouseWheel = static_cast<float>(input.wheel);
+  io.MouseWheelH = static_cast<float>(input.wheel_across);
+#endif
+  const auto tell = [&](const EditingKey& key) {
+    const bool pressed =
+        std::ranges::find(input.presses, key.glfw, &KeyPress::key) != input.presses.end();
+    setDown(io, key, pressed || std::ranges::binary_search(input.held, key.glfw));
+  };
+  std::ranges::for_each(kEditingKeys, tell);
+  std::ranges::for_each(kOtherKeys, tell);
+  setModifiers(io, input.held);
+  if (!input.typed.empty()) io.AddInputCharactersUTF8(input.typed.c_str());
+}
+
+void nameKeys([[maybe_unused]] ImGuiIO& io) {
+#if IMGUI_VERSION_NUM < 18700
+  for (const EditingKey& key : kEditingKeys) io.KeyMap[key.key] = key.glfw;
+  for (const EditingKey& key : kOtherKeys) io.KeyMap[key.key] = key.glfw;
+#endif
+}
+
+void tellMouse(ImGuiIO& io, const std::array<bool, 5>& down,
+               const std::optional<std::pair<double, double>>& at) {
+  ImVec2 place(-FLT_MAX, -FLT_MAX);
+  if (at) place = ImVec2(static_cast<float>(at->first), static_cast<float>(at->second));
+#if IMGUI_VERSION_NUM >= 18700
+  // Since ImGui 1.87 these events are queued after the backend's, and the last one counts.
+  io.AddMousePosEvent(place.x, place.y);
+  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
+    io.AddMouseButtonEvent(button, down[static_cast<std::size_t>(button)]);
+  }
+#else
+  std::ranges::copy(down, io.MouseDown);
+  io.MousePos = place;
+#endif
+}
+
+bool tellKey(ImGuiIO& io, int glfw, bool down) {
+  const EditingKey* const known = findKey(kEditingKeys, glfw);
+  if (known != nullptr) setDown(io, *known, down);
+  return known != nullptr;
+}
+
+bool isHeldKey(int glfw) {
+  return findKey(kEditingKeys, glfw) != nullptr || findKey(kOtherKeys, glfw) != nullptr ||
+         std::ranges::find(kModifiers, glfw, &ModifierKey::glfw) != kModifiers.end();
+}
+
+}  // namespace rocinante

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viewer/ui/window/input_queue.h"
+
+struct ImGuiIO;
+
+namespace rocinante {
+
+/// What one frame of the window sees of mouse and keyboard. Plain values.
+struct FrameInput {
+  /// In pixels of the picture, from its top left; empty: outside the window.
+  std::optional<std::pair<double, double>> mouse;
+  std::array<bool, 5> down{};  ///< mouse buttons; 0 is the left one
+  double wheel = 0, wheel_across = 0;
+  std::vector<KeyPress> presses;  ///< that came since the last frame, in order
+  /// Keys that are down, by GLFW's numbers, as far as lines of text and drags ask for them; sorted.
+  std::vector<int> held;
+  std::string typed;          ///< UTF-8, since the last frame
+  int width = 0, height = 0;  ///< of the picture, in pixels; 0: the window's
+  double scale = 1;           ///< of text and panels, where the size is said
+
+  /// What belongs to one frame is over; what is down stays down.
+  void endFrame();
+};
+
+/// The same of this frame as Dear ImGui has it, after NewFrame(); without presses.
+FrameInput seenInput();
+/// Gives it to Dear ImGui, before NewFrame(). A key that was pressed is down in this frame.
+void tellInput(ImGuiIO& io, const FrameInput& input);
+/// Names the keys that lines of text need, where no window system does it.
+void nameKeys(ImGuiIO& io);
+
+/// Sets the mouse of the coming frame, overriding what the window system said.
+void tellMouse(ImGuiIO& io, const std::array<bool, 5>& down,
+               const std::optional<std::pair<double, double>>& at);
+/// The same of a key; false when Dear ImGui does not ask for it.
+bool tellKey(ImGuiIO& io, int glfw, bool down);
+/// Whether seenInput() tells of this key.
+bool isHeldKey(int glfw);
+
+}  // namespace rocinante
