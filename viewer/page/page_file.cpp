@@ -25,8 +25,8 @@ constexpr std::size_t kHashDigits = 32;
 constexpr std::string_view kSizeBegins = "\" data-bytes=\"";
 /// A browser reads a page in pieces of 64 KiB, and a text within a piece several times as fast as
 /// one of many pieces.
-constexpr std::size_t kLogPieceBytes = 48U << 10U;
-constexpr std::string_view kNextPieceBegins = "<script type=\"text/plain\" data-log>";
+constexpr std::size_t kPieceBytes = 48U << 10U;
+constexpr std::string_view kNextPieceBegins = "<script type=\"text/plain\" data-more>";
 
 /// A gzip member without a time or a name, so that the same bytes give the same bytes.
 Bytes compressed(ByteView bytes) {
@@ -80,8 +80,19 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
+/// The text of a part, to its end.
+std::string inPieces(ByteView bytes) {
+  std::string text;
+  text.reserve(bytes.size() / 3 * 4 + bytes.size() / kPieceBytes * 64 + 64);
+  while (bytes.size() > kPieceBytes) {
+    text.append(base64Of(bytes.first(kPieceBytes))).append(kPartEnds).append(kNextPieceBegins);
+    bytes = bytes.subspan(kPieceBytes);
+  }
+  return text.append(base64Of(bytes)).append(kPartEnds);
+}
+
 std::string part(std::string_view name, ByteView bytes) {
-  return fmt::format("{}{}\">{}{}", kPartBegins, name, base64Of(compressed(bytes)), kPartEnds);
+  return fmt::format("{}{}\">{}", kPartBegins, name, inPieces(compressed(bytes)));
 }
 
 /// Replaces `place`, which the page's text has once.
@@ -113,16 +124,10 @@ std::string filled(const PageParts& parts, const std::string& before_script,
   return page;
 }
 
-/// The log, in pieces that a browser decodes while it reads on.
+/// The log, which a browser decodes while it reads on.
 std::string logPart(ByteView log) {
-  std::string part =
-      fmt::format("{}{}{}{}\">", kLogBegins, hexOf(xxh3(log)), kSizeBegins, log.size());
-  part.reserve(part.size() + log.size() / 3 * 4 + log.size() / kLogPieceBytes * 64 + 64);
-  while (log.size() > kLogPieceBytes) {
-    part.append(base64Of(log.first(kLogPieceBytes))).append(kPartEnds).append(kNextPieceBegins);
-    log = log.subspan(kLogPieceBytes);
-  }
-  return part.append(base64Of(log)).append(kPartEnds);
+  return fmt::format("{}{}{}{}\">{}", kLogBegins, hexOf(xxh3(log)), kSizeBegins, log.size(),
+                     inPieces(log));
 }
 
 /// Appends the pieces that `left` begins with; why it cannot otherwise.

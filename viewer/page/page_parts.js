@@ -1,6 +1,6 @@
 "use strict";
-// The parts that stand in this page: the viewer, the cell and the findings, compressed, and the log in
-// pieces, which are decoded while the browser still reads the page, straight to where the viewer reads them.
+// The parts that stand in this page, in pieces: the viewer, the cell and the findings, compressed, and the
+// log, which is decoded while the browser still reads the page, straight to where the viewer reads it.
 const rocinanteParts = (function () {
 const element = (id) => document.getElementById("rocinante-" + id);
 const sizeOf = (text) => text.length / 4 * 3 - (text.endsWith("==") ? 2 : text.endsWith("=") ? 1 : 0);
@@ -17,16 +17,28 @@ function decode(text, bytes) {
   for (let i = 0; i < decoded.length; ++i) bytes[i] = decoded.charCodeAt(i);
 }
 
+// The part's next piece.
+function takeAway(piece) {
+  const next = piece.nextElementSibling;
+  piece.remove();
+  return next && next.dataset.more !== undefined ? next : null;
+}
+
 // Not by a Blob, whose bytes go to the browser's process and back.
 function inflatedStream(id) {
-  const part = element(id);
-  if (!part || part.textContent.length % 4) throw fault("the page was cut: it has no whole " + id);
-  const bytes = new Uint8Array(sizeOf(part.textContent));
-  decode(part.textContent, bytes);
-  part.remove();
   const stream = new DecompressionStream("gzip");
   const writer = stream.writable.getWriter();
-  for (const written of [writer.write(bytes), writer.close()]) written.catch(() => {});  // whoever reads is told
+  const toldBelow = (written) => written.catch(() => {});  // whoever reads is told
+  let piece = element(id);
+  if (!piece) throw fault("the page was cut: it has no " + id);
+  for (; piece; piece = takeAway(piece)) {
+    const text = piece.textContent;
+    if (text.length % 4) throw fault("the page was cut: it has no whole " + id);
+    const bytes = new Uint8Array(sizeOf(text));
+    decode(text, bytes);
+    toldBelow(writer.write(bytes));
+  }
+  toldBelow(writer.close());
   return stream.readable;
 }
 async function inflated(id) {
@@ -73,9 +85,7 @@ function readLog(viewer, say) {
       const bytes = viewer.HEAPU8.subarray(log.at + log.there, log.at + log.there + sizeOf(text));
       try { decode(text, bytes); } catch { throw fault("the page's log was changed"); }
       log.there += sizeOf(text);
-      const next = piece.nextElementSibling;
-      piece.remove();
-      piece = next && next.dataset.log !== undefined ? next : null;
+      piece = takeAway(piece);
     }
     if (log.there < size && isRead()) throw fault("the page ends within its log: it was cut");
     if (log.there > before && log.there < size) say(log);

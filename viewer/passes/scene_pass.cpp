@@ -297,7 +297,7 @@ const ScenePass::Program* ScenePass::standardIn(const Variant& variant) const {
 }
 
 Status ScenePass::prepare(const SurfaceLook& surfaces, const CellScene& look) {
-  if (surfaces.depth_only) {
+  if (surfaces.holes) {
     if (Status ready = prepareHoles(); !ready) return ready;
   }
   if (surfaces.shading == Shading::plain) return preparePlain();

@@ -26,6 +26,7 @@ struct SurfaceLook {
   const ContactLookup* contact = nullptr;  ///< the same
   float depth_ranks = 0;                   ///< lift of all surfaces (setDepthLift)
   bool depth_only = false;                 ///< surfaces write only depth
+  bool holes = false;                      ///< some picture has transparent pixels
 };
 
 /// Draws the geometry of a draw list into the bound framebuffer, between DrawPasses::begin() and

@@ -213,6 +213,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
                              ? EdgePass::kSurfaceRanks * static_cast<float>(frame.scale)
                              : 0;
   surfaces.depth_only = style.edges == EdgeStyle::only;
+  surfaces.holes = std::ranges::any_of(textures.translucent(), [](auto each) { return each != 0; });
   if (Status ready = passes.prepare(surfaces, look); !ready) return ready.error();
 
   const bool plain_filtering = frame.detail.plain_filtering || style.shading == Shading::plain;

@@ -43,7 +43,7 @@ TEST(PageFile, ItsPiecesAreInThePageInOrder) {
   const std::string page = pageOf(parts);
   const std::string piece(65536, 'A');
   EXPECT_NE(page.find("data-bytes=\"100000\">" + piece +
-                      "</script>\n<script type=\"text/plain\" data-log>" + piece + "</script>\n"),
+                      "</script>\n<script type=\"text/plain\" data-more>" + piece + "</script>\n"),
             std::string::npos);
 }
 

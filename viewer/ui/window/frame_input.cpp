@@ -120,8 +120,9 @@ FrameInput seenInput() {
   }
   std::ranges::sort(seen.held);
   for (const ImWchar letter : io.InputQueueCharacters) {
-    std::array<char, 5> bytes{};
-    seen.typed += ImTextCharToUtf8(bytes.data(), letter);
+    std::array<char, 5> bytes{};  // ends in a zero; what the function returns differs by version
+    ImTextCharToUtf8(bytes.data(), letter);
+    seen.typed += bytes.data();
   }
   return seen;
 }
