@@ -1,6 +1,5 @@
 #include "viewer/ui/program/view_app.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -16,9 +15,8 @@
 #include "viewer/ui/program/moment_preview.h"
 #include "viewer/ui/program/opening.h"
 #include "viewer/ui/program/panel_pace.h"
-#include "viewer/ui/program/pointer_pace.h"
-#include "viewer/ui/program/save_camera.h"
-#include "viewer/ui/program/save_desk.h"
+#include "viewer/ui/program/publish_desk.h"
+#include "viewer/ui/program/request_desk.h"
 #include "viewer/ui/program/script_runner.h"
 #include "viewer/ui/program/user_input.h"
 #include "viewer/ui/program/window_picture.h"
@@ -65,7 +63,9 @@ class ViewApp {
         detail_(options.detail, options.script.empty() && options.profile == Profile::fast,
                 options.target_fps),
         evidence_(content.request, options.samples),
-        saving_(content.request),
+        requests_({shown_, model_, window, opening_, picture_, preview_, detail_, evidence_},
+                  scripted()),
+        publish_(model_, picture_),
         backdrop_(content.backdrop.get(), [] { glfwPostEmptyEvent(); }),
         script_(session.script),
         record_(session.record) {}
@@ -88,14 +88,10 @@ class ViewApp {
   bool frameDue(bool changed) const;
   void writeDown();
   Status applyRequests(const ViewerRequests& requests);
-  void writeScreenshot();
-  void openFiles(const std::vector<std::filesystem::path>& files);
+  void writeScreenshot(const std::filesystem::path& file);
   void waitForNews();
   Result<std::unique_ptr<ViewContent>> takeOpened();
   bool showBackdrop();
-  Status publish();
-  Status makeVideoOrCase(const ViewerRequests& requests);
-  Status saveLive(const std::filesystem::path& file);
   WindowSize size() const { return {width_, height_, interface_.scale()}; }
 
   const ContentRequest& shown_;
@@ -110,16 +106,15 @@ class ViewApp {
   WindowComposer composer_;
   DetailChoice detail_;
   EvidenceDesk evidence_;
-  SaveDesk saving_;
+  RequestDesk requests_;
+  PublishDesk publish_;
   BackdropDesk backdrop_;
   ScriptRunner& script_;
   InputRecord& record_;
-  std::optional<std::filesystem::path> screenshot_;  ///< a user's, of the coming frame
   FrameDue frame_due_;
   std::optional<SteadyTime> recorded_now_;  ///< of this frame
   std::optional<SteadyTime> last_frame_;
   FrameJournal journal_;
-  PointerPace pointer_pace_;
   bool scene_drawn_ = false;  ///< in this frame
   bool swaps_ = true;         ///< something was drawn into the window
   FrameTimes times_;          ///< of the frame that last drew the scene
@@ -205,7 +200,7 @@ Status ViewApp::compose(bool same_picture) {
   const ImDrawData& interface = *ImGui::GetDrawData();
   const GlTable& gl = picture_.renderer().gl();
   swaps_ = true;
-  if (!scripted() && !screenshot_) {
+  if (!scripted() && !requests_.wantsScreenshot()) {
     const auto shown = composer_.compose(gl, picture_.pixels(), *painter_, interface, same_picture);
     if (!shown.ok()) return shown.error();
     swaps_ = *shown;
@@ -214,7 +209,7 @@ Status ViewApp::compose(bool same_picture) {
   }
   composer_.forget();
   // The picture may be of an earlier frame: make it the target again.
-  if (screenshot_) picture_.pixels().resolve();
+  if (requests_.wantsScreenshot()) picture_.pixels().resolve();
   painter_->draw(interface, width_, height_);
   return {};
 }
@@ -286,8 +281,7 @@ Status ViewApp::drawFrame(double app_ms) {
 }
 
 /// Its panels are over the picture, which the next frame therefore draws again.
-void ViewApp::writeScreenshot() {
-  const std::filesystem::path file = *std::exchange(screenshot_, std::nullopt);
+void ViewApp::writeScreenshot(const std::filesystem::path& file) {
   const Status written = writePng(file, picture_.pixels().read());
   evidence_.say(written ? "written: " + file.string() : written.error().text(), !written, now());
   picture_.pixels().blitTo(0);
@@ -296,80 +290,10 @@ void ViewApp::writeScreenshot() {
 }
 
 Status ViewApp::applyRequests(const ViewerRequests& requests) {
-  if (requests.close) window_->requestClose();
-  if (requests.click) {
-    if (auto clicked = picture_.click(*requests.click); !clicked) return clicked;
-  }
-  if (requests.point) {
-    if (auto pointed = picture_.point(*requests.point); !pointed) return pointed;
-  }
-  if (requests.reset) model_.resetCamera();
-  if (requests.fit || (requests.reset && model_.cameraName().empty())) {
-    model_.fit(picture_.corners(false), width_, height_);
-  }
-  if (requests.fit_selected) model_.fit(picture_.corners(true), width_, height_);
-  if (requests.mark) {
-    const auto marked = model_.addMark(*requests.mark);
-    evidence_.say(marked ? fmt::format("marked: {}", *requests.mark) : marked.error().text(),
-                  !marked, now());
-  }
-  if (LogStudy* const study = model_.session() != nullptr ? model_.study() : nullptr) {
-    if (const auto table = study->takeTable()) {
-      evidence_.say(table->ok() ? **table : table->error().text(), !table->ok(), now());
-    }
-  }
-  detail_.apply(requests);
+  if (auto applied = requests_.apply(requests, size(), now()); !applied) return applied;
   detail_.tell(status_);
-  openFiles(requests.open);
-  if (requests.fault) evidence_.say(*requests.fault, true, now());
-  if (requests.evidence) evidence_.ask(model_, size(), now());
-  if (requests.evidence_file && scripted()) {
-    // Its frame waits for the picture and a fault ends it; a user reads it.
-    if (auto made = evidence_.make(model_, size(), *requests.evidence_file); !made) return made;
-  } else if (requests.evidence_file) {
-    evidence_.ask(model_, size(), now(), *requests.evidence_file);
-  }
-  if (auto made = makeVideoOrCase(requests); !made) return made;
-  if (requests.save_camera) {
-    preview_.pause();  // the cell changes
-    const Status saved = saveCamera(model_, shown_.cell, *requests.save_camera);
-    if (scripted() && !saved) return saved;
-    picture_.changed();
-    evidence_.say(saved ? "camera " + *requests.save_camera + " added to " + shown_.cell.string()
-                        : saved.error().text(),
-                  !saved, now());
-  }
-  if (requests.screenshot) screenshot_ = requests.screenshot;
-  if (requests.save_live || requests.save_file) {
-    if (auto saved = saveLive(requests.save_file.value_or("")); !saved) return saved;
-  }
-  if (const auto news = saving_.look(model_)) evidence_.say(news->text, news->is_fault, now());
-  evidence_.look(now());
   status_.notice = evidence_.notice();
   status_.notice_is_fault = evidence_.noticeIsFault();
-  return {};
-}
-
-/// By child programs, as evidence.
-Status ViewApp::makeVideoOrCase(const ViewerRequests& requests) {
-  Status made;
-  if (requests.video) {
-    made = evidence_.makeVideo(model_, size(), *requests.video, now(), scripted());
-  } else if (requests.golden_case) {
-    const auto& [name, suite] = *requests.golden_case;
-    made = evidence_.addCase(model_, size(), name, suite, now(), scripted());
-  }
-  if (scripted() || made) return made;
-  evidence_.say(made.error().text(), true, now());
-  return {};
-}
-
-/// Under a script its frame waits for the file and a fault ends it; a user reads it, and goes on.
-Status ViewApp::saveLive(const std::filesystem::path& file) {
-  if (scripted()) return saving_.make(model_, file);
-  const Status begun = saving_.ask(model_, file);
-  evidence_.say(begun ? "the live session is being saved ..." : begun.error().text(), !begun,
-                now());
   return {};
 }
 
@@ -393,9 +317,9 @@ bool ViewApp::frameDue(bool changed) const {
   const TimelineCursor* cursor = model_.cursor();
   return scripted() || changed ||
          (cursor != nullptr && cursor->playing() && !cursor->following()) ||
-         frame_due_.at(now(), panelsChangeEvery(
-                                  model_, {opening_.busy(), evidence_.active() || saving_.active(),
-                                           ImGui::GetIO().WantTextInput}));
+         frame_due_.at(now(), panelsChangeEvery(model_, {opening_.busy(),
+                                                         evidence_.active() || requests_.isSaving(),
+                                                         ImGui::GetIO().WantTextInput}));
 }
 
 void ViewApp::waitForNews() {
@@ -416,27 +340,6 @@ void ViewApp::waitForNews() {
   if (news || window_->input().pending()) frame_due_.happened(now());
 }
 
-/// Tells others where this window looks from and where its mouse points. Who watches another says
-/// nothing of it: two who watch each other would hand each other's old view to and fro.
-Status ViewApp::publish() {
-  Publishing& publishing = model_.publishing;
-  if (publishing.active() == nullptr) return {};
-  if (publishing.points()) {
-    const auto place = mouseOnPicture();
-    if (pointer_pace_.due(place, now())) {
-      if (!place) {
-        publishing.point(std::nullopt);
-      } else if (auto pointed = picture_.point({place->first, place->second, false}); !pointed) {
-        return pointed;
-      }
-    }
-  }
-  const bool watches = !model_.watched().empty();
-  publishing.sendDue(watches ? std::nullopt : std::optional(model_.cameraView()), now(),
-                     std::chrono::system_clock::now());
-  return {};
-}
-
 /// The real picture of the shown moment; true when it is another one.
 bool ViewApp::showBackdrop() {
   const bool changed = backdrop_.update(model_, scripted());
@@ -444,10 +347,6 @@ bool ViewApp::showBackdrop() {
     evidence_.say("no backdrop here: " + fault, true, now());
   }
   return changed;
-}
-
-void ViewApp::openFiles(const std::vector<std::filesystem::path>& files) {
-  if (Status begun = opening_.open(files); !begun) evidence_.say(begun.error().text(), true, now());
 }
 
 /// A script has no idle time, in which a window draws it.
@@ -483,7 +382,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (!scripted() || script_.takeAwaitsFiles()) {
       const auto dropped = window_->takeDropped();
       record_.addDrop(dropped);
-      openFiles(dropped);
+      requests_.openFiles(dropped, now());
       auto opened = takeOpened();
       if (!opened.ok() || *opened != nullptr) return opened;
     }
@@ -493,7 +392,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (showBackdrop()) changed = true;
     const double app_ms = millisecondsSince(began);
     model_.hand.sendDue(model_.scene(), model_.state(), now(), std::chrono::system_clock::now());
-    if (auto published = publish(); !published) return published.error();
+    if (auto published = publish_.tell(now()); !published) return published.error();
     if (*changed) picture_.changed();
     if (!frameDue(*changed)) {
       if (auto refined = refine(); !refined) return refined.error();
@@ -526,7 +425,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
         return kept.error();
       }
     }
-    if (screenshot_) writeScreenshot();
+    if (const auto file = requests_.takeScreenshot()) writeScreenshot(*file);
     if (scripted()) picture_.pixels().blitTo(0);
     if (swaps_) window_->swap();
     writeDown();

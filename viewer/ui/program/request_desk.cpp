@@ -1,0 +1,105 @@
+#include "viewer/ui/program/request_desk.h"
+
+#include <fmt/format.h>
+
+#include "viewer/ui/program/save_camera.h"
+
+namespace rocinante {
+
+Status RequestDesk::apply(const ViewerRequests& requests, const WindowSize& size, SteadyTime now) {
+  if (requests.close) my_.window.requestClose();
+  if (auto looked = look(requests, size); !looked) return looked;
+  if (requests.mark) {
+    const auto marked = my_.model.addMark(*requests.mark);
+    say(marked ? fmt::format("marked: {}", *requests.mark) : marked.error().text(), !marked, now);
+  }
+  my_.detail.apply(requests);
+  openFiles(requests.open, now);
+  if (requests.fault) say(*requests.fault, true, now);
+  if (auto made = makeFiles(requests, size, now); !made) return made;
+  tellNews(now);
+  return {};
+}
+
+/// Clicks on the picture, and where it is seen from.
+Status RequestDesk::look(const ViewerRequests& requests, const WindowSize& size) {
+  if (requests.click) {
+    if (auto clicked = my_.picture.click(*requests.click); !clicked) return clicked;
+  }
+  if (requests.point) {
+    if (auto pointed = my_.picture.point(*requests.point); !pointed) return pointed;
+  }
+  if (requests.reset) my_.model.resetCamera();
+  if (requests.fit || (requests.reset && my_.model.cameraName().empty())) {
+    my_.model.fit(my_.picture.corners(false), size.width, size.height);
+  }
+  if (requests.fit_selected) my_.model.fit(my_.picture.corners(true), size.width, size.height);
+  return {};
+}
+
+Status RequestDesk::makeFiles(const ViewerRequests& requests, const WindowSize& size,
+                              SteadyTime now) {
+  if (auto made = makeEvidence(requests, size, now); !made) return made;
+  if (requests.save_camera) {
+    if (auto added = addCamera(*requests.save_camera, now); !added) return added;
+  }
+  if (requests.screenshot) screenshot_ = requests.screenshot;
+  if (!requests.save_live && !requests.save_file) return {};
+  return saveLive(requests.save_file.value_or(""), now);
+}
+
+/// By child programs.
+Status RequestDesk::makeEvidence(const ViewerRequests& requests, const WindowSize& size,
+                                 SteadyTime now) {
+  EvidenceDesk& evidence = my_.evidence;
+  if (requests.evidence) evidence.ask(my_.model, size, now);
+  if (requests.evidence_file && scripted_) {
+    if (auto made = evidence.make(my_.model, size, *requests.evidence_file); !made) return made;
+  } else if (requests.evidence_file) {
+    evidence.ask(my_.model, size, now, *requests.evidence_file);
+  }
+  Status made;
+  if (requests.video) {
+    made = evidence.makeVideo(my_.model, size, *requests.video, now, scripted_);
+  } else if (requests.golden_case) {
+    const auto& [name, suite] = *requests.golden_case;
+    made = evidence.addCase(my_.model, size, name, suite, now, scripted_);
+  }
+  if (scripted_ || made) return made;
+  say(made.error().text(), true, now);
+  return {};
+}
+
+Status RequestDesk::addCamera(const std::string& name, SteadyTime now) {
+  my_.preview.pause();  // the cell changes
+  const Status saved = saveCamera(my_.model, my_.shown.cell, name);
+  if (scripted_ && !saved) return saved;
+  my_.picture.changed();
+  say(saved ? "camera " + name + " added to " + my_.shown.cell.string() : saved.error().text(),
+      !saved, now);
+  return {};
+}
+
+Status RequestDesk::saveLive(const std::filesystem::path& file, SteadyTime now) {
+  if (scripted_) return saving_.make(my_.model, file);
+  const Status begun = saving_.ask(my_.model, file);
+  say(begun ? "the live session is being saved ..." : begun.error().text(), !begun, now);
+  return {};
+}
+
+/// What became of that which was begun earlier.
+void RequestDesk::tellNews(SteadyTime now) {
+  if (LogStudy* const study = my_.model.session() != nullptr ? my_.model.study() : nullptr) {
+    if (const auto table = study->takeTable()) {
+      say(table->ok() ? **table : table->error().text(), !table->ok(), now);
+    }
+  }
+  if (const auto news = saving_.look(my_.model)) say(news->text, news->is_fault, now);
+  my_.evidence.look(now);
+}
+
+void RequestDesk::openFiles(const std::vector<std::filesystem::path>& files, SteadyTime now) {
+  if (Status begun = my_.opening.open(files); !begun) say(begun.error().text(), true, now);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "viewer/ui/commands/viewer_requests.h"
+#include "viewer/ui/program/detail_choice.h"
+#include "viewer/ui/program/evidence_desk.h"
+#include "viewer/ui/program/moment_preview.h"
+#include "viewer/ui/program/opening.h"
+#include "viewer/ui/program/save_desk.h"
+#include "viewer/ui/program/window_picture.h"
+#include "viewer/ui/window/window.h"
+
+namespace rocinante {
+
+/// Does what the panels, keys and scripts of a frame ask of the program, and tells the user what
+/// became of it. Main thread; borrows all parts.
+class RequestDesk {
+ public:
+  struct Parts {
+    const ContentRequest& shown;
+    ViewModel& model;
+    Window& window;
+    Opening& opening;
+    WindowPicture& picture;
+    MomentPreview& preview;
+    DetailChoice& detail;
+    EvidenceDesk& evidence;
+  };
+
+  /// Under a script a frame waits for the files that are made, and a fault ends it; a user is told,
+  /// and works on.
+  RequestDesk(const Parts& parts, bool scripted)
+      : my_(parts), scripted_(scripted), saving_(parts.shown) {}
+
+  Status apply(const ViewerRequests& requests, const WindowSize& size, SteadyTime now);
+  void openFiles(const std::vector<std::filesystem::path>& files, SteadyTime now);
+
+  /// The coming frame is to be written to a file, for a user.
+  bool wantsScreenshot() const { return screenshot_.has_value(); }
+  std::optional<std::filesystem::path> takeScreenshot() {
+    return std::exchange(screenshot_, std::nullopt);
+  }
+  bool isSaving() const { return saving_.active(); }
+
+ private:
+  Status look(const ViewerRequests& requests, const WindowSize& size);
+  Status makeFiles(const ViewerRequests& requests, const WindowSize& size, SteadyTime now);
+  Status makeEvidence(const ViewerRequests& requests, const WindowSize& size, SteadyTime now);
+  Status addCamera(const std::string& name, SteadyTime now);
+  Status saveLive(const std::filesystem::path& file, SteadyTime now);
+  void tellNews(SteadyTime now);
+  void say(std::string text, bool is_fault, SteadyTime now) {
+    my_.evidence.say(std::move(text), is_fault, now);
+  }
+
+  Parts my_;
+  bool scripted_;
+  SaveDesk saving_;
+  std::optional<std::filesystem::path> screenshot_;
+};
+
+}  // namespace rocinante
