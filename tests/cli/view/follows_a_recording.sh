@@ -1,4 +1,4 @@
-# A log that is being written is followed from piece to piece: the window opens at its end and goes on with it.
+# A log that is being written is followed from piece to piece: the window opens at its end and continues with it.
 export ASAN_OPTIONS=detect_leaks=0
 demo=$SRC/examples/demo
 port=$((20000 + ($$ + 7) % 20000))

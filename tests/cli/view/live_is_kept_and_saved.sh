@@ -1,4 +1,4 @@
-# A live window under a script: the past is shown while the session goes on, drawn as evidence and saved as an ordinary
+# A live window under a script: the past is shown while the session continues, drawn as evidence and saved as an ordinary
 # log with its cell; what is saved shows the same.
 export ASAN_OPTIONS=detect_leaks=0 XDG_CACHE_HOME=$PWD/cache
 demo=$SRC/examples/demo

@@ -47,7 +47,7 @@ struct Command {
   Status (*run)(CommandWords, const CommandStage&) = nullptr;
   std::vector<Shortcut> shortcuts{};
   bool needs_log = false;
-  bool needs_live = false;        ///< a session that goes on; only the palette asks
+  bool needs_live = false;        ///< a growing session; only the palette asks
   bool needs_beside = false;      ///< a session beside; only the palette asks
   bool needs_backdrop = false;    ///< a backdrop; only the palette asks
   bool needs_insets = false;      ///< an inset is shown; only the palette asks

@@ -10,7 +10,7 @@
 namespace rocinante {
 
 std::vector<Command> timeCommands();
-/// A session that goes on.
+/// A growing session: live, or a log that is still written.
 std::vector<Command> liveCommands();
 /// Plots and findings.
 std::vector<Command> plotCommands();

@@ -5,7 +5,7 @@ namespace {
 
 Status goToNow(CommandWords /*words*/, const CommandStage& stage) {
   if (stage.model.goToNow()) return {};
-  return badWord("`now` needs a session that goes on");
+  return badWord("`now` needs a growing session");
 }
 
 Status saveSession(CommandWords words, const CommandStage& stage) {
@@ -22,7 +22,7 @@ Status saveSession(CommandWords words, const CommandStage& stage) {
 std::vector<Command> liveCommands() {
   std::vector<Command> commands{
       {.name = "now",
-       .means = "now, of a session that goes on",
+       .means = "now, of a growing session",
        .run = goToNow,
        .shortcuts = {{"N", "", ""}}},
       {.name = "save",

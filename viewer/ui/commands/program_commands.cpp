@@ -226,7 +226,7 @@ std::vector<Command> scriptCommands() {
        .run = drawSeconds},
       {.name = "await",
        .arguments = "TIME",
-       .means = "wait until the session that goes on is this long",
+       .means = "wait until the growing session is this long",
        .run = awaitLength},
   };
   for (Command& command : commands) command.group = CommandGroup::script;

@@ -35,7 +35,7 @@ struct ViewerRequests {
   bool save_live =
       false;  ///< the kept log of a live session, into a new file of the working folder
   std::optional<std::filesystem::path> save_file;  ///< the same into this file, waiting for it
-  /// Wait until the session that goes on is this long.
+  /// Wait until the growing session is this long.
   std::optional<Nanoseconds> await_length;
   std::optional<PictureClick> click;
   /// What others are pointed at: a place of the picture.

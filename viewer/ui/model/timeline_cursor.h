@@ -70,7 +70,7 @@ class TimelineCursor {
  private:
   void anchorAt(LogTime moment, SteadyTime now);
   LogTime repeatedPosition(Nanoseconds played, SteadyTime now);
-  /// At the end of a growing log, where it goes on as if it had played to there.
+  /// At the end of a growing log, where it continues as if it had played to there.
   void leaveNow(SteadyTime now);
   bool isSlow() const;
 

@@ -249,7 +249,7 @@ class ViewModel {
   bool lookForNearest();
   /// Trails up to `moment`, as far as the log goes.
   Status findTrails(LogTime moment);
-  // Of a session that goes on (view_model_growing.cpp).
+  // Of a growing session (view_model_growing.cpp).
 
   /// The clock of the feed, which is not a script's: only differences count.
   SteadyTime feedTime(SteadyTime now) const;

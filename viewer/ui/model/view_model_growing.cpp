@@ -116,7 +116,7 @@ void ViewModel::takeOverLog() {
   cursor_->setGrowing(log_grows_);
 }
 
-/// The log cannot be read any more. A live session goes on without its past.
+/// The log cannot be read any more. A live session continues without its past.
 void ViewModel::loseLog(const Error& error) {
   if (!feed_) {
     panels.complaint = error.text();

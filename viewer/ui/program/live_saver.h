@@ -15,8 +15,8 @@
 namespace rocinante {
 
 /// Saves the kept log of a live session as one ordinary log with its cell, through `rocinante log
-/// merge` and `rocinante log attach`, while the session goes on. Nothing is deleted meanwhile. One
-/// at a time; main thread. The file appears whole or not at all.
+/// merge` and `rocinante log attach`, while the session continues. Nothing is deleted meanwhile.
+/// One at a time; main thread. The file appears whole or not at all.
 class LiveSaver {
  public:
   LiveSaver() = default;
@@ -40,7 +40,7 @@ class LiveSaver {
     std::filesystem::path file;
     std::string doubt;  ///< what is not in it, as a sentence; empty: nothing is missing
   };
-  /// To be called now and then: goes on, and returns the outcome once. Does not wait.
+  /// To be called now and then: continues, and returns the outcome once. Does not wait.
   std::optional<Result<Saved>> look(LiveKeeper& keeper);
 
  private:

@@ -18,8 +18,8 @@ class MomentPreview {
   MomentPreview(const MomentPreview&) = delete;
   MomentPreview& operator=(const MomentPreview&) = delete;
 
-  /// Goes on with the picture, in a window of that size; true when there is a new one. What cannot
-  /// be drawn has none.
+  /// Continues with the picture, in a window of that size; true when there is a new one. What
+  /// cannot be drawn has none.
   bool advance(Renderer& renderer, int width, int height, double scale, SteadyTime now);
   /// Waits for what advance() waits for.
   void wait() const {

@@ -39,7 +39,7 @@ class ScriptRunner {
   SteadyTime now() const { return now_; }
   /// What it sees of mouse and keyboard.
   const FrameInput& input() const { return input_; }
-  /// The script goes on when opened files are shown; true once. No frame is drawn before.
+  /// The script continues when opened files are shown; true once. No frame is drawn before.
   bool awaitsFiles() const { return awaits_files_; }
   bool takeAwaitsFiles() { return std::exchange(awaits_files_, false); }
   /// bad_argument with NAME:LINE when a command's words are invalid.

@@ -83,8 +83,8 @@ Result<fs::path> cellFile(const ContentRequest& request, const OpenedRecording& 
                request.log.string()};
 }
 
-/// A recording that goes on, in this log or in a later piece, is followed; any other log is read as
-/// it is.
+/// A recording that continues, in this log or in a later piece, is followed; any other log is read
+/// as it is.
 Result<Timeline> openSession(const fs::path& log) {
   auto session = Timeline::follow(log);
   if (!session.ok() || session->log().growing()) return session;
