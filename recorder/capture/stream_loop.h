@@ -9,7 +9,7 @@
 namespace rocinante {
 
 /// Reads a stream that a server keeps (jetstream://) into a HandOver: by the stream's times, as
-/// fast as the log is written, without dropping anything. The source is told what is saved.
+/// fast as the log is written, without dropping anything. It tells the source what is saved.
 /// One thread, besides noteSaved().
 class StreamLoop final : public CaptureFileLoop {
  public:

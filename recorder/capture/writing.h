@@ -28,7 +28,7 @@ class Writing {
   };
 
   /// Everything must outlive this; the writer belongs to the thread until join(). An `input` that
-  /// keeps its place is told what is saved, and saving is done often.
+  /// keeps its place learns what is saved, and saving is done often.
   Writing(CaptureWriter& writer, HandOver& queue, InputLoop& input);
   ~Writing() { join(); }
   Writing(const Writing&) = delete;

@@ -219,48 +219,6 @@ Status ViewModel::setByHand(const std::string& device, const std::string& value_
   return hand.set(*posed, received_->findDevice(device), value_name, value);
 }
 
-std::optional<Finding> ViewModel::liveReason(SteadyTime now) const {
-  if (!feed_ || !live_since_) return std::nullopt;
-  LiveFacts facts;
-  facts.endpoints = feed_->endpoints();
-  facts.watched = now - *live_since_;
-  facts.silent = now - last_arrival_.value_or(*live_since_);
-  if (heard_) {
-    facts.datagrams = live_->datagrams;
-    facts.undecoded = live_->undecoded;
-    facts.untrusted = live_->untrusted;
-    facts.undecoded_sample = live_->undecoded_sample;
-    facts.news = live_->news;
-    facts.devices_spoken_of = live_->state.devices().size();
-    const SessionState& heard = live_->state;
-    facts.only_windows =
-        !heard.counts().empty() && std::ranges::all_of(heard.counts(), [&](const auto& source) {
-          return heard.views().contains(source.first) || others_.hasLeft(source.first);
-        });
-    bool any_known = false;
-    for (const auto& [name, device] : live_->state.devices()) {
-      any_known = any_known || scene_.findDevice(name) != nullptr;
-      if (facts.unknown_device.empty()) facts.unknown_device = name;
-    }
-    if (any_known) facts.unknown_device.clear();
-  }
-  return rocinante::liveReason(facts);
-}
-
-std::vector<SourceRow> ViewModel::sourceRows(SteadyTime now) const {
-  if (!heard_) return rocinante::sourceRows({}, *cell_, {});
-  auto rows = rocinante::sourceRows(live_->sources, *cell_, feedTime(now));
-  std::erase_if(rows, [this](const SourceRow& row) {
-    return others_.hasLeft(row.name) &&
-           std::ranges::find(cell_->sources, row.name, &CellSource::name) == cell_->sources.end();
-  });
-  return rows;
-}
-
-SteadyTime ViewModel::feedTime(SteadyTime now) const {
-  return live_->taken + (live_at_ ? now - *live_at_ : Nanoseconds(0));
-}
-
 LogStudy* ViewModel::study() {
   if (!session_ || study_delayed) return nullptr;
   if (!study_) study_ = std::make_unique<LogStudy>(*cell_, session_->log().name());

@@ -87,7 +87,7 @@ Status RequestDesk::saveLive(const std::filesystem::path& file, SteadyTime now) 
   return {};
 }
 
-/// What became of that which was begun earlier.
+/// Says what became of work that was begun earlier.
 void RequestDesk::tellNews(SteadyTime now) {
   if (LogStudy* const study = my_.model.session() != nullptr ? my_.model.study() : nullptr) {
     if (const auto table = study->takeTable()) {
