@@ -31,8 +31,8 @@ class RequestDesk {
     EvidenceDesk& evidence;
   };
 
-  /// Under a script a frame waits for the files that are made, and a fault ends it; a user reads it,
-  /// and works on.
+  /// Under a script a frame waits for the files that are made, and a fault ends it; a user reads
+  /// it, and works on.
   RequestDesk(const Parts& parts, bool scripted)
       : my_(parts), scripted_(scripted), saving_(parts.shown) {}
 
