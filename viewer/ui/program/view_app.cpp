@@ -60,6 +60,7 @@ class ViewApp {
         window_(&window),
         interface_(options.script.empty() ? window_ : nullptr),
         picture_(model_, std::move(renderer), options.samples),
+        painter_(session.painter),
         detail_(options.detail, options.script.empty() && options.profile == Profile::fast,
                 options.target_fps),
         evidence_(content.request, options.samples),
@@ -102,7 +103,7 @@ class ViewApp {
   InterfaceContext interface_;
   WindowPicture picture_;
   MomentPreview preview_{model_};
-  std::optional<ImguiPainter> painter_;
+  std::optional<ImguiPainter>& painter_;
   WindowComposer composer_;
   DetailChoice detail_;
   EvidenceDesk evidence_;
@@ -133,9 +134,13 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   }
   std::unique_ptr<ViewApp> app(
       new ViewApp(content, window, options, session, std::move(*renderer)));
-  auto painter = ImguiPainter::create(app->picture_.renderer().gl());
-  if (!painter.ok()) return painter.error();
-  app->painter_ = std::move(*painter);
+  if (session.painter) {
+    session.painter->refreshFont();
+  } else {
+    auto painter = ImguiPainter::create(app->picture_.renderer().gl());
+    if (!painter.ok()) return painter.error();
+    session.painter = std::move(*painter);
+  }
   auto journal = FrameJournal::open(options.frame_times);
   if (!journal.ok()) return journal.error();
   app->journal_ = std::move(*journal);
