@@ -413,6 +413,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
       // The script's changes must show in this frame.
       auto updated = model_.update(now());
       if (!updated.ok()) return updated.error();
+      if (script_.takeChanged()) updated = true;
       if (showBackdrop()) updated = true;
       if (*updated) picture_.changed();
       prepareView();
