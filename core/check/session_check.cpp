@@ -70,7 +70,7 @@ DeviceJudge* SessionCheck::deviceNamed(std::string_view name) {
     newDevice(name);
     found = devices_.find(name);
   }
-  device_cache_.remember(found->first, &found->second);
+  device_cache_.remember(found->first, &found->second, devices_.size());
   return &found->second;
 }
 

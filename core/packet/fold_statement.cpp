@@ -71,7 +71,7 @@ StateFolder::Device* StateFolder::deviceFor(std::string_view name) {
     if (!makeRoom(0, kDeviceWeight + name.size())) return nullptr;
     found = state_.devices_.emplace(std::string(name), DeviceState()).first;
   }
-  state_.device_cache_.remember(found->first, &*found);
+  state_.device_cache_.remember(found->first, &*found, state_.devices_.size());
   return &*found;
 }
 

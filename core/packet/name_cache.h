@@ -1,10 +1,13 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace rocinante {
 
@@ -41,9 +44,10 @@ inline bool sameName(std::string_view a, std::string_view b) {
 }
 
 /// Internal to SessionState, not for use outside the library. Caches where the values of recently
-/// used names are in a map, so that a steady stream finds them without walking the map. Points into
-/// its owner's maps: a copied or moved cache starts empty, and clear() must be called before a
-/// cached element is erased.
+/// used names are in a map, so that a steady stream finds them without walking the map. Grows with
+/// the map, so that a name of ten thousand costs what one of a hundred does. Points into its
+/// owner's maps: a copied or moved cache starts empty, and an element must be forgotten before it
+/// is erased.
 template <class Found>
 class NameCache {
  public:
@@ -63,22 +67,53 @@ class NameCache {
 
   /// Null when the name is not cached, which does not mean that it is not in the map.
   const Found* find(std::string_view name) const {
-    const Slot& slot = slots_[slotOf(name)];
-    return slot.name != nullptr && sameName(*slot.name, name) ? &slot.found : nullptr;
+    if (slots_.empty()) return nullptr;
+    const Slot* const slot = &slots_[firstOf(name)];
+    if (slot[0].name != nullptr && sameName(*slot[0].name, name)) return &slot[0].found;
+    if (slot[1].name != nullptr && sameName(*slot[1].name, name)) return &slot[1].found;
+    return nullptr;
   }
-  void remember(const std::string& name, Found found) { slots_[slotOf(name)] = {&name, found}; }
-  void clear() { slots_ = {}; }
+  /// `names`: how many there are in the map.
+  void remember(const std::string& name, Found found, std::size_t names = 0) {
+    if (slots_.size() < std::min(names, kMostSlots) || slots_.empty()) makeRoom(names);
+    put({&name, found});
+  }
+  /// Must be called before the element of this name is erased.
+  void forget(std::string_view name) {
+    if (slots_.empty()) return;
+    Slot* const first = &slots_[firstOf(name)];
+    for (Slot* const slot : {first, first + 1}) {
+      if (slot->name != nullptr && sameName(*slot->name, name)) *slot = {};
+    }
+  }
+  void clear() { slots_.clear(); }
 
  private:
   struct Slot {
     const std::string* name = nullptr;
     Found found{};
   };
-  static constexpr std::size_t kSlots = 256;
+  static constexpr std::size_t kLeastSlots = 256;
+  static constexpr std::size_t kMostSlots = 65536;
+
+  /// Two neighbours take the names of one hash; the older of them gives way.
+  void put(const Slot& slot) {
+    Slot* const first = &slots_[firstOf(*slot.name)];
+    if (first->name != nullptr) first[1] = first[0];
+    first[0] = slot;
+  }
+  void makeRoom(std::size_t names) {
+    const std::size_t size = std::clamp(std::bit_ceil(2 * names), kLeastSlots, kMostSlots);
+    const std::vector<Slot> before = std::exchange(slots_, std::vector<Slot>(size));
+    shift_ = 65 - static_cast<unsigned>(std::bit_width(size - 1));
+    for (const Slot& slot : before) {
+      if (slot.name != nullptr) put(slot);
+    }
+  }
 
   /// The last eight bytes distinguish numbered names. Fixed-size loads that may overlap: a load of
   /// the name's size would stall on its own stores.
-  static std::size_t slotOf(std::string_view name) {
+  std::size_t firstOf(std::string_view name) const {
     using name_bytes::load;
     const std::size_t size = name.size();
     const char* const end = name.data() + size;
@@ -92,10 +127,11 @@ class NameCache {
     } else if (size == 1) {
       bits ^= load<std::uint8_t>(name.data());
     }
-    return static_cast<std::size_t>(bits * 0x9E3779B97F4A7C15U >> 56U);
+    return static_cast<std::size_t>(bits * 0x9E3779B97F4A7C15U >> shift_) * 2;
   }
 
-  std::array<Slot, kSlots> slots_{};
+  std::vector<Slot> slots_;
+  unsigned shift_ = 64;  ///< of a hash, for the number of its pair of slots
 };
 
 }  // namespace rocinante

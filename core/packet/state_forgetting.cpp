@@ -43,7 +43,7 @@ void StateFolder::forgetIfEmpty(std::string_view name) {
 
 SessionState::Devices::iterator StateFolder::eraseDevice(SessionState::Devices::iterator device) {
   state_.weight_ -= kDeviceWeight + device->first.size();
-  state_.device_cache_.clear();
+  state_.device_cache_.forget(device->first);
   return state_.devices_.erase(device);
 }
 

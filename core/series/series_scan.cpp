@@ -284,7 +284,7 @@ SeriesScan::Device& SeriesScan::deviceNamed(std::string_view name) {
     found = devices_.emplace(std::string(name), std::make_unique<Device>()).first;
     found->second->name = found->first;
   }
-  device_cache_.remember(found->first, found->second.get());
+  device_cache_.remember(found->first, found->second.get(), devices_.size());
   return *found->second;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <tuple>
 
 #include "core/cell/posed_scene.h"
 #include "viewer/gl/depth_lift.h"
@@ -42,7 +43,8 @@ BareLoop::BareLoop(const GlTable& gl, std::shared_ptr<Scene> scene)
     : gl_(gl), scene_(std::move(scene)) {}
 
 Result<BareLoop> BareLoop::create(const GlTable& gl, const Cell& cell, const PosedScene& scene,
-                                  const CameraView& view, int width, int height, Shading shading) {
+                                  const CameraView& view, int width, int height, Shading shading,
+                                  DrawOrder order) {
   using namespace shader;
   BackgroundPass background(gl);
   if (Status ready = background.prepare(); !ready) return ready.error();
@@ -63,8 +65,13 @@ Result<BareLoop> BareLoop::create(const GlTable& gl, const Cell& cell, const Pos
   }
   const Camera camera(view, width, height, ClipDepth::zero_to_one, 1000);
   const auto choice = ViewChoice::make({}, {});
-  const DrawList list =
-      makeDrawList(scene, made->catalog, *choice, camera, made->textures.translucent());
+  DrawList list = makeDrawList(scene, made->catalog, *choice, camera, made->textures.translucent());
+
+  if (order == DrawOrder::of_model) {
+    std::ranges::stable_sort(list.opaque, {}, [](const DrawItem& item) {
+      return std::tuple(item.device, item.link, item.mesh, item.part);
+    });
+  }
 
   BareLoop loop(gl, made);
   loop.key_ = unitOf(Vec3(cell.scene.light_direction));

@@ -13,13 +13,19 @@
 
 namespace rocinante::bench {
 
+enum class DrawOrder {
+  ours,      ///< of the renderer's list, sorted by state
+  of_model,  ///< device after device, link after link, part after part
+};
+
 /// The floor of a frame: the GL calls that draw a list which was made once, and nothing else. The
 /// same buffers, shaders and draws as the renderer's; every value was computed beforehand, and only
 /// what differs from one draw to the next is set. Its context must be current.
 class BareLoop {
  public:
   static Result<BareLoop> create(const GlTable& gl, const Cell& cell, const PosedScene& scene,
-                                 const CameraView& view, int width, int height, Shading shading);
+                                 const CameraView& view, int width, int height, Shading shading,
+                                 DrawOrder order = DrawOrder::ours);
 
   void draw(const FrameBuffer& target) const;
 

@@ -1,7 +1,14 @@
 // What a frame costs: the renderer beside a bare GL loop of the same buffers, shaders and draws,
-// turn by turn in one context, and beside osgviewer where it is installed (Debian's openscenegraph)
-// with the same scene, camera and size. CPU is that of all threads, so that a busy machine counts
-// little; frames a second and the first frame mean something on an idle machine alone.
+// turn by turn in one context, in its own order and in the model's, and beside osgviewer where it
+// is installed (Debian's openscenegraph) with the same scene, camera and size. CPU is that of all
+// threads, so that a busy machine counts little; frames a second and the first frame mean something
+// on an idle machine alone.
+// The bar of 0.85 is not met everywhere. Ours draws by state; drawing front to back shades less,
+// but where surfaces of two items have exactly the same depth the later item is seen, so the order
+// is part of the bits. Measured: front to back regardless of that saves 0 (demo) to 20 % (waste
+// yard, standard), an order that exchanges only items whose boxes cannot meet saves nothing, and
+// depth alone before colour costs 60 to 110 % more, because vertices and not pixels are most of a
+// frame.
 // usage: render_bench [--quick] [--links] [--yard FILE.obj]      --links: those rows alone
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -118,8 +125,9 @@ class Stage {
     frame.style = &style_;
     return need(renderer_.draw(frame, target));
   }
-  BareLoop bare(int width, int height, Shading shading) {
-    return need(BareLoop::create(renderer_.gl(), cell_, scene_, camera_, width, height, shading));
+  BareLoop bare(int width, int height, Shading shading, DrawOrder order = DrawOrder::ours) {
+    return need(
+        BareLoop::create(renderer_.gl(), cell_, scene_, camera_, width, height, shading, order));
   }
   void lookFrom(const CameraView& camera) { camera_ = camera; }
 
@@ -182,10 +190,15 @@ std::optional<PeerCosts> besidePeer(const std::filesystem::path& obj, const Came
   return found;
 }
 
-void benchScene(RenderContext& context, const std::string& name, const std::filesystem::path& obj,
+void printBareRow(const std::string& what, double ours, double bare, double bar) {
+  printRow(what, fmt::format("{:.2f} / {:.2f} = {:.2f}", ours, bare, ours / bare),
+           fmt::format("<= {:.2f}", bar), ours <= bar * bare);
+}
+
+void benchScene(RenderContext& context, const std::string& name, const std::filesystem::path& file,
                 const Settings& settings, const std::filesystem::path& folder,
                 const VirtualDisplay& display) {
-  Stage stage(context, need(loadCell(obj, {})));
+  Stage stage(context, need(loadCell(file, {})));
   const GlTable& gl = stage.renderer().gl();
   struct Size {
     int width, height;
@@ -195,35 +208,42 @@ void benchScene(RenderContext& context, const std::string& name, const std::file
     const FrameBuffer target = need(FrameBuffer::create(gl, width, height, 1));
     const BareLoop plain = stage.bare(width, height, Shading::plain);
     const BareLoop standard = stage.bare(width, height, Shading::standard);
+    const BareLoop plain_of_model = stage.bare(width, height, Shading::plain, DrawOrder::of_model);
+    const BareLoop standard_of_model =
+        stage.bare(width, height, Shading::standard, DrawOrder::of_model);
     DrawCounts counts;
-    const std::vector<Cost> costs = measured(
-        gl, settings.rounds, settings.frames,
-        {[&] { plain.draw(target); }, [&] { counts = stage.draw(target, Shading::plain); },
-         [&] { standard.draw(target); }, [&] { counts = stage.draw(target, Shading::standard); }});
+    const std::vector<Cost> costs =
+        measured(gl, settings.rounds, settings.frames,
+                 {[&] { plain.draw(target); }, [&] { counts = stage.draw(target, Shading::plain); },
+                  [&] { plain_of_model.draw(target); }, [&] { standard.draw(target); },
+                  [&] { counts = stage.draw(target, Shading::standard); },
+                  [&] { standard_of_model.draw(target); }});
     // Frame after frame of one kind, as osgviewer draws them: turn by turn each way finds the
     // caches full of the other's copy of the scene.
     const auto alone = [&](Shading shading) {
       return measured(gl, 1, 40, {[&] { stage.draw(target, shading); }}).front().cpu();
     };
-    const auto peer = besidePeer(
-        obj, stage.camera(), width, height, folder, display,
-        {[&] { return alone(Shading::plain); }, [&] { return alone(Shading::standard); }});
+    std::optional<PeerCosts> peer;
+    if (file.extension() == ".obj") {  // which osgviewer reads too
+      peer = besidePeer(
+          file, stage.camera(), width, height, folder, display,
+          {[&] { return alone(Shading::plain); }, [&] { return alone(Shading::standard); }});
+    }
     const auto row = [&](const char* what) {
       return fmt::format("{} {}x{}, {}", name, width, height, what);
     };
     fmt::print("{} {}x{}: {} triangles, {} draws\n", name, width, height, counts.triangles,
                counts.draws);
-    for (const auto& [first, shading] : {std::pair(std::size_t{0}, "plain"), {2, "standard"}}) {
-      const double bare = costs[first].cpu();
+    for (const auto& [first, shading] : {std::pair(std::size_t{0}, "plain"), {3, "standard"}}) {
       const double ours = costs[first + 1].cpu();
-      printRow(row(shading) + ": CPU ms a frame, bare loop's",
-               fmt::format("{:.2f} / {:.2f} = {:.2f}", ours, bare, ours / bare), "<= 1.15",
-               ours <= 1.15 * bare);
+      printBareRow(row(shading) + ": CPU ms a frame, bare loop's", ours, costs[first].cpu(), 1.15);
+      printBareRow(row(shading) + ": the same in the model's order", ours, costs[first + 2].cpu(),
+                   0.85);
     }
     const double frames_s = 1000 / costs[1].wall();
     printRow(row("plain: frames/s"), fmt::format("{:.1f}", frames_s),
              fmt::format(">= {:.0f}", least_frames), frames_s >= least_frames);
-    printRow(row("standard: frames/s"), fmt::format("{:.1f}", 1000 / costs[3].wall()), "", {});
+    printRow(row("standard: frames/s"), fmt::format("{:.1f}", 1000 / costs[4].wall()), "", {});
     if (peer) {
       const auto ratio = [&](double ours) {
         return fmt::format("{:.2f} / {:.2f} = {:.2f}", ours, peer->peer, ours / peer->peer);
@@ -320,6 +340,7 @@ int main(int argc, char** argv) {
   } else {
     fmt::print("no waste yard here: {}\n", settings.yard.string());
   }
+  benchScene(*context, "demo", ROCINANTE_DEMO_CELL, settings, folder.path(), display);
   benchScene(*context, "hills", hills, settings, folder.path(), display);
   benchLinks(*context, settings);
   return 0;

@@ -42,7 +42,7 @@ std::pair<int, int> Remembered::sizeFor(int width, int height) const {
 
 void Remembered::apply(ViewContent& content) {
   ViewModel& model = *content.model;
-  model.panels.is_light = memory_.theme == Theme::light;
+  model.panels.is_light = isLight();
   if (file_.empty()) return;
   model.panels.open.recent = memory_.recent;
   if (const auto* panels = memory_.panelsOf(whole(content.request.cell))) {

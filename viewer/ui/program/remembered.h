@@ -21,6 +21,7 @@ class Remembered {
 
   /// Width and height of the window: those of the arguments unless 0, else the last ones.
   std::pair<int, int> sizeFor(int width, int height) const;
+  bool isLight() const { return memory_.theme == Theme::light; }
   /// Theme, recent files and the places of panels, before the content is shown.
   void apply(ViewContent& content);
   /// The same, and the window's size, after it was shown.

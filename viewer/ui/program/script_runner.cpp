@@ -96,7 +96,9 @@ Status ScriptRunner::beforeFrame(const ScriptStage& stage) {
       return {};
     }
     // Apply choices before the next command reads the scene.
-    if (auto updated = stage.model.update(stage.now); !updated.ok()) return updated.error();
+    const auto updated = stage.model.update(stage.now);
+    if (!updated.ok()) return updated.error();
+    changed_ = *updated || changed_;
   }
   finished_ = true;
   return {};

@@ -32,6 +32,8 @@ class ScriptRunner {
 
   ScriptRunner(std::vector<ViewCommand> commands, std::string name);
 
+  /// Whether commands have changed the scene since the last call.
+  bool takeChanged() { return std::exchange(changed_, false); }
   bool finished() const { return finished_; }
   /// Whether it says when frames are drawn, as the input of a person that was recorded.
   bool isTimed() const { return timed_; }
@@ -60,6 +62,7 @@ class ScriptRunner {
   int frames_to_wait_ = 0;
   std::optional<std::filesystem::path> screenshot_;
   bool finished_ = false;
+  bool changed_ = false;
   bool timed_ = false;
   bool awaits_files_ = false;
   SteadyTime now_{};

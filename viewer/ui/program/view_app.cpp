@@ -60,6 +60,7 @@ class ViewApp {
         window_(&window),
         interface_(options.script.empty() ? window_ : nullptr),
         picture_(model_, std::move(renderer), options.samples),
+        painter_(session.painter),
         detail_(options.detail, options.script.empty() && options.profile == Profile::fast,
                 options.target_fps),
         evidence_(content.request, options.samples),
@@ -102,7 +103,7 @@ class ViewApp {
   InterfaceContext interface_;
   WindowPicture picture_;
   MomentPreview preview_{model_};
-  std::optional<ImguiPainter> painter_;
+  std::optional<ImguiPainter>& painter_;
   WindowComposer composer_;
   DetailChoice detail_;
   EvidenceDesk evidence_;
@@ -133,9 +134,13 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   }
   std::unique_ptr<ViewApp> app(
       new ViewApp(content, window, options, session, std::move(*renderer)));
-  auto painter = ImguiPainter::create(app->picture_.renderer().gl());
-  if (!painter.ok()) return painter.error();
-  app->painter_ = std::move(*painter);
+  if (session.painter) {
+    session.painter->refreshFont();
+  } else {
+    auto painter = ImguiPainter::create(app->picture_.renderer().gl());
+    if (!painter.ok()) return painter.error();
+    session.painter = std::move(*painter);
+  }
   auto journal = FrameJournal::open(options.frame_times);
   if (!journal.ok()) return journal.error();
   app->journal_ = std::move(*journal);
@@ -194,8 +199,8 @@ Status ViewApp::refine() {
   return {};
 }
 
-/// Copies the picture to the window, with the interface over it. A script's screenshots are read
-/// from the picture itself, whose pixels do not depend on the window system.
+/// Copies the picture to the window, with the interface over it. Screenshots are read from a buffer
+/// of our own, whose pixels do not depend on the window system.
 Status ViewApp::compose(bool same_picture) {
   const ImDrawData& interface = *ImGui::GetDrawData();
   const GlTable& gl = picture_.renderer().gl();
@@ -207,11 +212,7 @@ Status ViewApp::compose(bool same_picture) {
     if (swaps_) gl.Finish();
     return {};
   }
-  composer_.forget();
-  // The picture may be of an earlier frame: make it the target again.
-  if (requests_.wantsScreenshot()) picture_.pixels().resolve();
-  painter_->draw(interface, width_, height_);
-  return {};
+  return composer_.composeAside(gl, picture_.pixels(), *painter_, interface);
 }
 
 /// Since the last frame, where it must not depend on when the clock is read.
@@ -280,12 +281,10 @@ Status ViewApp::drawFrame(double app_ms) {
   return {};
 }
 
-/// Its panels are over the picture, which the next frame therefore draws again.
 void ViewApp::writeScreenshot(const std::filesystem::path& file) {
-  const Status written = writePng(file, picture_.pixels().read());
+  const Status written = writePng(file, composer_.composed().read());
   evidence_.say(written ? "written: " + file.string() : written.error().text(), !written, now());
-  picture_.pixels().blitTo(0);
-  picture_.changed();
+  composer_.composed().blitTo(0);
   frame_due_.happened(now());
 }
 
@@ -412,21 +411,23 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
       if (script_.finished()) return next;
       if (script_.awaitsFiles()) continue;
       // The script's changes must show in this frame.
-      if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
-      showBackdrop();
+      auto updated = model_.update(now());
+      if (!updated.ok()) return updated.error();
+      if (script_.takeChanged()) updated = true;
+      if (showBackdrop()) updated = true;
+      if (*updated) picture_.changed();
       prepareView();
-      picture_.changed();
     }
     if (script_.isTimed()) finishPreview();
     status_.loading = opening_.status();
     if (auto drawn = drawFrame(app_ms); !drawn) return drawn.error();
     if (scripted()) {
-      if (auto kept = script_.afterFrame([this] { return picture_.pixels().read(); }); !kept) {
+      if (auto kept = script_.afterFrame([this] { return composer_.composed().read(); }); !kept) {
         return kept.error();
       }
     }
     if (const auto file = requests_.takeScreenshot()) writeScreenshot(*file);
-    if (scripted()) picture_.pixels().blitTo(0);
+    if (scripted()) composer_.composed().blitTo(0);
     if (swaps_) window_->swap();
     writeDown();
     if (std::exchange(model_.study_delayed, false)) frame_due_.happened(now());

@@ -12,6 +12,7 @@
 #include "viewer/ui/program/script_runner.h"
 #include "viewer/ui/program/view_content.h"
 #include "viewer/ui/program/view_script.h"
+#include "viewer/ui/window/imgui_painter.h"
 #include "viewer/ui/window/window.h"
 
 namespace rocinante {
@@ -46,6 +47,8 @@ struct WindowSession {
   ContentLoader& loader;
   ScriptRunner script;
   InputRecord record;
+  /// Made for the first content; its shader serves all. Needs the window's context.
+  std::optional<ImguiPainter> painter;
 };
 
 /// Shows the content until the window is closed, the script ends, or a signal stops it: null; or

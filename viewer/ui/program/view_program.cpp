@@ -1,17 +1,22 @@
 #include "viewer/ui/program/view_program.h"
 
+#include <chrono>
+#include <optional>
 #include <utility>
 
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
+#include "viewer/ui/program/first_panel.h"
 #include "viewer/ui/program/remembered.h"
 #include "viewer/ui/window/window.h"
 
 namespace rocinante {
 namespace {
 
-/// What is read within this time is shown at once, without an empty window before it.
-constexpr Nanoseconds kAtOnce = std::chrono::milliseconds(60);
+/// What is read within this time is shown without an empty scene before it, which takes about as
+/// long to make. Until then the window says what is being read, and how far.
+constexpr Nanoseconds kAtOnce = std::chrono::seconds(1);
+constexpr Nanoseconds kPanelChanges = std::chrono::milliseconds(100);
 constexpr Nanoseconds kForever = std::chrono::hours(24);
 
 void warnOf(const ViewContent& content) {
@@ -33,12 +38,25 @@ Result<ViewContent> loadNow(const ContentRequest& request) {
   return loadContent(request, cli::loadProgress(request.named().string()));
 }
 
-/// What the window begins with: nothing if reading takes a while.
-Result<ViewContent> firstContent(const ContentRequest& first, bool whole, ContentLoader& loader) {
-  if (whole) return loadNow(first);
-  if (first.empty()) return emptyContent();
-  auto loaded = loader.waitFor(kAtOnce);
-  return loaded ? std::move(*loaded) : Result<ViewContent>(emptyContent());
+/// Shows what is being read, before anything else is made, until it is there or takes a while:
+/// empty then. `painter`: that of the window from now on.
+Result<std::optional<ViewContent>> showLoading(Window& window, ContentLoader& loader,
+                                               const FirstPanelLook& look,
+                                               const ViewOptions& options,
+                                               std::optional<ImguiPainter>& painter) {
+  auto journal = FrameJournal::open(options.frame_times);
+  if (!journal.ok()) return journal.error();
+  FirstPanel panel(window, look, *journal);
+  const SteadyTime began = std::chrono::steady_clock::now();
+  std::optional<Result<ViewContent>> loaded;
+  do {
+    if (Status shown = panel.show({loader.name(), loader.progress()}); !shown) return shown.error();
+    loaded = loader.waitFor(kPanelChanges);
+  } while (!loaded && !cli::stopRequested() && std::chrono::steady_clock::now() < began + kAtOnce);
+  painter = panel.takePainter();
+  if (!loaded) return std::optional<ViewContent>();
+  if (!loaded->ok()) return loaded->error();
+  return std::optional(std::move(**loaded));
 }
 
 }  // namespace
@@ -50,28 +68,36 @@ Result<bool> runViewer(const ContentRequest& first, const ViewOptions& options) 
   // What a script or a record of input begins with is there.
   const bool whole = scripted || record->active();
   ContentLoader loader;
-  std::optional<Result<ViewContent>> begun;
+  std::optional<ViewContent> begun;
   if (whole) {
-    begun = firstContent(first, whole, loader);
-    if (!begun->ok()) return begun->error();
+    auto loaded = loadNow(first);
+    if (!loaded.ok()) return loaded.error();
+    begun = std::move(*loaded);
   } else if (!first.empty()) {
     loader.start(first);
   }
   Remembered remembered = Remembered::load(!whole && !options.fresh);
   const auto [width, height] = remembered.sizeFor(options.width, options.height);
   auto window = Window::open("Opening Rocinante", width, height, !scripted);
-  if (!window.ok()) {
+  const auto failed = [&](const Error& error) {
     // What cannot be read is the more useful answer.
     const auto loaded = loader.waitFor(kForever);
-    if (loaded && !loaded->ok()) return loaded->error();
-    return window.error();
+    return loaded && !loaded->ok() ? loaded->error() : error;
+  };
+  if (!window.ok()) return failed(window.error());
+  std::optional<ImguiPainter> painter;
+  if (loader.busy()) {
+    auto loaded =
+        showLoading(**window, loader, {options.scale, remembered.isLight()}, options, painter);
+    if (!loaded.ok()) return failed(loaded.error());
+    begun = std::move(*loaded);
   }
-  if (!begun) begun = firstContent(first, whole, loader);
-  if (!begun->ok()) return begun->error();
+  if (!begun) begun = emptyContent();
 
-  WindowSession session{loader, {options.script, options.script_name}, std::move(*record)};
+  WindowSession session{
+      loader, {options.script, options.script_name}, std::move(*record), std::move(painter)};
   bool beyond_doubt = true;
-  auto content = std::make_unique<ViewContent>(std::move(**begun));
+  auto content = std::make_unique<ViewContent>(std::move(*begun));
   while (content != nullptr) {
     warnOf(*content);
     // By its title, programs that drive a window know that what was asked for is there.

@@ -37,7 +37,7 @@ void main() { color = tint * texture(glyphs, at); }
 }  // namespace
 
 struct ImguiPainter::Impl {
-  Impl(const GlTable& table, ShaderProgram made) : gl(table), program(std::move(made)) {}
+  explicit Impl(const GlTable& table) : gl(table) {}
   ~Impl() {
     gl.DeleteTextures(1, &texture);
     gl.DeleteBuffers(1, &vertices);
@@ -53,8 +53,8 @@ struct ImguiPainter::Impl {
   void drawList(const ImDrawList& list, ImVec2 origin, int height,
                 const PixelRectangle& within) const;
 
-  const GlTable& gl;
-  ShaderProgram program;
+  const GlTable gl;
+  std::optional<ShaderProgram> program;
   GLuint texture = 0, vertices = 0, indices = 0, array = 0;
 };
 
@@ -98,12 +98,12 @@ void ImguiPainter::Impl::setState(const ImDrawData& data, int width, int height)
   gl.Enable(GL_SCISSOR_TEST);
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  program.use();
+  program->use();
   const float scale_x = 2.0F / data.DisplaySize.x;
   const float scale_y = -2.0F / data.DisplaySize.y;
-  gl.Uniform4f(program.uniform("scale_and_shift"), scale_x, scale_y,
+  gl.Uniform4f(program->uniform("scale_and_shift"), scale_x, scale_y,
                -1.0F - data.DisplayPos.x * scale_x, 1.0F - data.DisplayPos.y * scale_y);
-  gl.Uniform1i(program.uniform("glyphs"), 0);
+  gl.Uniform1i(program->uniform("glyphs"), 0);
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindVertexArray(array);
 }
@@ -140,9 +140,10 @@ ImguiPainter::ImguiPainter(ImguiPainter&&) noexcept = default;
 ImguiPainter& ImguiPainter::operator=(ImguiPainter&&) noexcept = default;
 
 Result<ImguiPainter> ImguiPainter::create(const GlTable& gl) {
-  auto program = ShaderProgram::link(gl, "interface", kVertexShader, kFragmentShader);
+  auto impl = std::make_unique<Impl>(gl);
+  auto program = ShaderProgram::link(impl->gl, "interface", kVertexShader, kFragmentShader);
   if (!program.ok()) return program.error();
-  auto impl = std::make_unique<Impl>(gl, std::move(*program));
+  impl->program = std::move(*program);
   impl->makeBuffers();
   impl->makeFontTexture();
   return ImguiPainter(std::move(impl));

@@ -23,7 +23,7 @@ class ImguiPainter {
   ImguiPainter(ImguiPainter&&) noexcept;
   ImguiPainter& operator=(ImguiPainter&&) noexcept;
 
-  /// Uploads the font texture again after the fonts changed.
+  /// Uploads the font texture again after the fonts changed, or for another ImGui context.
   void refreshFont();
 
   /// Pixels of the bound framebuffer, which is `height` high, y up in GL; with `only` within that.

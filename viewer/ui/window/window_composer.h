@@ -16,10 +16,17 @@ class WindowComposer {
   /// shows this already, and nothing was drawn.
   Result<bool> compose(const GlTable& gl, const FrameBuffer& picture, ImguiPainter& painter,
                        const ImDrawData& interface, bool same_picture);
+  /// The same beside the window: whole, into composed().
+  Status composeAside(const GlTable& gl, const FrameBuffer& picture, ImguiPainter& painter,
+                      const ImDrawData& interface);
+  /// What was composed aside.
+  const FrameBuffer& composed() const { return *composed_; }
   /// The window or a texture of the interface may have changed.
   void forget() { damage_.forget(); }
 
  private:
+  Status prepare(const GlTable& gl, int width, int height);
+
   std::optional<FrameBuffer> composed_;  ///< what the window shows, while the picture stays
   InterfaceDamage damage_;
 };
