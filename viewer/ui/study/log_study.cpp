@@ -13,6 +13,7 @@
 #include "core/session/timeline.h"
 #include "viewer/ui/study/log_scan.h"
 #include "viewer/ui/study/positional_names.h"
+#include "viewer/ui/study/source_strips.h"
 #include "viewer/ui/study/study_thread.h"
 
 namespace rocinante {
@@ -25,19 +26,8 @@ constexpr std::size_t kMaxColumns = 8192;
 constexpr Nanoseconds kShowEvery = 100ms;
 /// How often a growing log is looked at.
 constexpr Nanoseconds kLookEvery = 150ms;
-/// The mean over which rates are formed.
-constexpr Nanoseconds kRateOver = 1s;
 
 SteadyTime studyNow() { return std::chrono::steady_clock::now(); }
-
-std::vector<ValueColumn> columnsOfRates(const std::vector<float>& rates) {
-  std::vector<ValueColumn> columns(rates.size());
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    columns[i].bin = {rates[i], rates[i], rates[i], false};
-    columns[i].held = rates[i];
-  }
-  return columns;
-}
 
 struct TableWish {
   std::vector<SeriesKey> keys;
@@ -245,16 +235,7 @@ void LogStudy::Impl::publish(const StudyWish& wish, const LogScan& scan, bool wh
   made->reached = all->ended() ? end : all->series().reached();
   made->whole = whole;
   const auto strip = [&](const std::string& name, const SourceSeries& source) {
-    SourceStrip made_strip;
-    made_strip.source = name;
-    const auto rates = [&](const CountBins& bins, Nanoseconds least) {
-      return bins.rates(wish.from, wish.until, wish.strip_columns, least, made->reached);
-    };
-    made_strip.rates = rates(source.packets, kRateOver);
-    made_strip.lost = rates(source.lost, Nanoseconds(0));
-    const auto everywhere = source.packets.rates(start, end, 256, kRateOver, made->reached);
-    made_strip.most = everywhere.empty() ? 0 : *std::ranges::max_element(everywhere);
-    made->strips.push_back(std::move(made_strip));
+    made->strips.push_back(stripOf(name, source, wish, {start, end}, made->reached));
   };
   strip("", all->series().all());
   for (const auto& [name, source] : all->series().sources()) strip(name, source);
@@ -273,17 +254,7 @@ void LogStudy::Impl::publish(const StudyWish& wish, const LogScan& scan, bool wh
         }
       }
     } else {
-      const auto& sources = all->series().sources();
-      const auto found = sources.find(key.name);
-      const SourceSeries* const source = key.name.empty()         ? &all->series().all()
-                                         : found == sources.end() ? nullptr
-                                                                  : &found->second;
-      if (source != nullptr) {
-        const bool is_rate = key.kind == SeriesKey::Kind::rate;
-        columns = columnsOfRates(
-            (is_rate ? source->packets : source->lost)
-                .rates(wish.from, wish.until, wish.columns, kRateOver, made->reached));
-      }
+      columns = rateColumns(key, all->series(), wish, made->reached);
     }
     made->curves.push_back(std::move(columns));
   }
