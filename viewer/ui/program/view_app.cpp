@@ -434,6 +434,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
   }
   // What is yet to be written and to be ended nobody has to look at.
   window_->hide();
+  requests_.finish(now());
   return next;
 }
 
