@@ -1,6 +1,8 @@
 # What goes wrong around a window is a sentence, not a crash: a renderer that is too old, no home to write to, a log that
-# is deleted while it is shown, two hundred devices, a window that is made as small as can be.
+# is deleted while it is shown, two hundred devices, a window that is made as small as can be and then as large
+# as it was, with the same pixels.
 command -v xdotool >/dev/null || { echo "skipped: no xdotool"; exit 77; }
+command -v xwd >/dev/null || { echo "skipped: no xwd (x11-apps)"; exit 77; }
 export ASAN_OPTIONS=detect_leaks=0
 cat >box.urdf <<'URDF'
 <robot name="box"><link name="body"><visual><geometry><box size="1 1 1"/></geometry></visual></link></robot>
@@ -49,10 +51,27 @@ rm session.mcap
 xdotool mousemove --window "$window" 100 100 key --window 0 Home key --window 0 End key --window 0 space
 frames 20
 quit "log deleted"
-view many.cell.toml --size 500x400 --fresh
-xdotool windowsize --sync "$window" 1 1
-xdotool windowsize --sync "$window" 500 400
+# Recorded, it shows no frame times, which would never be the same again.
+view many.cell.toml --size 500x400 --fresh --record-input person.txt
 frames 5
+shoot() { xwd -silent -id "$window" -out window.xwd && python3 "$SRC/tests/cli/view/xwd_to_png.py" window.xwd "$1"; }
+shoot before.png
+until shoot again.png && cmp -s before.png again.png; do mv again.png before.png; done
+for size in "1 1" "500 1" "1 400" "64 64" "3 7"; do
+  shown=$(wc -l <frames.csv)
+  xdotool windowsize --sync "$window" $size
+  until [ "$(wc -l <frames.csv)" -gt $shown ]; do
+    kill -0 $viewer || { cat view.txt; exit 1; }
+    sleep 0.05
+  done
+done
+xdotool windowsize --sync "$window" 500 400
+for turn in $(seq 300); do
+  shoot again.png
+  cmp -s before.png again.png && echo "made small: as before" && break
+  kill -0 $viewer || { cat view.txt; exit 1; }
+  sleep 0.1
+done
 quit "made small"
 PERSON
 with_display bash person.sh

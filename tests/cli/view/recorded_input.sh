@@ -1,5 +1,5 @@
 # What a person does with a window, here xdotool, is recorded as a script; another run of the window, which nobody
-# touches, does it again and ends in the same picture, panels and all. What was dropped on the window comes again, too.
+# touches, does it again and ends in the same picture, panels and all. What was dropped on the window or pasted comes again, too.
 command -v xdotool >/dev/null || { echo "skipped: no xdotool"; exit 77; }
 for python in python3 /usr/bin/python3 none; do $python -c "import Xlib" 2>/dev/null && break; done
 [ $python != none ] || { echo "skipped: no python3-xlib"; exit 77; }
@@ -71,6 +71,25 @@ recorded await-files 1
 frames 4
 command "joint arm/turn 40deg"
 screenshot dropped
+# What another program has on the clipboard.
+$python "$SRC/tests/cli/view/clipboard.py" "screenshot pasted.png" >clipboard.txt &
+clipboard=$!
+until grep -qs ready clipboard.txt; do
+  kill -0 $clipboard
+  sleep 0.1
+done
+xdotool key --window 0 ctrl+p
+recorded "press ctrl+P" $((commands + 1))
+frames 4
+xdotool key --window 0 ctrl+v
+recorded "clipboard screenshot%20pasted.png" 1
+frames 4
+xdotool key --window 0 Return
+until [ -s pasted.png ]; do
+  kill -0 $viewer || { cat view.txt; exit 1; }
+  sleep 0.1
+done
+kill $clipboard
 xdotool key --window 0 q
 wait $viewer
 echo "view: exit $?"
@@ -82,7 +101,7 @@ cd again
 ln -s ../session.mcap .
 with_display rocinante view "$SRC/examples/demo/demo.cell.toml" session.mcap --samples 1 --profile reproducible \
   --script ../person.txt
-for picture in played small dropped; do rocinante golden compare $picture.png ../$picture.png --tier exact | sed 's/^same:.*/same/'; done
+for picture in played small dropped pasted; do rocinante golden compare $picture.png ../$picture.png --tier exact | sed 's/^same:.*/same/'; done
 
 # By hand: a click of the mouse and a key are what `click` and `key` are.
 printf 'panels off\nmouse 320 240\nbutton left down\nframe 1\nbutton left up\nframe 1\npress H\nframe 1\nscreenshot mouse.png\n' >mouse.txt

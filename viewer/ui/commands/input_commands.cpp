@@ -109,6 +109,13 @@ Status typeText(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status setClipboard(CommandWords words, const CommandStage& stage) {
+  const auto text = words.empty() ? Result<std::string>(std::string()) : textOfWord(words[0]);
+  if (!text.ok()) return text.error();
+  stage.input->pasted = *text;
+  return {};
+}
+
 Status dropFiles(CommandWords words, const CommandStage& stage) {
   for (const std::string& word : words) {
     const auto file = textOfWord(word);
@@ -180,6 +187,10 @@ std::vector<Command> inputCommands() {
        .arguments = "TEXT",
        .means = "type; a space is %20",
        .run = inScript<typeText>},
+      {.name = "clipboard",
+       .arguments = "[TEXT]",
+       .means = "what a key of the coming frame pastes; a space is %20",
+       .run = inScript<setClipboard>},
       {.name = "drop",
        .arguments = "FILE...",
        .means = "drop files on the window",

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -152,6 +153,11 @@ Status awaitLength(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status awaitLine(CommandWords words, const CommandStage& stage) {
+  stage.requests.await_line = fmt::format("{}", fmt::join(words, " "));
+  return {};
+}
+
 }  // namespace
 
 std::vector<Command> programCommands() {
@@ -228,6 +234,10 @@ std::vector<Command> scriptCommands() {
        .arguments = "TIME",
        .means = "wait until the growing session is this long",
        .run = awaitLength},
+      {.name = "await-line",
+       .arguments = "[TEXT...]",
+       .means = "wait until a line over the picture says this, or until there is none",
+       .run = awaitLine},
   };
   for (Command& command : commands) command.group = CommandGroup::script;
   return commands;

@@ -37,6 +37,8 @@ struct ViewerRequests {
   std::optional<std::filesystem::path> save_file;  ///< the same into this file, waiting for it
   /// Wait until the growing session is this long.
   std::optional<Nanoseconds> await_length;
+  /// Wait until a line over the picture says this; empty: until there is none.
+  std::optional<std::string> await_line;
   std::optional<PictureClick> click;
   /// What others are pointed at: a place of the picture.
   std::optional<PictureClick> point;

@@ -36,8 +36,10 @@ std::optional<Finding> liveReason(const LiveFacts& facts) {
   if (facts.undecoded == facts.datagrams) {
     return nothingDecoded(facts.datagrams, facts.undecoded_sample, "");
   }
-  if (facts.silent >= kPatience) {
+  // People who look on together may be silent.
+  if (facts.silent >= kPatience && !facts.only_windows) {
     Finding silence = nothingSince("", facts.silent);
+    if (facts.any_window) silence.text += ", except from other windows";
     silence.hint += "; the last known state is shown";
     if (!facts.news.empty()) silence.hint = facts.news;
     return silence;

@@ -28,6 +28,7 @@ struct PanelState {
   std::array<char, 64> source_filter{};  ///< the same for sources
   std::array<char, 64> event_filter{};   ///< the same for events
   std::set<std::string> open_devices;    ///< whose links are listed
+  std::vector<std::string> lines;        ///< that the last frame had over the picture
   std::string complaint;                 ///< one sentence to show; empty: none
   std::vector<std::string> doubts;       ///< doubts about written files, printed at the end
 };

@@ -221,7 +221,11 @@ Status ViewModel::setByHand(const std::string& device, const std::string& value_
 
 LogStudy* ViewModel::study() {
   if (!session_ || study_delayed) return nullptr;
-  if (!study_) study_ = std::make_unique<LogStudy>(*cell_, session_->log().name());
+  if (!study_) {
+    // A growing session is read from its first piece on.
+    const LogReader& log = log_grows_ ? session_->logAt(session_->start()) : session_->log();
+    study_ = std::make_unique<LogStudy>(*cell_, log.name(), log_grows_);
+  }
   study_->waits = study_waits;
   return study_.get();
 }
@@ -246,7 +250,8 @@ const PartingStudy* ViewModel::partings() {
 }
 
 const FindingsStudy* ViewModel::findings() {
-  if (!session_ || !findings_wanted) return nullptr;
+  // What is still being written would be judged by its first moments.
+  if (!session_ || !findings_wanted || log_grows_) return nullptr;
   if (!judged_) {
     // One thread after the other: two cores also have to draw.
     if (picture == nullptr || (study_ && study_->isBusy())) return nullptr;
@@ -266,7 +271,8 @@ bool ViewModel::hasStudyNews() const {
 bool ViewModel::isStudyBusy() const {
   return (nearest_ && nearest_->isBusy()) || (study_ && study_->isBusy()) ||
          (judged_ && !judged_->isFinished()) || (study_beside_ && study_beside_->isBusy()) ||
-         (partings_ && !partings_->isFinished()) || (study_ && findings_wanted && !judged_);
+         (partings_ && !partings_->isFinished()) ||
+         (study_ && findings_wanted && !judged_ && !log_grows_);
 }
 
 Status ViewModel::addMark(const std::string& text) {

@@ -115,6 +115,8 @@ class ViewModel {
   /// The sources of a live session and those that the cell expects; valid until update().
   std::vector<SourceRow> sourceRows(SteadyTime now) const;
   bool isLive() const { return feed_.has_value(); }
+  /// More is still being written to the session.
+  bool isGrowing() const { return log_grows_; }
   const LiveFeed& feed() const { return *feed_; }
   LiveFeed& feed() { return *feed_; }
   /// Why nothing moves in a live session; empty otherwise.

@@ -189,11 +189,17 @@ std::optional<Finding> ViewModel::liveReason(SteadyTime now) const {
     facts.undecoded_sample = live_->undecoded_sample;
     facts.news = live_->news;
     facts.devices_spoken_of = live_->state.devices().size();
-    const SessionState& heard = live_->state;
-    facts.only_windows =
-        !heard.counts().empty() && std::ranges::all_of(heard.counts(), [&](const auto& source) {
-          return heard.views().contains(source.first) || others_.hasLeft(source.first);
-        });
+    facts.only_windows = !live_->sources.empty();
+    std::optional<SteadyTime> machine_heard;
+    for (const LiveSource& source : live_->sources) {
+      const bool left = others_.hasLeft(source.name);
+      const bool is_window = left || live_->state.views().contains(source.name);
+      facts.only_windows = facts.only_windows && is_window;
+      facts.any_window = facts.any_window || (is_window && !left);
+      if (!is_window) machine_heard = std::max(machine_heard, std::optional(source.heard));
+    }
+    // What is no packet is of no window either.
+    if (machine_heard && facts.undecoded == 0) facts.silent = feedTime(now) - *machine_heard;
     bool any_known = false;
     for (const auto& [name, device] : live_->state.devices()) {
       any_known = any_known || scene_.findDevice(name) != nullptr;

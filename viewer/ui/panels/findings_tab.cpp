@@ -61,7 +61,11 @@ void drawExplanation(const ViewModel& model, const Finding& finding) {
 void drawFindingsTab(ViewModel& model, SteadyTime now) {
   const FindingsStudy* const judged = model.findings();
   if (judged == nullptr) {
-    ImGui::TextDisabled("%s", model.findings_wanted ? "reading the log first" : "not judged");
+    const char* const why = !model.findings_wanted ? "not judged"
+                            : model.isGrowing()    ? "judged when the session has ended:\n"
+                                                     "save it for `rocinante check`"
+                                                   : "reading the log first";
+    ImGui::TextDisabled("%s", why);
     return;
   }
   if (!judged->fault().empty()) {

@@ -14,6 +14,7 @@
 #include "viewer/ui/panels/others_panel.h"
 #include "viewer/ui/panels/palette_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/picture_lines.h"
 #include "viewer/ui/panels/placed_panel.h"
 #include "viewer/ui/panels/plot_panel.h"
 #include "viewer/ui/panels/scene_panel.h"
@@ -83,98 +84,12 @@ float coveredAtLeft(const PanelPlaces& places, float usual) {
   return drawn == places.drawn.end() ? usual : drawn->second.x + drawn->second.width;
 }
 
-/// The part of the window between the panels at its sides.
-struct Middle {
-  float left = 0, right = 0;
-};
-
-/// Draws a line or two over the picture; returns their bottom. Computes its size here, because an
-/// auto-sized window is one frame late.
-float drawBanner(const char* name, const Middle& middle, float top, const ImVec4& color,
-                 const std::string& what, const std::string& hint) {
-  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-  const float room =
-      std::max(px(160), std::min(px(560), middle.right - middle.left - px(2 * kPanelMargin)));
-  const float wrap = room - 2 * padding.x;
-  const ImVec2 said = ImGui::CalcTextSize(what.c_str(), nullptr, false, wrap);
-  ImVec2 size(said.x, said.y);
-  if (!hint.empty()) {
-    const ImVec2 more = ImGui::CalcTextSize(hint.c_str(), nullptr, false, wrap);
-    size.x = std::max(size.x, more.x);
-    size.y += more.y + ImGui::GetStyle().ItemSpacing.y;
-  }
-  size.x += 2 * padding.x + 1;
-  size.y += 2 * padding.y;
-  ImGui::SetNextWindowPos(ImVec2((middle.left + middle.right) / 2, top), ImGuiCond_Always,
-                          ImVec2(0.5F, 0));
-  ImGui::SetNextWindowSize(size);
-  ImGui::Begin(name, nullptr,
-               (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
-                   ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
-  ImGui::PushTextWrapPos(padding.x + wrap);
-  ImGui::TextColored(ink(color), "%s", what.c_str());
-  if (!hint.empty()) ImGui::TextDisabled("%s", hint.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::End();
-  return top + size.y + px(6);
-}
-
-/// Between the panels at the sides; below those at the right where a narrow window leaves no room.
-float placeBanners(Middle& middle, float right_end, float bottom) {
-  constexpr float kLeastRoom = 240;
-  constexpr float kLeastHeight = 60;
-  const float below = right_end + px(kPanelMargin);
-  const float top = px(kPanelMargin);
-  if (middle.right - middle.left >= px(kLeastRoom) || bottom - below < px(kLeastHeight)) return top;
-  middle.right = ImGui::GetIO().DisplaySize.x;
-  return below;
-}
-
-void drawBanners(const ViewModel& model, const ViewerStatus& status, const Middle& middle,
-                 float top, SteadyTime now) {
-  const ImVec4 fault(1, 0.6F, 0.4F, 1);
-  if (const auto reason = model.liveReason(now)) {
-    // Keep the last picture visible; without any data, show the reason in the centre.
-    const bool nothing_yet = model.live() == nullptr || model.live()->datagrams == 0;
-    const float at = nothing_yet ? std::max(top, ImGui::GetIO().DisplaySize.y * 0.3F) : top;
-    const float end = drawBanner("reason", middle, at, fault, reason->text, reason->hint);
-    if (!nothing_yet) top = end;
-  }
-  if (!model.damage().empty()) {
-    top = drawBanner("damage", middle, top, fault, model.damage().what(),
-                     "what is shown may be older than its time says");
-  }
-  if (const HandBanner hand = handBanner(model); !hand.what.empty()) {
-    top = drawBanner("hand", middle, top, hand.color, hand.what, hand.hint);
-  }
-  if (const OthersBanner others = othersBanner(model); !others.what.empty()) {
-    top = drawBanner("others", middle, top, others.is_fault ? fault : ImVec4(0.6F, 0.85F, 1, 1),
-                     others.what, others.hint);
-  }
-  if (model.picking.active()) {
-    top = drawBanner(
-        "picking", middle, top, ImVec4(1.0F, 0.85F, 0.3F, 1),
-        model.picking.first() ? "click the second point" : "click two points: their distance",
-        "Esc ends it");
-  }
-  if (!model.keepingTrouble().empty()) {
-    top = drawBanner("kept", middle, top, fault, model.keepingTrouble(), "");
-  }
-  if (!model.panels.complaint.empty()) {
-    top = drawBanner("complaint", middle, top, fault, model.panels.complaint, "");
-  }
-  if (!status.notice.empty()) {
-    drawBanner("notice", middle, top, status.notice_is_fault ? fault : ImVec4(0.7F, 0.9F, 0.75F, 1),
-               status.notice, "");
-  }
-}
-
 }  // namespace
 
 CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime now,
                         ViewerRequests& requests) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  Middle middle{0, size.x};
+  FreeMiddle middle{0, size.x};
   CoveredEdges covered;
   float right_end = 0;
   model.hover.wanted.reset();
@@ -205,6 +120,9 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
         right_end = end;
         covered.right =
             std::max(covered.right, static_cast<int>(px(kDevicePanelWidth + kPanelMargin)));
+        if (!isMoved(model.panels.places, "device")) {
+          middle.right = std::min(middle.right, size.x - static_cast<float>(covered.right));
+        }
       }
     }
     if (TimelineCursor* cursor = model.cursor()) {
@@ -223,8 +141,7 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
   drawInsetGrip(model);
   if (status.loading) drawLoading(*status.loading, model.is_empty);
   const float bottom = size.y - static_cast<float>(covered.bottom);
-  const float banners_top = placeBanners(middle, right_end, bottom);
-  drawBanners(model, status, middle, banners_top, now);
+  drawPictureLines(pictureLines(model, status, now), middle, right_end, bottom, model.panels.lines);
   if (model.panels.asks_mark) drawMarkPrompt(model, requests);
   if (model.panels.help_shown) drawHelp(model);
   if (model.panels.open.shown) drawOpenList(model, requests);

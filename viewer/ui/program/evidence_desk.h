@@ -42,6 +42,8 @@ class EvidenceDesk {
   void say(std::string text, bool fault, SteadyTime now);
   const std::string& notice() const { return notice_; }
   bool noticeIsFault() const { return notice_is_fault_; }
+  /// A child program is at work.
+  bool isMaking() const { return running_.has_value(); }
   /// look() may soon change the notice.
   bool active() const { return running_.has_value() || !notice_.empty(); }
 

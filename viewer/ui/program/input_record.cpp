@@ -35,6 +35,21 @@ void tellHeld(std::string& lines, const FrameInput& before, const FrameInput& se
   tell("hold", seen.held, before.held);
 }
 
+/// The text with a blank before it, as much as a line of the window takes; nothing: an empty
+/// clipboard.
+std::string pastedWord(std::string_view text) {
+  constexpr std::size_t kMost = 4096;
+  std::string_view taken = text.substr(0, kMost);
+  // Not in the middle of a letter.
+  while (taken.size() == kMost && text.size() > kMost && !taken.empty() &&
+         (static_cast<unsigned char>(text[taken.size()]) & 0xC0U) == 0x80U) {
+    taken.remove_suffix(1);
+  }
+  // What other programs leave there may be anything.
+  const std::string word = scriptWord(taken);
+  return word.empty() || !textOfWord(word).ok() ? "" : " " + word;
+}
+
 }  // namespace
 
 std::string inputLines(const FrameInput& before, const FrameInput& seen) {
@@ -56,6 +71,7 @@ std::string inputLines(const FrameInput& before, const FrameInput& seen) {
                          seen.wheel_across != 0 ? fmt::format(" {}", seen.wheel_across) : "");
   }
   tellHeld(lines, before, seen);
+  if (seen.pasted) lines += fmt::format("clipboard{}\n", pastedWord(*seen.pasted));
   for (const KeyPress& press : seen.presses) {
     const auto name = keyName(press);
     if (name) lines += fmt::format("press {}{}\n", *name, press.repeated ? " again" : "");

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <thread>
+
+#include "core/cli/program.h"
 #include "viewer/ui/program/save_camera.h"
 
 namespace rocinante {
@@ -96,6 +100,22 @@ void RequestDesk::tellNews(SteadyTime now) {
   }
   if (const auto news = saving_.look(my_.model)) say(news->text, news->is_fault, now);
   my_.evidence.look(now);
+}
+
+void RequestDesk::finish(SteadyTime now) {
+  using Clock = std::chrono::steady_clock;
+  const auto isMaking = [this] { return my_.evidence.isMaking() || isSaving(); };
+  if (!isMaking()) return;
+  const Clock::time_point tell_at = Clock::now() + std::chrono::seconds(1);
+  bool told = false;
+  while (isMaking() && !cli::stopRequested()) {
+    tellNews(now);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (told || Clock::now() < tell_at) continue;
+    cli::warn("the window is closed; what was asked for is still being made (Ctrl-C ends it)");
+    told = true;
+  }
+  if (my_.evidence.noticeIsFault()) my_.model.panels.doubts.push_back(my_.evidence.notice());
 }
 
 void RequestDesk::openFiles(const std::vector<std::filesystem::path>& files, SteadyTime now) {

@@ -45,6 +45,9 @@ class RequestDesk {
     return std::exchange(screenshot_, std::nullopt);
   }
   bool isSaving() const { return saving_.active(); }
+  /// Waits for what users asked for and is still being made, after they closed the window; a signal
+  /// ends it. What fails becomes a doubt.
+  void finish(SteadyTime now);
 
  private:
   Status look(const ViewerRequests& requests, const WindowSize& size);

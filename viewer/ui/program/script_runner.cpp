@@ -1,6 +1,7 @@
 #include "viewer/ui/program/script_runner.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,33 @@ namespace rocinante {
 namespace {
 
 constexpr Nanoseconds kLongestAwait = std::chrono::minutes(1);
+
+bool isSoLong(const ViewModel& model, Nanoseconds length) {
+  const TimelineCursor* const cursor = model.cursor();
+  return cursor != nullptr && cursor->end() - model.origin() >= length;
+}
+
+/// Whether a line of the last frame has the text; without a text, whether there was no line.
+bool says(const ViewModel& model, const std::string& text) {
+  const std::vector<std::string>& lines = model.panels.lines;
+  if (text.empty()) return lines.empty();
+  return std::ranges::any_of(
+      lines, [&](const std::string& line) { return line.find(text) != std::string::npos; });
+}
+
+std::string unreached(const ViewerRequests& asked, const ViewModel& model) {
+  if (asked.await_length) {
+    return fmt::format("the session is not {:g}s long after a minute",
+                       std::chrono::duration<double>(*asked.await_length).count());
+  }
+  const std::string lines = model.panels.lines.empty()
+                                ? "nothing"
+                                : fmt::format("\"{}\"", fmt::join(model.panels.lines, "\", \""));
+  return asked.await_line->empty()
+             ? fmt::format("the lines over the picture still say {} after a minute", lines)
+             : fmt::format("no line over the picture says \"{}\" within a minute: they say {}",
+                           *asked.await_line, lines);
+}
 
 }  // namespace
 
@@ -23,7 +51,8 @@ ScriptRunner::ScriptRunner(std::vector<ViewCommand> commands, std::string name)
 /// When the frame is drawn that the coming commands lead to.
 SteadyTime ScriptRunner::timeOfNext(SteadyTime otherwise) const {
   if (frames_to_wait_ > 1) return otherwise;
-  constexpr std::array<std::string_view, 4> kDrawing{"frame", "wait", "screenshot", "await"};
+  constexpr std::array<std::string_view, 5> kDrawing{"frame", "wait", "screenshot", "await",
+                                                     "await-line"};
   for (std::size_t i = next_; i < commands_.size(); ++i) {
     if (commands_[i].at) return std::max(now_, SteadyTime(*commands_[i].at));
     if (std::ranges::find(kDrawing, commands_[i].name) != kDrawing.end()) break;
@@ -50,6 +79,7 @@ Result<ViewerRequests> ScriptRunner::run(const ViewCommand& command, const Scrip
   own.frames = std::exchange(requests.frames, std::nullopt);
   own.screenshot = std::exchange(requests.screenshot, std::nullopt);
   own.await_length = std::exchange(requests.await_length, std::nullopt);
+  own.await_line = std::exchange(requests.await_line, std::nullopt);
   own.frame_at = std::exchange(requests.frame_at, std::nullopt);
   own.await_files = std::exchange(requests.await_files, false);
   done = stage.apply(requests);
@@ -57,17 +87,16 @@ Result<ViewerRequests> ScriptRunner::run(const ViewCommand& command, const Scrip
   return own;
 }
 
-/// Whether the session is so long; an error when it does not get there.
-Result<bool> ScriptRunner::awaited(const ViewCommand& command, Nanoseconds length,
-                                   const ScriptStage& stage) {
+/// Whether what the command waits for is there; an error when it does not come.
+Result<bool> ScriptRunner::awaited(const ViewCommand& command, const ViewerRequests& asked,
+                                   const ViewModel& model) {
   // Real time: a script's own does not bring packets.
   const SteadyTime now = std::chrono::steady_clock::now();
   if (!awaits_since_) awaits_since_ = now;
-  const TimelineCursor* const cursor = stage.model.cursor();
-  const bool reached = cursor != nullptr && cursor->end() - stage.model.origin() >= length;
+  const bool reached =
+      asked.await_length ? isSoLong(model, *asked.await_length) : says(model, *asked.await_line);
   if (!reached && now - *awaits_since_ > kLongestAwait) {
-    return faultAt(command,
-                   fmt::format("the session is not {} long after a minute", command.words.front()));
+    return faultAt(command, unreached(asked, model));
   }
   if (reached) awaits_since_.reset();
   return reached;
@@ -79,8 +108,8 @@ Status ScriptRunner::beforeFrame(const ScriptStage& stage) {
     const auto left = run(commands_[next_++], stage);
     if (!left.ok()) return left.error();
     if (left->close) break;
-    if (left->await_length) {
-      const auto there = awaited(commands_[next_ - 1], *left->await_length, stage);
+    if (left->await_length || left->await_line) {
+      const auto there = awaited(commands_[next_ - 1], *left, stage.model);
       if (!there.ok()) return there.error();
       if (*there) continue;
       --next_;

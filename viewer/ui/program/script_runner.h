@@ -24,7 +24,7 @@ struct ScriptStage {
 };
 
 /// Runs a script frame by frame: commands run until one needs a drawn frame (`frame`, `wait`,
-/// `screenshot`).
+/// `screenshot`, `await`).
 class ScriptRunner {
  public:
   /// From one frame to the next where the script says no other time.
@@ -52,7 +52,8 @@ class ScriptRunner {
  private:
   /// What the command leaves to its caller: frames to draw, a screenshot, the end.
   Result<ViewerRequests> run(const ViewCommand& command, const ScriptStage& stage);
-  Result<bool> awaited(const ViewCommand& command, Nanoseconds length, const ScriptStage& stage);
+  Result<bool> awaited(const ViewCommand& command, const ViewerRequests& asked,
+                       const ViewModel& model);
   SteadyTime timeOfNext(SteadyTime otherwise) const;
   Error faultAt(const ViewCommand& command, std::string what) const;
 

@@ -433,6 +433,9 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (std::exchange(model_.study_delayed, false)) frame_due_.happened(now());
     waitForNews();
   }
+  // What is yet to be written and to be ended nobody has to look at.
+  window_->hide();
+  requests_.finish(now());
   return next;
 }
 

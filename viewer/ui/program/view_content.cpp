@@ -50,14 +50,15 @@ void warnOfFaults(const Cell& cell, std::vector<std::string>& warnings) {
 
 /// The log, which is made of a recording of another program first. Names its joints by the cell.
 Result<OpenedRecording> openRecordingOf(const ContentRequest& request, const fs::path& recording,
-                                        const fs::path& cell, const TellLoadProgress& progress) {
+                                        const fs::path& cell, const TellLoadProgress& progress,
+                                        const std::stop_token& stop) {
   constexpr std::uint64_t kWhole = 1'000'000;
   RecordingRequest wanted;
   wanted.recording = recording;
   wanted.cell = cell;
   wanted.search = request.where;
   wanted.progress = [&](double part) -> Status {
-    if (cli::stopRequested()) {
+    if (cli::stopRequested() || stop.stop_requested()) {
       return Error{ErrorKind::refused, "stopped while importing", {}};
     }
     const auto done = static_cast<std::uint64_t>(part * static_cast<double>(kWhole));
@@ -85,22 +86,25 @@ Result<fs::path> cellFile(const ContentRequest& request, const OpenedRecording& 
 
 /// A recording that continues, in this log or in a later piece, is followed; any other log is read
 /// as it is.
-Result<Timeline> openSession(const fs::path& log) {
+Result<Timeline> openSession(const fs::path& log, const std::stop_token& stop) {
   auto session = Timeline::follow(log);
-  if (!session.ok() || session->log().growing()) return session;
-  return Timeline::open(log);
+  if (session.ok() && !session->log().growing()) session = Timeline::open(log);
+  if (session.ok()) session->useStop(stop);
+  return session;
 }
 
 /// The log beside, if one is wanted.
 Status showBeside(const ContentRequest& request, const fs::path& cell,
-                  const TellLoadProgress& progress, ViewContent& content) {
+                  const TellLoadProgress& progress, const std::stop_token& stop,
+                  ViewContent& content) {
   if (request.beside.empty()) return {};
-  auto opened = openRecordingOf(request, request.beside, cell, progress);
+  auto opened = openRecordingOf(request, request.beside, cell, progress, stop);
   if (!opened.ok()) return opened.error();
   content.warnings.insert(content.warnings.end(), opened->warnings.begin(), opened->warnings.end());
   if (!opened->not_kept.empty()) content.warnings.push_back(opened->not_kept);
   auto beside = Timeline::open(opened->log);
   if (!beside.ok()) return opened->named(beside.error());
+  beside->useStop(stop);
   content.beside_folder = opened->folder;
   return content.model->showBeside(std::move(*beside), request.align);
 }
@@ -178,10 +182,11 @@ Status applyArguments(const ContentRequest& request, ViewModel& model,
 
 }  // namespace
 
-Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress) {
+Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress,
+                                const std::stop_token& stop) {
   OpenedRecording recording;
   if (!request.log.empty()) {
-    auto opened = openRecordingOf(request, request.log, request.cell, progress);
+    auto opened = openRecordingOf(request, request.log, request.cell, progress, stop);
     if (!opened.ok()) return opened.error();
     recording = std::move(*opened);
   }
@@ -190,7 +195,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   const bool is_own_cell = !recording.log.empty() && *file == recording.log;
   if (recording.imported && request.cell.empty() && !is_own_cell) {
     // Of the cell that is shown: its names are meant.
-    auto opened = openRecordingOf(request, request.log, *file, progress);
+    auto opened = openRecordingOf(request, request.log, *file, progress, stop);
     if (!opened.ok()) return opened.error();
     recording = std::move(*opened);
   }
@@ -218,7 +223,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
 
   std::optional<Timeline> session;
   if (!request.log.empty()) {
-    auto opened = openSession(recording.log);
+    auto opened = openSession(recording.log, stop);
     if (!opened.ok()) return recording.named(opened.error());
     session = std::move(*opened);
   }
@@ -228,7 +233,9 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
                                request.show);
   if (!model.ok()) return model.error();
   content.model = std::make_unique<ViewModel>(std::move(*model));
-  if (auto shown = showBeside(request, *file, progress, content); !shown) return shown.error();
+  if (auto shown = showBeside(request, *file, progress, stop, content); !shown) {
+    return shown.error();
+  }
   if (auto applied = applyArguments(request, *content.model, content.warnings); !applied) {
     return applied.error();
   }
@@ -281,25 +288,24 @@ struct ContentLoader::Shared {
   std::optional<Result<ViewContent>> result;
 };
 
-ContentLoader::~ContentLoader() {
-  if (thread_.joinable()) thread_.join();
-}
+ContentLoader::~ContentLoader() = default;
 
 void ContentLoader::start(ContentRequest request) {
   name_ = request.named().filename().string();
   shared_ = std::make_shared<Shared>();
-  thread_ = std::thread([shared = shared_, request = std::move(request)]() mutable {
-    const TellLoadProgress on_terminal = cli::loadProgress(request.named().string());
-    const TellLoadProgress tell = [&](const LoadProgress& now) {
-      on_terminal(now);
-      const std::lock_guard lock(shared->mutex);
-      shared->progress = now;
-    };
-    auto result = loadContent(std::move(request), tell);
-    const std::lock_guard lock(shared->mutex);
-    shared->result.emplace(std::move(result));
-    shared->done.notify_all();
-  });
+  thread_ = std::jthread(
+      [shared = shared_, request = std::move(request)](const std::stop_token& stop) mutable {
+        const TellLoadProgress on_terminal = cli::loadProgress(request.named().string());
+        const TellLoadProgress tell = [&](const LoadProgress& now) {
+          on_terminal(now);
+          const std::lock_guard lock(shared->mutex);
+          shared->progress = now;
+        };
+        auto result = loadContent(std::move(request), tell, stop);
+        const std::lock_guard lock(shared->mutex);
+        shared->result.emplace(std::move(result));
+        shared->done.notify_all();
+      });
 }
 
 std::optional<Result<ViewContent>> ContentLoader::poll() { return waitFor(Nanoseconds(0)); }

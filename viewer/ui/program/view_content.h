@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -52,8 +53,10 @@ struct ViewContent {
   std::shared_ptr<const PrivateFolder> beside_folder;  ///< a temporary log beside lies in it
 };
 
-/// Reads files and starts a live feed; any thread. `progress` may be called by other threads.
-Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress);
+/// Reads files and starts a live feed; any thread. `progress` may be called by other threads. Once
+/// `stop` is asked for, reading or importing a log ends soon, with an error.
+Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress,
+                                const std::stop_token& stop = {});
 
 /// Nothing: an empty cell.
 ViewContent emptyContent();
@@ -67,7 +70,7 @@ Result<ContentRequest> requestOf(const std::vector<std::filesystem::path>& files
 class ContentLoader {
  public:
   ContentLoader() = default;
-  /// Waits for the thread: reading cannot be interrupted.
+  /// Ends the thread: of what is being read only a cell is read to its end.
   ~ContentLoader();
   ContentLoader(const ContentLoader&) = delete;
   ContentLoader& operator=(const ContentLoader&) = delete;
@@ -86,7 +89,7 @@ class ContentLoader {
  private:
   struct Shared;
   std::shared_ptr<Shared> shared_;
-  std::thread thread_;
+  std::jthread thread_;
   std::string name_;
 };
 

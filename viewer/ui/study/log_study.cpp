@@ -11,7 +11,9 @@
 #include "core/log/log_reader.h"
 #include "core/series/series_table.h"
 #include "core/session/timeline.h"
+#include "viewer/ui/study/log_scan.h"
 #include "viewer/ui/study/positional_names.h"
+#include "viewer/ui/study/source_strips.h"
 #include "viewer/ui/study/study_thread.h"
 
 namespace rocinante {
@@ -20,44 +22,12 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kMaxColumns = 8192;
-/// How often the thread looks for wishes while it reads.
-constexpr std::uint64_t kMessagesAtATime = 1024;
 /// How often pictures show what has been read so far.
 constexpr Nanoseconds kShowEvery = 100ms;
-/// The mean over which rates are formed.
-constexpr Nanoseconds kRateOver = 1s;
+/// How often a growing log is looked at.
+constexpr Nanoseconds kLookEvery = 150ms;
 
 SteadyTime studyNow() { return std::chrono::steady_clock::now(); }
-
-std::vector<ValueColumn> columnsOfRates(const std::vector<float>& rates) {
-  std::vector<ValueColumn> columns(rates.size());
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    columns[i].bin = {rates[i], rates[i], rates[i], false};
-    columns[i].held = rates[i];
-  }
-  return columns;
-}
-
-/// A stretch of the log, gathered a few messages at a time.
-struct Scan {
-  LogReader reader;
-  SeriesScan series;
-  LogTime from, until;
-  bool ended = false;
-
-  Scan(LogReader log, SeriesScan::Options options)
-      : reader(std::move(log)), series(std::move(options)), from{}, until{} {}
-
-  Status step() {
-    for (std::uint64_t i = 0; i < kMessagesAtATime && !ended; ++i) {
-      const auto message = reader.next();
-      if (!message) return message.error();
-      ended = !*message || (*message)->log_time > until;
-      if (!ended) series.add(**message);
-    }
-    return {};
-  }
-};
 
 struct TableWish {
   std::vector<SeriesKey> keys;
@@ -95,15 +65,17 @@ std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
 }
 
 struct LogStudy::Impl {
-  Impl(const Cell& the_cell, std::filesystem::path path)
-      : names(positionalNames(the_cell)), log(std::move(path)) {}
+  Impl(const Cell& the_cell, std::filesystem::path path, bool grows)
+      : names(positionalNames(the_cell)), log(std::move(path)), follows(grows) {}
 
   void work(const std::stop_token& stop);
   Status begin(const std::stop_token& stop);
   Status readAll(const std::stop_token& stop);
+  Result<bool> readMore(const std::stop_token& stop);
+  Status answer(const StudyWish& wish, const std::stop_token& stop);
   Status refine(const StudyWish& wish, const std::stop_token& stop);
   bool isFineEnough(const StudyWish& wish) const;
-  void publish(const StudyWish& wish, const Scan& scan, bool whole);
+  void publish(const StudyWish& wish, const LogScan& scan, bool whole);
   Result<std::string> tableOf(const TableWish& wish, const std::stop_token& stop);
   Result<SessionState> stateAt(LogTime moment);
   StudyWish wished() {
@@ -114,9 +86,11 @@ struct LogStudy::Impl {
   // Of the thread.
   PositionalNames names;
   std::filesystem::path log;
+  bool follows;
   std::optional<Timeline> timeline;
   LogTime start{}, end{};
-  std::unique_ptr<Scan> all, part;
+  std::unique_ptr<LogScan> all, part;
+  SteadyTime looked{};  ///< whether the log has grown
   std::set<SeriesKey> part_keys;
 
   std::mutex mutex;
@@ -135,8 +109,8 @@ struct LogStudy::Impl {
   std::jthread thread;  // last: it ends first
 };
 
-LogStudy::LogStudy(const Cell& cell, std::filesystem::path log)
-    : impl_(std::make_unique<Impl>(cell, std::move(log))) {
+LogStudy::LogStudy(const Cell& cell, std::filesystem::path log, bool grows)
+    : impl_(std::make_unique<Impl>(cell, std::move(log), grows)) {
   Impl& my = *impl_;
   my.thread = std::jthread([&my](const std::stop_token& stop) { my.work(stop); });
 }
@@ -144,9 +118,9 @@ LogStudy::LogStudy(const Cell& cell, std::filesystem::path log)
 LogStudy::~LogStudy() = default;
 
 Status LogStudy::Impl::begin(const std::stop_token& stop) {
-  auto reader = LogReader::open(log);
+  auto reader = follows ? LogReader::openGrowing(log) : LogReader::open(log);
   if (!reader.ok()) return reader.error();
-  auto second = LogReader::open(log);
+  auto second = follows ? LogReader::openGrowing(log) : LogReader::open(log);
   if (!second.ok()) return second.error();
   timeline = Timeline::of(std::move(*second));
   timeline->useStop(stop);
@@ -157,16 +131,15 @@ Status LogStudy::Impl::begin(const std::stop_token& stop) {
   options.until = end;
   options.names = names;
   if (Status there = reader->rewind(); !there) return there;
-  all = std::make_unique<Scan>(std::move(*reader), std::move(options));
-  all->from = start;
-  all->until = LogTime::max();
+  all = std::make_unique<LogScan>(std::move(*reader), std::move(options), start, LogTime::max(),
+                                  follows);
   return {};
 }
 
 Status LogStudy::Impl::readAll(const std::stop_token& stop) {
   SteadyTime shown = studyNow();
   StudyWish last;
-  while (!all->ended && !stop.stop_requested()) {
+  while (!all->ended() && !stop.stop_requested()) {
     if (Status read = all->step(); !read) return read;
     const StudyWish wanted = wished();
     if (wanted.strip_columns == 0 && wanted.columns == 0) continue;
@@ -175,12 +148,34 @@ Status LogStudy::Impl::readAll(const std::stop_token& stop) {
     last = wanted;
     shown = studyNow();
   }
-  for (const LossSpan& span : all->reader.losses()) all->series.addLoss(span);
+  all->addLosses();
+  end = std::max(end, all->series().reached());
   return {};
+}
+
+/// What was appended since; true when there was something.
+Result<bool> LogStudy::Impl::readMore(const std::stop_token& stop) {
+  if (!all->grows() || studyNow() - looked < kLookEvery) return false;
+  looked = studyNow();
+  bool any = false;
+  while (!stop.stop_requested()) {
+    const auto more = all->more();
+    if (!more.ok() || !*more) return more.ok() ? Result<bool>(any) : more;
+    any = true;
+    if (Status read = readAll(stop); !read) return read.error();
+  }
+  return any;
 }
 
 /// The state of everything up to `moment`, as far as a damaged log has it.
 Result<SessionState> LogStudy::Impl::stateAt(LogTime moment) {
+  if (follows) {
+    // Opened before it had all that it has now.
+    auto complete = Timeline::open(log);
+    if (!complete.ok()) return complete.error();
+    timeline = std::move(*complete);
+    follows = false;
+  }
   StateDamage ignored;  // pictures show where it is
   const auto state = timeline->stateAt(moment, &ignored);
   if (!state.ok()) return state.error();
@@ -192,7 +187,7 @@ bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
   const Nanoseconds pixel =
       (wish.until - wish.from) / std::max<std::int64_t>(static_cast<std::int64_t>(wish.columns), 1);
   return std::ranges::all_of(wish.keys, [&](const SeriesKey& key) {
-    const ValueBins* const values = key.isOfDevice() ? all->series.values(key) : nullptr;
+    const ValueBins* const values = key.isOfDevice() ? all->series().values(key) : nullptr;
     return values == nullptr || values->width() <= std::max(pixel, Nanoseconds(1));
   });
 }
@@ -203,8 +198,9 @@ Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop
   const Nanoseconds pixel = std::max(
       Nanoseconds(1), span / std::max<std::int64_t>(static_cast<std::int64_t>(wish.columns), 1));
   std::set<SeriesKey> keys(wish.keys.begin(), wish.keys.end());
-  const bool known = part && part->ended && part->from <= wish.from && part->until >= wish.until &&
-                     (part->until - part->from) / 16384 <= pixel && part_keys == keys;
+  const bool known = part && part->ended() && part->from() <= wish.from &&
+                     part->until() >= wish.until &&
+                     (part->until() - part->from()) / 16384 <= pixel && part_keys == keys;
   if (!known) {
     part.reset();
     const Nanoseconds beside = span / 2;
@@ -220,11 +216,9 @@ Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop
     options.until = until;
     options.names = names;
     options.only = keys;
-    auto scan = std::make_unique<Scan>(std::move(*reader), std::move(options));
-    scan->from = from;
-    scan->until = until;
-    scan->series.beginWith(std::move(*before));
-    while (!scan->ended) {
+    auto scan = std::make_unique<LogScan>(std::move(*reader), std::move(options), from, until);
+    scan->series().beginWith(std::move(*before));
+    while (!scan->ended()) {
       if (Status read = scan->step(); !read) return read;
       if (stop.stop_requested() || !(wished() == wish)) return {};
     }
@@ -235,32 +229,24 @@ Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop
   return {};
 }
 
-void LogStudy::Impl::publish(const StudyWish& wish, const Scan& scan, bool whole) {
+void LogStudy::Impl::publish(const StudyWish& wish, const LogScan& scan, bool whole) {
   auto made = std::make_shared<StudyPicture>();
   made->wish = wish;
-  made->reached = all->ended ? end : all->series.reached();
+  made->reached = all->ended() ? end : all->series().reached();
   made->whole = whole;
   const auto strip = [&](const std::string& name, const SourceSeries& source) {
-    SourceStrip made_strip;
-    made_strip.source = name;
-    const auto rates = [&](const CountBins& bins, Nanoseconds least) {
-      return bins.rates(wish.from, wish.until, wish.strip_columns, least, made->reached);
-    };
-    made_strip.rates = rates(source.packets, kRateOver);
-    made_strip.lost = rates(source.lost, Nanoseconds(0));
-    const auto everywhere = source.packets.rates(start, end, 256, kRateOver, made->reached);
-    made_strip.most = everywhere.empty() ? 0 : *std::ranges::max_element(everywhere);
-    made->strips.push_back(std::move(made_strip));
+    made->strips.push_back(stripOf(name, source, wish, {start, end}, made->reached));
   };
-  strip("", all->series.all());
-  for (const auto& [name, source] : all->series.sources()) strip(name, source);
+  strip("", all->series().all());
+  for (const auto& [name, source] : all->series().sources()) strip(name, source);
+  const bool cut = !all->ended() || all->grows();
   for (const SeriesKey& key : wish.keys) {
     std::vector<ValueColumn> columns;
     if (key.isOfDevice()) {
-      const ValueBins* const values = scan.series.values(key);
+      const ValueBins* const values = scan.series().values(key);
       if (values != nullptr) columns = values->columns(wish.from, wish.until, wish.columns);
       // Nothing is known behind what was read: a curve ends there.
-      for (std::size_t i = 0; !all->ended && i < columns.size(); ++i) {
+      for (std::size_t i = 0; cut && i < columns.size(); ++i) {
         const auto at = static_cast<std::int64_t>(i);
         if (wish.from + (wish.until - wish.from) / static_cast<std::int64_t>(columns.size()) * at >
             made->reached) {
@@ -268,23 +254,11 @@ void LogStudy::Impl::publish(const StudyWish& wish, const Scan& scan, bool whole
         }
       }
     } else {
-      const auto& sources = all->series.sources();
-      const auto found = sources.find(key.name);
-      const SourceSeries* const source = key.name.empty()         ? &all->series.all()
-                                         : found == sources.end() ? nullptr
-                                                                  : &found->second;
-      if (source != nullptr) {
-        const bool is_rate = key.kind == SeriesKey::Kind::rate;
-        columns = columnsOfRates(
-            (is_rate ? source->packets : source->lost)
-                .rates(wish.from, wish.until, wish.columns, kRateOver, made->reached));
-      }
+      columns = rateColumns(key, all->series(), wish, made->reached);
     }
     made->curves.push_back(std::move(columns));
   }
-  for (const UnreadableRange& range : all->reader.unreadable()) {
-    made->damaged.emplace_back(range.first.time, range.last.time);
-  }
+  made->damaged = all->damaged();
   const std::lock_guard lock(mutex);
   made->fault = fault;
   picture = std::move(made);
@@ -307,6 +281,13 @@ Result<std::string> LogStudy::Impl::tableOf(const TableWish& wish, const std::st
   return fmt::format("{}: {} rows", wish.path.string(), *rows);
 }
 
+/// A log that grows is known as finely as it was gathered.
+Status LogStudy::Impl::answer(const StudyWish& wish, const std::stop_token& stop) {
+  const bool fine = !all->isComplete() || isFineEnough(wish);
+  publish(wish, *all, fine);
+  return fine ? Status() : refine(wish, stop);
+}
+
 void LogStudy::Impl::work(const std::stop_token& stop) {
   lowerPriority();
   Status read = begin(stop);
@@ -326,20 +307,26 @@ void LogStudy::Impl::work(const std::stop_token& stop) {
     StudyWish wanted;
     std::uint64_t number = 0;
     std::optional<TableWish> next_table;
+    bool is_asked = false;
     {
       std::unique_lock lock(mutex);
-      asked.wait(lock, stop, [&] { return wishes > whole_answers || table_wish; });
+      const auto wanting = [&] { return wishes > whole_answers || table_wish; };
+      if (read && all->grows()) {
+        is_asked = asked.wait_for(lock, stop, kLookEvery, wanting);
+      } else {
+        is_asked = asked.wait(lock, stop, wanting);
+      }
       if (stop.stop_requested()) return;
       wanted = newest;
       number = wishes;
       next_table = std::exchange(table_wish, std::nullopt);
       table_busy = next_table.has_value();
     }
-    if (read && number > 0) {
-      const bool fine = isFineEnough(wanted);
-      publish(wanted, *all, fine);
-      if (!fine) {
-        if (Status refined = refine(wanted, stop); !refined) fail(refined.error());
+    if (read) {
+      const auto more = readMore(stop);
+      if (!more.ok()) fail(more.error());
+      if (number > 0 && (is_asked || (more.ok() && *more))) {
+        if (Status answered_it = answer(wanted, stop); !answered_it) fail(answered_it.error());
       }
     }
     std::optional<Result<std::string>> made;

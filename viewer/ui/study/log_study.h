@@ -50,7 +50,9 @@ struct StudyPicture {
 class LogStudy {
  public:
   /// `cell` is borrowed, and read by the thread.
-  LogStudy(const Cell& cell, std::filesystem::path log);
+  /// `grows`: the log, or the first piece of the session, is still being written; pictures grow
+  /// with it.
+  LogStudy(const Cell& cell, std::filesystem::path log, bool grows = false);
   ~LogStudy();
   LogStudy(const LogStudy&) = delete;
   LogStudy& operator=(const LogStudy&) = delete;

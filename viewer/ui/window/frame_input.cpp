@@ -78,20 +78,23 @@ void setDown(ImGuiIO& io, const EditingKey& key, bool down) {
 #endif
 }
 
-void setModifiers(ImGuiIO& io, const std::vector<int>& held) {
-  const auto is_held = [&](int glfw) { return std::ranges::binary_search(held, glfw); };
+/// `place`: in kModifiers.
+void setModifier(ImGuiIO& io, std::size_t place, bool held) {
 #if IMGUI_VERSION_NUM >= 18900
   constexpr std::array kTold{ImGuiMod_Shift, ImGuiMod_Ctrl, ImGuiMod_Alt, ImGuiMod_Super};
+  io.AddKeyEvent(kTold[place], held);
 #elif IMGUI_VERSION_NUM >= 18700
   constexpr std::array kTold{ImGuiKey_ModShift, ImGuiKey_ModCtrl, ImGuiKey_ModAlt,
                              ImGuiKey_ModSuper};
-#endif
-  for (std::size_t i = 0; i < kModifiers.size(); ++i) {
-#if IMGUI_VERSION_NUM >= 18700
-    io.AddKeyEvent(kTold[i], is_held(kModifiers[i].glfw));
+  io.AddKeyEvent(kTold[place], held);
 #else
-    io.*kModifiers[i].held = is_held(kModifiers[i].glfw);
+  io.*kModifiers[place].held = held;
 #endif
+}
+
+void setModifiers(ImGuiIO& io, const std::vector<int>& held) {
+  for (std::size_t i = 0; i < kModifiers.size(); ++i) {
+    setModifier(io, i, std::ranges::binary_search(held, kModifiers[i].glfw));
   }
 }
 
@@ -101,6 +104,7 @@ void FrameInput::endFrame() {
   wheel = wheel_across = 0;
   presses.clear();
   typed.clear();
+  pasted.reset();
 }
 
 FrameInput seenInput() {
@@ -145,6 +149,7 @@ void tellInput(ImGuiIO& io, const FrameInput& input) {
   std::ranges::for_each(kEditingKeys, tell);
   std::ranges::for_each(kOtherKeys, tell);
   setModifiers(io, input.held);
+  if (input.pasted) ImGui::SetClipboardText(input.pasted->c_str());
   if (!input.typed.empty()) io.AddInputCharactersUTF8(input.typed.c_str());
 }
 
@@ -175,6 +180,20 @@ bool tellKey(ImGuiIO& io, int glfw, bool down) {
   const EditingKey* const known = findKey(kEditingKeys, glfw);
   if (known != nullptr) setDown(io, *known, down);
   return known != nullptr;
+}
+
+bool tellShortcut(ImGuiIO& io, int glfw, bool down, bool control) {
+  const EditingKey* const known = findKey(kOtherKeys, glfw);
+  if (known == nullptr) return false;
+  setDown(io, *known, down);
+  constexpr std::size_t kControl = 1;
+  setModifier(io, kControl, control);
+  return true;
+}
+
+bool isPasting(const KeyPress& press) {
+  return (press.key == GLFW_KEY_V && press.control && !press.shift) ||
+         (press.key == GLFW_KEY_INSERT && press.shift && !press.control);
 }
 
 bool isHeldKey(int glfw) {

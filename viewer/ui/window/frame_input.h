@@ -21,7 +21,9 @@ struct FrameInput {
   std::vector<KeyPress> presses;  ///< that came since the last frame, in order
   /// Keys that are down, by GLFW's numbers, as far as lines of text and drags ask for them; sorted.
   std::vector<int> held;
-  std::string typed;          ///< UTF-8, since the last frame
+  std::string typed;  ///< UTF-8, since the last frame
+  /// What a key of this frame pastes from other programs; UTF-8.
+  std::optional<std::string> pasted;
   int width = 0, height = 0;  ///< of the picture, in pixels; 0: the window's
   double scale = 1;           ///< of text and panels, where the size is said
 
@@ -41,6 +43,10 @@ void tellMouse(ImGuiIO& io, const std::array<bool, 5>& down,
                const std::optional<std::pair<double, double>>& at);
 /// The same of a key; false when Dear ImGui does not ask for it.
 bool tellKey(ImGuiIO& io, int glfw, bool down);
+/// The same of a key that does something to a line of text while Ctrl is held, and of Ctrl.
+bool tellShortcut(ImGuiIO& io, int glfw, bool down, bool control);
+/// Whether the key pastes into a line of text.
+bool isPasting(const KeyPress& press);
 /// Whether seenInput() tells of this key.
 bool isHeldKey(int glfw);
 

@@ -68,11 +68,17 @@ void InterfaceContext::restyle() {
 /// A key that went down and up between two frames was down in this one.
 void InterfaceContext::tellKeys(const std::vector<KeyPress>& presses) {
   ImGuiIO& io = ImGui::GetIO();
-  for (const int key : told_keys_)
-    tellKey(io, key, glfwGetKey(window_->handle(), key) == GLFW_PRESS);
+  const auto is_down = [this](int key) { return glfwGetKey(window_->handle(), key) == GLFW_PRESS; };
+  const bool control = is_down(GLFW_KEY_LEFT_CONTROL) || is_down(GLFW_KEY_RIGHT_CONTROL);
+  for (const int key : told_keys_) {
+    if (!tellKey(io, key, is_down(key))) tellShortcut(io, key, is_down(key), control);
+  }
   told_keys_.clear();
   for (const KeyPress& press : presses) {
-    if (tellKey(io, press.key, true)) told_keys_.push_back(press.key);
+    if (tellKey(io, press.key, true) ||
+        (press.control && tellShortcut(io, press.key, true, true))) {
+      told_keys_.push_back(press.key);
+    }
   }
 }
 
@@ -114,6 +120,11 @@ void InterfaceContext::beginFrame(int width, int height, const FrameInput* scrip
 FrameInput InterfaceContext::seen() const {
   FrameInput input = seenInput();
   input.presses = presses_;
+  // Only what goes into a line of text is anybody's business.
+  if (ImGui::GetIO().WantTextInput && std::ranges::any_of(presses_, isPasting)) {
+    const char* const text = ImGui::GetClipboardText();
+    input.pasted = text == nullptr ? std::string() : std::string(text);
+  }
   return input;
 }
 

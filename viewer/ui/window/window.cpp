@@ -190,6 +190,8 @@ bool Window::followsPointer() const {
 
 void Window::resize(int width, int height) { glfwSetWindowSize(window_, width, height); }
 
+void Window::hide() { glfwHideWindow(window_); }
+
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
 bool Window::closeRequested() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }

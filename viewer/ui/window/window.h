@@ -40,6 +40,8 @@ class Window final : public RenderContext {
   bool followsPointer() const;
   /// In pixels.
   void resize(int width, int height);
+  /// It is gone for the user, while the program still ends what it does.
+  void hide();
   void setTitle(const std::string& title);
   /// Files that were dropped on the window since the last call.
   std::vector<std::filesystem::path> takeDropped() { return std::exchange(dropped_, {}); }

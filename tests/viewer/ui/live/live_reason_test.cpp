@@ -57,6 +57,20 @@ TEST(LiveReason, TheSenderStopped) {
   EXPECT_EQ(liveReason(facts)->text, "nothing received for the last 4 s");
 }
 
+TEST(LiveReason, OnlyMachinesAreMissed) {
+  LiveFacts facts = listening("127.0.0.1:4000", 60s);
+  facts.datagrams = 100;
+  facts.devices_spoken_of = 1;
+  facts.silent = 4500ms;
+  facts.any_window = true;
+  EXPECT_EQ(liveReason(facts)->text,
+            "nothing received for the last 4 s, except from other windows");
+  facts.only_windows = true;
+  EXPECT_FALSE(liveReason(facts).has_value());
+  facts.any_window = false;  // the last one has closed
+  EXPECT_FALSE(liveReason(facts).has_value());
+}
+
 TEST(LiveReason, PacketsMoveNothing) {
   LiveFacts facts = listening("127.0.0.1:4000", 60s);
   facts.datagrams = 100;

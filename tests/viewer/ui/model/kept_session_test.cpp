@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <random>
 #include <thread>
@@ -85,6 +86,36 @@ class KeptSession : public testing::Test {
   std::optional<ViewModel> model_;
   std::optional<UdpSender> sender_;
 };
+
+TEST_F(KeptSession, TimeLineAndCurvesGrowWithIt) {
+  open({});
+  send(0, "joints arm 0.5");
+  waitUntil([&] { return model_->cursor() != nullptr; });
+  StudyWish wish;
+  wish.keys = {{SeriesKey::Kind::joint, "arm", "turn"}};
+  wish.columns = wish.strip_columns = 100;
+  for (int round = 1; round <= 3; ++round) {
+    const bool next_piece = round == 3;
+    if (next_piece) {
+      ASSERT_TRUE(model_->logOfShownMoment().ok());
+    }
+    send(round, "joints arm " + std::to_string(round));
+    std::shared_ptr<const StudyPicture> picture;
+    waitUntil([&] {
+      wish.from = model_->cursor()->start();
+      wish.until = model_->cursor()->end();
+      picture = model_->study()->show(wish);
+      if (picture == nullptr || picture->curves.empty() || picture->curves[0].empty()) return false;
+      const auto& curve = picture->curves[0];
+      return std::ranges::any_of(curve, [&](const ValueColumn& column) {
+        return column.held && std::lround(*column.held * 1000) == round * 1000;
+      });
+    });
+    EXPECT_TRUE(picture->damaged.empty()) << round;
+    EXPECT_EQ(picture->fault, "");
+  }
+  EXPECT_EQ(model_->findings(), nullptr) << "judged by its first moments";
+}
 
 TEST_F(KeptSession, WhatIsDrawnIsOfTheStateThatIsThere) {
   open({});

@@ -71,6 +71,22 @@ TEST(InputLines, MakeTheSameInputAgain) {
   EXPECT_EQ(inputLines({}, again), inputLines({}, next));
 }
 
+TEST(InputLines, HaveWhatIsPasted) {
+  FrameInput input;
+  input.pasted = "look here\n";
+  EXPECT_EQ(inputLines({}, input), "clipboard look%20here%0A\n");
+  FrameInput again;
+  ASSERT_TRUE(doAgain(inputLines({}, input), again));
+  EXPECT_EQ(again.pasted, input.pasted);
+  input.pasted = "\xff is of no script";
+  EXPECT_EQ(inputLines({}, input), "clipboard\n");
+  // As much as goes into a line, up to a whole letter.
+  input.pasted = std::string(4095, 'x') + "\xc3\xa9" + std::string(9000, 'y');
+  EXPECT_EQ(inputLines({}, input), "clipboard " + std::string(4095, 'x') + "\n");
+  again.endFrame();
+  EXPECT_FALSE(again.pasted.has_value());
+}
+
 TEST(InputRecord, TimesAreCountedFromTheFirstFrameAndGrow) {
   const test::TemporaryFolder folder;
   auto record = InputRecord::begin(folder / "r.txt");
