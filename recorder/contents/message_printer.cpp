@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/base64.h"
 #include "core/base/duration_text.h"
 #include "core/log/log_profile.h"
 #include "core/report/json_text.h"

@@ -1,7 +1,6 @@
 #include "recorder/contents/message_text.h"
 
 #include <fmt/format.h>
-#include <sodium/utils.h>
 
 #include <algorithm>
 
@@ -35,14 +34,6 @@ std::string payloadLine(ByteView payload, bool is_text) {
     line += " | ";
     text.remove_prefix(end + 1);
   }
-}
-
-std::string base64Of(ByteView bytes) {
-  std::string out(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
-  sodium_bin2base64(out.data(), out.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                    bytes.size(), sodium_base64_VARIANT_ORIGINAL);
-  out.pop_back();  // the terminating zero
-  return out;
 }
 
 }  // namespace rocinante

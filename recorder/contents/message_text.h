@@ -12,7 +12,4 @@ namespace rocinante {
 /// their first 32 bytes in hexadecimal, with the length.
 std::string payloadLine(ByteView payload, bool is_text);
 
-/// RFC 4648, with padding.
-std::string base64Of(ByteView bytes);
-
 }  // namespace rocinante

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/base64.h"
 #include "core/base/hash.h"
-#include "viewer/page/base64.h"
 #include "viewer/page/page_text.h"
 
 namespace rocinante {

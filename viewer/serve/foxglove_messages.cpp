@@ -5,10 +5,10 @@
 
 #include <optional>
 
+#include "core/base/base64.h"
 #include "core/base/plain_text.h"
 #include "core/base/version.h"
 #include "core/report/json_text.h"
-#include "viewer/page/base64.h"
 
 namespace rocinante {
 namespace {

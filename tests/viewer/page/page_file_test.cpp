@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/base64.h"
 #include "core/base/hash.h"
-#include "viewer/page/base64.h"
 
 namespace rocinante {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/page/base64.h"
+#include "core/base/base64.h"
 
 #include <sodium/utils.h>
 
