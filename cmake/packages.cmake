@@ -177,10 +177,11 @@ rocinante_package(python python3-rocinante SECTION python
   TEXT "Recorded sessions as NumPy arrays, frames as arrays and pictures of a notebook,
 recorders and players as context managers, a source of state, and a plugin of
 pytest that judges pictures and sessions against accepted ones.")
-# Debian's names of what rocinante_linked (rocinante_install.cmake) finds.
-set(ROCINANTE_DEV_PACKAGES libassimp-dev libexpected-dev libfmt-dev libglm-dev libisal-dev libsodium-dev
-  libspng-dev libtinyxml2-dev libxxhash-dev libzstd-dev zlib1g-dev)
-list(JOIN ROCINANTE_DEV_PACKAGES ", " needed)
+# What the installed archives link (rocinante_install.cmake).
+get_property(needed GLOBAL PROPERTY ROCINANTE_DEV_PACKAGES)
+list(REMOVE_DUPLICATES needed)
+list(SORT needed)
+list(JOIN needed ", " needed)
 rocinante_package(dev librocinante-dev SECTION libdevel
   DEPENDS "${needed}"
   RECOMMENDS "rocinante ${same_version}"

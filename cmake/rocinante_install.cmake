@@ -7,21 +7,22 @@
 set(ROCINANTE_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/rocinante)
 set(ROCINANTE_PKGCONFIG_FOLDER ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-# Libraries that ours need when they are linked: target, how CMake finds it, what pkg-config calls it.
+# Libraries that ours need when they are linked: target, how CMake finds it, what pkg-config calls it,
+# and Debian.
 set(rocinante_linked
-  "fmt::fmt|package fmt|fmt"
-  "glm::glm|package glm|"
-  "tl::expected|package tl-expected|"
-  "tinyxml2::tinyxml2|package tinyxml2|tinyxml2"
-  "Threads::Threads|package Threads|"
-  "ZLIB::ZLIB|package ZLIB|zlib"
-  "PkgConfig::ROCINANTE_ASSIMP|module assimp|assimp"
-  "PkgConfig::ROCINANTE_ISAL|module libisal|libisal"
-  "PkgConfig::ROCINANTE_LIBSPNG|module spng|spng"
-  "PkgConfig::ROCINANTE_LIBLZ4|module liblz4|liblz4"
-  "PkgConfig::ROCINANTE_SODIUM|module libsodium|libsodium"
-  "PkgConfig::ROCINANTE_XXHASH|module libxxhash|libxxhash"
-  "PkgConfig::ROCINANTE_ZSTD|module libzstd|libzstd")
+  "fmt::fmt|package fmt|fmt|libfmt-dev"
+  "glm::glm|package glm||libglm-dev"
+  "tl::expected|package tl-expected||libexpected-dev"
+  "tinyxml2::tinyxml2|package tinyxml2|tinyxml2|libtinyxml2-dev"
+  "Threads::Threads|package Threads||"
+  "ZLIB::ZLIB|package ZLIB|zlib|zlib1g-dev"
+  "PkgConfig::ROCINANTE_ASSIMP|module assimp|assimp|libassimp-dev"
+  "PkgConfig::ROCINANTE_ISAL|module libisal|libisal|libisal-dev"
+  "PkgConfig::ROCINANTE_LIBSPNG|module spng|spng|libspng-dev"
+  "PkgConfig::ROCINANTE_LIBLZ4|module liblz4|liblz4|liblz4-dev"
+  "PkgConfig::ROCINANTE_SODIUM|module libsodium|libsodium|libsodium-dev"
+  "PkgConfig::ROCINANTE_XXHASH|module libxxhash|libxxhash|libxxhash-dev"
+  "PkgConfig::ROCINANTE_ZSTD|module libzstd|libzstd|libzstd-dev")
 # Called by rocinante_library() for a library with public headers.
 function(rocinante_export target component headers links)
   list(TRANSFORM headers PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
@@ -50,6 +51,9 @@ function(rocinante_export target component headers links)
         message(FATAL_ERROR "${target} has public headers and links ${link}: add it to rocinante_linked "
           "(cmake/rocinante_install.cmake)")
       endif()
+      string(REGEX REPLACE ".*\\|" "" debian "${row}")
+      set_property(GLOBAL APPEND PROPERTY ROCINANTE_DEV_PACKAGES ${debian})
+      string(REGEX REPLACE "\\|[^|]*$" "" row "${row}")
       list(APPEND finds "${row}")
       string(REGEX REPLACE ".*\\|" "" module "${row}")
       list(APPEND requires ${module})
