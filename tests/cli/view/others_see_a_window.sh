@@ -30,7 +30,7 @@ kill -INT $recorder
 wait $recorder
 echo "record: exit $?"
 # Where the surfaces are depends on the last bits of a renderer's depth.
-rocinante log cat s.mcap | tr '|' '\n' | sed -n 's/^ \([a-z]* [^ ]*\).*/\1/p' | sort -u
+rocinante log cat s.mcap | tr '|' '\n' | sed -n 's/^ \([a-z][a-z]* [^ ]*\).*/\1/p' | sort -u
 
 # It is seen as long as it was there: as it closed, it took back what it had said.
 for at in start end; do
@@ -51,9 +51,9 @@ frame 2
 evidence stays.png
 watch eve
 SCRIPT
-printf 'panels off\ncamera @3,-4,2/0,0,0\nwait 600\n' >ann.txt
+printf 'panels off\ncamera @3,-4,2/0,0,0\nwait 100000\n' >ann.txt
 seen() {
-  rocinante view box.urdf --publish 127.0.0.1:29992 --as ann --size 320x240 --script ann.txt &
+  rocinante view box.urdf --publish 127.0.0.1:29992 --as ann --size 320x240 --script ann.txt 2>/dev/null &
   rocinante view box.urdf --live 127.0.0.1:29992 --publish 127.0.0.1:29991 --as bob --size 320x240 \
     --profile reproducible --script bob.txt 2>&1 || echo "bob: exit $?"
   kill $!
