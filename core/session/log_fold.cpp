@@ -15,6 +15,7 @@ namespace {
 
 /// Folding this many messages is quicker than searching for a start.
 constexpr std::uint64_t kNearMessages = 1024;
+constexpr std::uint64_t kBetweenProgress = 16 * kNearMessages;
 constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace
@@ -147,7 +148,8 @@ Status LogFold::addDamage(LogTime from, LogTime until, StateDamage& damage) {
   return {};
 }
 
-Result<const std::vector<Event>*> LogFold::events() {
+Result<const std::vector<Event>*> LogFold::events(
+    const std::function<void(double part)>& progress) {
   if (events_found_) return &events_;
   const LogPosition end = lastAt(LogTime::max());
   if (events_until_ == kStartOfLog) {
@@ -155,8 +157,15 @@ Result<const std::vector<Event>*> LogFold::events() {
   } else if (Status there = reach(events_until_); !there) {
     return there.error();
   }
-  if (Result<bool> folded = foldTo(end, kAll, &events_); !folded) return folded.error();
-  events_until_ = reached_;
+  const std::uint64_t some = progress ? kBetweenProgress : kAll;
+  const auto all = static_cast<double>(std::max<std::uint64_t>(1, reader_.summary().messages));
+  for (std::uint64_t read = 0; true; read += some) {
+    const Result<bool> folded = foldTo(end, some, &events_);
+    events_until_ = reached_;  // also when it was stopped: none is told twice
+    if (!folded) return folded.error();
+    if (*folded) break;
+    progress(std::min(1.0, static_cast<double>(read + some) / all));
+  }
   events_found_ = true;
   return &events_;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <utility>
@@ -42,8 +43,9 @@ class LogFold {
   Status addDamage(LogTime from, LogTime until, StateDamage& damage);
 
   /// The events of the log's messages, in their order: what was read in an earlier call is not read
-  /// again. Valid until the next call of any kind.
-  Result<const std::vector<Event>*> events();
+  /// again. Valid until the next call of any kind. `progress`, if there is one, hears which part of
+  /// the log was read.
+  Result<const std::vector<Event>*> events(const std::function<void(double part)>& progress);
   /// Adds the damage that may hide an event.
   void addHidingDamage(StateDamage& damage) const;
 

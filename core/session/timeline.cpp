@@ -78,13 +78,26 @@ struct Timeline::Impl {
     return gone > 0;
   }
 
-  Status findEvents() {
+  Status findEvents(const TellLoadProgress& progress) {
     events.clear();
+    LoadProgress now;
+    now.files_total = pieces.size();
+    for (const auto& piece : pieces) now.bytes_total += piece->reader().storage().file_bytes;
     for (const auto& piece : pieces) {
-      Result<const std::vector<Event>*> found = piece->events();
+      const std::uint64_t bytes = piece->reader().storage().file_bytes;
+      const auto tell = [&](double part) {
+        LoadProgress within = now;
+        within.bytes_done += static_cast<std::uint64_t>(part * static_cast<double>(bytes));
+        progress(within);
+      };
+      Result<const std::vector<Event>*> found =
+          piece->events(progress ? tell : std::function<void(double)>());
       if (!found) return found.error();
+      ++now.files_done;
+      now.bytes_done += bytes;
       events.insert(events.end(), (*found)->begin(), (*found)->end());
     }
+    if (progress) progress(now);
     // Marks are in time order too; at equal times, events from the log come first.
     for (const auto& piece : pieces) {
       Result<std::vector<Event>> marks = readMarks(piece->reader().name());
@@ -175,10 +188,11 @@ const std::vector<KeyframeFault>& Timeline::keyframeFaults() const {
   return impl_->last().keyframeFaults();
 }
 
-Result<const std::vector<Event>*> Timeline::events(StateDamage* damage) {
+Result<const std::vector<Event>*> Timeline::events(StateDamage* damage,
+                                                   const TellLoadProgress& progress) {
   Impl& line = *impl_;
   if (!line.events_found) {
-    if (Status found = line.findEvents(); !found) return found.error();
+    if (Status found = line.findEvents(progress); !found) return found.error();
   }
   StateDamage hiding;
   for (const auto& piece : line.pieces) piece->addHidingDamage(hiding);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/parallel_for.h"
 #include "core/base/result.h"
 #include "core/log/log_reader.h"
 #include "core/packet/session_state.h"
@@ -82,7 +83,9 @@ class Timeline {
   /// Every event of the log, including its marks (also those of LOG.marks, beside it), oldest
   /// first: found on the first call, which reads the log once, and after refresh() what is new. An
   /// error when LOG.marks is malformed, or, as for stateAt(), when damage may hide an event.
-  Result<const std::vector<Event>*> events(StateDamage* damage = nullptr);
+  /// `progress` hears how far the reading is, in the calling thread.
+  Result<const std::vector<Event>*> events(StateDamage* damage = nullptr,
+                                           const TellLoadProgress& progress = {});
 
   /// Unusable keyframes met so far, in that order, and why.
   const std::vector<KeyframeFault>& keyframeFaults() const;

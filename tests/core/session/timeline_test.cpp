@@ -114,6 +114,37 @@ TEST(Timeline, EndsAQueryWhenItIsStoppedAndCanBeAskedAgain) {
   EXPECT_EQ((*timeline.stateAt(at(150'000)))->identityText(), stateFromStart(file, at(150'000)));
 }
 
+TEST(Timeline, TellsHowFarItHasReadForEventsAndOfOnesThatWereStoppedNoneTwice) {
+  const Bytes file = makeLog(100'000);
+  Timeline timeline = Timeline::of(openLog(file));
+  std::stop_source stop;
+  timeline.useStop(stop.get_token());
+  std::vector<std::uint64_t> told;
+  const TellLoadProgress tell = [&](const LoadProgress& now) {
+    EXPECT_EQ(now.bytes_total, file.size());
+    told.push_back(now.bytes_done);
+    if (told.size() == 2) stop.request_stop();
+  };
+  StateDamage none;
+  ASSERT_FALSE(timeline.events(&none, tell).ok());
+  EXPECT_EQ(told.size(), 2U);
+  timeline.useStop({});
+  const auto events = timeline.events(&none, tell);
+  ASSERT_TRUE(events.ok());
+  EXPECT_GT(told.size(), 4U);
+  EXPECT_EQ(told.back(), file.size());
+  Timeline other = Timeline::of(openLog(file));
+  const auto at_once = other.events();
+  ASSERT_TRUE(at_once.ok());
+  const auto texts_of = [](const std::vector<Event>& found) {
+    std::vector<std::string> texts;
+    for (const Event& event : found) texts.push_back(event.text);
+    return texts;
+  };
+  EXPECT_EQ((*events)->size(), 100U);
+  EXPECT_EQ(texts_of(**events), texts_of(**at_once));
+}
+
 TEST(Timeline, AnEmptyLogHasTheEmptyStateAtEveryMoment) {
   Bytes file;
   ASSERT_TRUE(makeWriter(file).close("signal").ok());

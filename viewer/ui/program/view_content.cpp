@@ -85,11 +85,15 @@ Result<fs::path> cellFile(const ContentRequest& request, const OpenedRecording& 
 }
 
 /// A recording that continues, in this log or in a later piece, is followed; any other log is read
-/// as it is.
-Result<Timeline> openSession(const fs::path& log, const std::stop_token& stop) {
+/// as it is. Its events are found here, where the window can show how far that is.
+Result<Timeline> openSession(const fs::path& log, const TellLoadProgress& progress,
+                             const std::stop_token& stop) {
   auto session = Timeline::follow(log);
   if (session.ok() && !session->log().growing()) session = Timeline::open(log);
-  if (session.ok()) session->useStop(stop);
+  if (!session.ok()) return session;
+  session->useStop(stop);
+  StateDamage hiding;  // the panel counts all places of damage
+  if (auto events = session->events(&hiding, progress); !events.ok()) return events.error();
   return session;
 }
 
@@ -223,7 +227,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
 
   std::optional<Timeline> session;
   if (!request.log.empty()) {
-    auto opened = openSession(recording.log, stop);
+    auto opened = openSession(recording.log, progress, stop);
     if (!opened.ok()) return recording.named(opened.error());
     session = std::move(*opened);
   }
