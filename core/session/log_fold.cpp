@@ -158,13 +158,14 @@ Result<const std::vector<Event>*> LogFold::events(
     return there.error();
   }
   const std::uint64_t some = progress ? kBetweenProgress : kAll;
-  const auto all = static_cast<double>(std::max<std::uint64_t>(1, reader_.summary().messages));
-  for (std::uint64_t read = 0; true; read += some) {
+  const LogSummary& whole = reader_.summary();
+  const auto span_s = std::max(secondsOf(whole.end - whole.start), 1e-9);
+  while (true) {
     const Result<bool> folded = foldTo(end, some, &events_);
     events_until_ = reached_;  // also when it was stopped: none is told twice
     if (!folded) return folded.error();
     if (*folded) break;
-    progress(std::min(1.0, static_cast<double>(read + some) / all));
+    progress(std::clamp(secondsOf(reached_.time - whole.start) / span_s, 0.0, 1.0));
   }
   events_found_ = true;
   return &events_;
