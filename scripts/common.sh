@@ -12,9 +12,18 @@ shown() {
   if [ -t 2 ]; then printf '\r\033[K' >&2; fi
 }
 
+# hurry PID: that process is waited for, so it and what it has started (each compiler in a process
+# group of its own) no longer give way to other programs.
+hurry() {
+  local child
+  renice -n "$(nice)" -p "$1" >/dev/null 2>&1 || true
+  for child in $(cat "/proc/$1/task/"*/children 2>/dev/null); do hurry "$child"; done
+}
+
 # build_preset PRESET [TARGET...]: configures and builds, quietly unless it fails. With
 # ROCINANTE_WERROR=1 in the environment, as CI and developers have it, a warning fails it. One at a
-# time in each folder: a second one waits, and builds what the first has not.
+# time in each folder: a second one waits, and builds what the first has not. ROCINANTE_AHEAD is the
+# process of a build of low priority, which is hurried when a second one waits for it.
 build_preset() {
   local preset=$1
   shift
@@ -25,9 +34,14 @@ build_preset() {
   [ $# -gt 0 ] && targets=(--target "$@")
   local options=()
   [ "${ROCINANTE_WERROR:-0}" = 0 ] || options=(-DROCINANTE_WERROR=ON)
-  local lock
-  exec {lock}>"build/$preset.lock"
-  flock "$lock"
+  local lock ahead
+  exec {lock}>>"build/$preset.lock"
+  if ! flock -n "$lock"; then
+    ahead=$(cat "build/$preset.lock")
+    [ -z "$ahead" ] || hurry "$ahead"
+    flock "$lock"
+  fi
+  printf '%s' "${ROCINANTE_AHEAD:-}" >"build/$preset.lock"
   if ! { cmake --preset "$preset" "${options[@]}" && cmake --build --preset "$preset" "${targets[@]}"; } 2>&1 |
     shown "$log" '^\[[0-9]+/[0-9]+\]'; then
     grep -E -A 12 'error|FAILED' "$log" | head -n 60 >&2 || true
