@@ -13,7 +13,7 @@ shown() {
 }
 
 # hurry PID: that process is waited for, so it and what it has started (each compiler in a process
-# group of its own) no longer give way to other programs.
+# group of its own) no longer give way to other programs. Only root may; else nothing changes.
 hurry() {
   local child
   renice -n "$(nice)" -p "$1" >/dev/null 2>&1 || true

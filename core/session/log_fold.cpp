@@ -162,7 +162,7 @@ Result<const std::vector<Event>*> LogFold::events(
   const auto span_s = std::max(secondsOf(whole.end - whole.start), 1e-9);
   while (true) {
     const Result<bool> folded = foldTo(end, some, &events_);
-    events_until_ = reached_;  // also when it was stopped: none is told twice
+    events_until_ = reached_;  // also when it was stopped: none comes twice
     if (!folded) return folded.error();
     if (*folded) break;
     progress(std::clamp(secondsOf(reached_.time - whole.start) / span_s, 0.0, 1.0));
