@@ -89,7 +89,11 @@ list_skipped() {
   for preset in "$@"; do
     python3 - "build/$preset/results.xml" "$preset" <<'PY'
 import re, sys, xml.etree.ElementTree as tree
-for case in tree.parse(sys.argv[1]).getroot().iter("testcase"):
+try:
+    suite = tree.parse(sys.argv[1]).getroot()
+except (OSError, tree.ParseError):
+    sys.exit()
+for case in suite.iter("testcase"):
     if case.find("skipped") is None:
         continue
     said = case.findtext("system-out") or ""
