@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/base/count_text.h"
+#include "core/base/hash.h"
 #include "core/log/chunk_indexes.h"
 #include "core/log/log_end.h"
 #include "core/log/log_profile.h"
@@ -336,6 +338,7 @@ class Walk {
     position_ = record.end();
     summary_begun_ = true;
     endLooseRun();
+    std::optional<mcap::Statistics> told;
     mcap::RecordStepper steps(file_, position_);
     while (const std::optional<mcap::Record> next = steps.next()) {
       mcap::Channel channel;
@@ -346,7 +349,9 @@ class Walk {
       if (next->opcode == Opcode::schema && mcap::parse(next->content, schema)) {
         addSchema(index_, std::move(schema));
       }
+      if (next->opcode == Opcode::statistics) mcap::parse(next->content, told.emplace());
       if (next->opcode != Opcode::footer) continue;
+      if (told && isSound(*next, record.end())) compareCounts(*told, record.offset);
       index_.closed =
           next->content.size() == mcap::kFooterContentBytes && magicAt(file_, steps.position());
       break;
@@ -357,6 +362,29 @@ class Walk {
     }
     position_ = file_.size();
     return true;
+  }
+
+  /// The summary's checksum holds from `start`, wherever its footer says that it begins.
+  bool isSound(const mcap::Record& footer_record, std::uint64_t start) const {
+    mcap::Footer footer;
+    if (!mcap::parse(footer_record.content, footer) || footer.summary_crc == 0) return false;
+    const std::uint64_t end = footer_record.end() - sizeof(footer.summary_crc);
+    return crc32(file_.subspan(static_cast<std::size_t>(start),
+                               static_cast<std::size_t>(end - start))) == footer.summary_crc;
+  }
+
+  /// Where a piece of the file is missing from one record's end to another's, nothing looks broken.
+  void compareCounts(const mcap::Statistics& told, std::uint64_t data_end) {
+    std::uint64_t found = 0;
+    for (const auto& [channel, count] : index_.message_counts) found += count;
+    const bool is_known = std::ranges::any_of(index_.damage, [](const DamageSpan& each) {
+      return each.messages_lost != std::uint64_t{0};
+    });
+    if (is_known || found >= told.message_count) return;
+    damaged(mcap::magic().size(), data_end,
+            fmt::format("the statistics count {}, but {} are there: a piece of the file is missing",
+                        countText(told.message_count, "message"), found),
+            told.message_count - found);
   }
 
   /// Resumes at the next byte that begins a credible record.

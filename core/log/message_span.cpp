@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/count_text.h"
+#include "core/log/chunk_indexes.h"
 #include "core/mcap/byte_cursor.h"
 #include "core/mcap/parse_record.h"
 #include "core/mcap/record_stepper.h"
@@ -158,17 +159,32 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
 
 std::optional<std::uint64_t> SpanDecoder::indexedMessages(const MessageSpan& span) const {
   if (!whole()) return std::nullopt;
-  std::optional<std::uint64_t> count;
+  // What broke the chunk may have broken its indexes: too small a number would hide a loss.
+  std::vector<mcap::IndexEntries> indexes;
   mcap::RecordStepper steps(file_, span.end);
-  while (const std::optional<mcap::Record> record = steps.next()) {
-    if (record->opcode != Opcode::message_index) break;
+  std::optional<mcap::Record> record = steps.peek();
+  for (; record && record->opcode == Opcode::message_index; record = steps.peek()) {
     const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record->content);
-    if (!index) break;
-    const LogChannel* const channel = channels_ != nullptr && index->channel < channels_->size()
-                                          ? (*channels_)[index->channel]
+    if (!index || !span.mayHold(index->channel) ||
+        mcap::IndexEntries::kHeadBytes + index->entries.size() != record->content.size()) {
+      return std::nullopt;
+    }
+    if (index->size() > 0) indexes.push_back(*index);
+    steps.moveTo(record->end());
+  }
+  if (!record && !steps.atEnd()) return std::nullopt;
+  if (span.by_summary && steps.position() != span.index_end) return std::nullopt;
+  if (!indexesSpan(indexes, span.chunk)) return std::nullopt;
+  std::ranges::sort(indexes, {}, &mcap::IndexEntries::channel);
+  if (std::ranges::adjacent_find(indexes, {}, &mcap::IndexEntries::channel) != indexes.end()) {
+    return std::nullopt;
+  }
+  std::uint64_t count = 0;
+  for (const mcap::IndexEntries& index : indexes) {
+    const LogChannel* const channel = channels_ != nullptr && index.channel < channels_->size()
+                                          ? (*channels_)[index.channel]
                                           : nullptr;
-    const bool of_session = channel == nullptr || channel->captured();
-    count = count.value_or(0) + (of_session ? index->size() : 0);
+    if (channel == nullptr || channel->captured()) count += index.size();
   }
   return count;
 }

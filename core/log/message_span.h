@@ -80,8 +80,9 @@ class SpanDecoder {
   /// checksum decides in the end.
   mcap::Chunk chunkInFile(const MessageSpan& span, std::vector<DamageSpan>& damage) const;
 
-  /// The number of messages in the MessageIndex records behind a chunk, if there are any: without
-  /// keyframes, losses and other additions of the recorder, if the channels are known.
+  /// The number of messages in the MessageIndex records behind a chunk, if there are any and they
+  /// agree with its header: without keyframes, losses and other additions of the recorder, if the
+  /// channels are known.
   std::optional<std::uint64_t> indexedMessages(const MessageSpan& span) const;
 
   /// The channel's MessageIndex behind a chunk, if there is one.

@@ -16,15 +16,16 @@ LogPosition endOf(std::size_t span, LogTime time) {
   return {time, (std::uint64_t{span} << kSpanShift) | std::numeric_limits<std::uint32_t>::max()};
 }
 
-/// The range between the spans before `next` and those from it on.
-UnreadableRange before(std::size_t next, const std::vector<MessageSpan>& spans) {
+/// The range between the first `before` spans and those from `behind` on.
+UnreadableRange between(std::size_t before, std::size_t behind,
+                        const std::vector<MessageSpan>& spans) {
   UnreadableRange range;
-  for (std::size_t i = next; i-- > 0;) {
+  for (std::size_t i = before; i-- > 0;) {
     if (!spans[i].hasMessages()) continue;
     range.first = endOf(i, spans[i].end_time);
     break;
   }
-  for (std::size_t i = next; i < spans.size(); ++i) {
+  for (std::size_t i = behind; i < spans.size(); ++i) {
     if (!spans[i].hasMessages()) continue;
     range.last = beginOf(i, spans[i].start_time);
     break;
@@ -70,7 +71,9 @@ std::optional<UnreadableRange> unreadableRange(const DamageSpan& damage,
       return range;
     }
   }
-  return in_order ? before(next, spans) : UnreadableRange{};
+  if (!in_order) return UnreadableRange{};
+  const auto last = std::ranges::lower_bound(spans, damage.to, {}, &MessageSpan::offset);
+  return between(next, std::max(next, static_cast<std::size_t>(last - spans.begin())), spans);
 }
 
 }  // namespace rocinante

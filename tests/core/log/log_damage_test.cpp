@@ -357,6 +357,56 @@ TEST(LogDamage, AChunkThatFailsItsChecksumIsSkippedAndCounted) {
   EXPECT_EQ(reader.damage().size(), 1U);
 }
 
+TEST(LogDamage, ABrokenIndexBehindABrokenChunkMakesItsLossNoSmaller) {
+  SmallLog log = smallLog(LogWriterOptions::Compression::none);
+  log.file[textOf(log.file).find("0.25")] = std::byte{'9'};
+  LogReader whole = openLog(log.file);
+  captured(whole);
+  ASSERT_EQ(whole.damage().size(), 1U);
+  const std::uint64_t lost = whole.damage()[0].messages_lost.value();
+  const std::size_t begin = whole.damage()[0].to;
+  mcap::RecordStepper steps(log.file, begin);
+  while (steps.peek()->opcode == mcap::Opcode::message_index) steps.next();
+  for (std::size_t place = begin; place < steps.position(); ++place) {
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      Bytes file = log.file;
+      file[place] ^= static_cast<std::byte>(1U << bit);
+      LogReader reader = openLog(file);
+      captured(reader);
+      ASSERT_TRUE(std::ranges::any_of(reader.damage(),
+                                      [&](const DamageSpan& each) {
+                                        return each.to == begin &&
+                                               (!each.messages_lost || *each.messages_lost >= lost);
+                                      }))
+          << "byte " << place << ", bit " << bit;
+      ASSERT_THAT(reader.unreadable(), Not(IsEmpty())) << "byte " << place << ", bit " << bit;
+    }
+  }
+}
+
+TEST(LogDamage, APieceMissingFromOneRecordToAnotherIsTold) {
+  const SmallLog log = smallLog(LogWriterOptions::Compression::zstd);
+  mcap::RecordStepper steps(log.file, mcap::magic().size());
+  while (steps.peek()->opcode != mcap::Opcode::chunk) steps.next();
+  const auto from = static_cast<std::ptrdiff_t>(steps.position());
+  steps.next();
+  while (steps.peek()->opcode == mcap::Opcode::message_index) steps.next();
+  Bytes file = log.file;
+  file.erase(file.begin() + from, file.begin() + static_cast<std::ptrdiff_t>(steps.position()));
+  file.shrink_to_fit();
+  LogReader reader = openLog(file);
+  const std::vector<KeptMessage> read = captured(reader);
+  ASSERT_LT(read.size(), log.messages.size());
+  const auto told = std::ranges::find_if(reader.damage(), [](const DamageSpan& each) {
+    return each.cause.ends_with("a piece of the file is missing");
+  });
+  ASSERT_NE(told, reader.damage().end());
+  EXPECT_EQ(told->messages_lost, log.messages.size() - read.size());
+  ASSERT_EQ(reader.unreadable().size(), 1U);
+  EXPECT_EQ(reader.unreadable()[0].first.time, LogTime::min());
+  EXPECT_EQ(reader.unreadable()[0].last.time, LogTime::max());
+}
+
 TEST(LogDamage, ADamagedAttachmentIsRefusedByItsChecksum) {
   SmallLog log = smallLog(LogWriterOptions::Compression::none);
   const std::size_t place = textOf(log.file).find("abc");
