@@ -105,9 +105,7 @@ Status GitStore::makeRepository() const {
   return included.ok() ? Status() : Status(included.error());
 }
 
-Result<std::string> GitStore::fetchTip(bool with_history) const {
-  if (Status has = needRemote(); !has) return has.error();
-  if (Status made = makeRepository(); !made) return made.error();
+Result<std::string> GitStore::remoteTip() const {
   const auto listed = git({"ls-remote", "--quiet", remote_, ref_});
   if (!listed.ok()) return listed.error();
   // "HASH\tREF"; a pattern also finds refs that end in it.
@@ -115,6 +113,15 @@ Result<std::string> GitStore::fetchTip(bool with_history) const {
   for (const std::string& line : partsOf(*listed, '\n')) {
     if (line.ends_with("\t" + ref_)) tip = line.substr(0, line.find('\t'));
   }
+  return tip;
+}
+
+Result<std::string> GitStore::fetchTip(bool with_history) const {
+  if (Status has = needRemote(); !has) return has.error();
+  if (Status made = makeRepository(); !made) return made.error();
+  const auto listed = remoteTip();
+  if (!listed.ok()) return listed;
+  const std::string& tip = *listed;
   if (tip.empty()) return tip;
   const auto known = git({"rev-parse", "--quiet", "--verify", ref_});
   if (known.ok() && firstLineOf(*known) == tip && !with_history) return tip;
@@ -253,11 +260,13 @@ Result<bool> GitStore::pushCommit(const std::string& commit, const std::string& 
   const auto output = childOutput(words);
   if (!output.ok()) return output.error();
   if (output->exit_code == 0) return true;
-  // Each of these means that the ref moved between the look and the push.
-  for (const char* moved : {"[rejected]", "cannot lock ref", "failed to update ref",
-                            "reference already exists", "failed to lock"}) {
-    if (output->out.find(moved) != std::string::npos ||
-        output->err.find(moved) != std::string::npos) {
+  // Whether the ref moved between the look and the push: each release of git has its own words.
+  const auto now = remoteTip();
+  if (now.ok() && *now != before) return false;
+  // It is about to: another has locked it.
+  for (const char* locked : {"cannot lock ref", "failed to update ref", "failed to lock"}) {
+    if (output->out.find(locked) != std::string::npos ||
+        output->err.find(locked) != std::string::npos) {
       return false;
     }
   }

@@ -67,7 +67,9 @@ class GitStore {
   /// Git in the bare repository; its output, or its first complaint.
   Result<std::string> git(std::vector<std::string> words) const;
   Status makeRepository() const;
-  /// The commit that the remote's ref has, fetched; empty when there is none.
+  /// The commit that the remote's ref has; empty when there is none.
+  Result<std::string> remoteTip() const;
+  /// The same, fetched.
   Result<std::string> fetchTip(bool with_history) const;
   /// Hashes by name of the files of a commit, or of files here, which are then objects too.
   using Blobs = std::map<std::string, std::string>;
