@@ -25,12 +25,14 @@ PYTHON
 python3 make.py
 cat >script.txt <<'SCRIPT'
 frame 2
-mouse 145 30   # the tab Events
+mouse 145 30   # the tab Events, which must know that the mouse is over it (ImGui 1.92)
+frame 2
 button left down
 frame 1
 button left up
 frame 2
 mouse 150 58   # find an event
+frame 2
 button left down
 frame 1
 button left up
@@ -38,6 +40,7 @@ frame 1
 type 9876
 frame 2
 mouse 120 82   # the only one that is listed
+frame 2
 button left down
 frame 1
 button left up

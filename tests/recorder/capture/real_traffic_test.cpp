@@ -14,7 +14,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/shared_data.h"
 
-// Captured real traffic, put on a virtual wire by tcpreplay, recorded as its receiver and by
+// Captured real traffic, put on a virtual wire, recorded as its receiver and by
 // watching, and compared with tshark's reading of the capture.
 namespace rocinante {
 namespace {
@@ -93,7 +93,7 @@ class RealTraffic : public testing::Test {
  protected:
   void SetUp() override {
     ROCINANTE_NEEDS_SHARED_DATA("captures");
-    for (const char* tool : {"tcpreplay", "tcprewrite", "tshark"}) {
+    for (const char* tool : {"tcprewrite", "tshark"}) {
       if (!hasTool(tool)) GTEST_SKIP() << "no " << tool << " here (packages tcpreplay, tshark)";
     }
     ROCINANTE_NEEDS_NETWORK_NAMESPACE(network);
@@ -118,7 +118,10 @@ class RealTraffic : public testing::Test {
     const std::size_t count = countOf(expected);
     Program receiver = start(endpoints, "received.mcap", count);
     Program watcher = start({"pcap://cell0"}, "watched.mcap", count);
-    ASSERT_TRUE(NetworkNamespace::run("tcpreplay -q -i robot0 -x 5 '" + capture.string() + "'"));
+    // Not tcpreplay: from 4.5 on it cuts frames at 4,096 bytes.
+    ASSERT_TRUE(NetworkNamespace::run("python3 " ROCINANTE_SOURCE_DIR
+                                      "/tests/support/send_frames.py robot0 '" +
+                                      capture.string() + "'"));
     for (Program* each : {&receiver, &watcher}) {
       const ProgramResult result = each->finish(std::chrono::milliseconds(20'000));
       EXPECT_EQ(result.exit_code, 0) << result.err;
