@@ -48,7 +48,7 @@ inline RenderStyle styled(const std::vector<std::string>& words) {
 /// One context and one renderer for all pictures of a cell.
 class Studio {
  public:
-  explicit Studio(TestCell& cell, int samples = 1) : cell_(cell), scene_(cell.scene()) {
+  explicit Studio(TestCell& cell, int samples = 1) : scene_(cell.scene()) {
     auto context = makeOffscreenContext(Profile::reproducible);
     EXPECT_TRUE(context.has_value());
     context_ = std::move(*context);
@@ -107,7 +107,6 @@ class Studio {
   PosedScene& scene() { return scene_; }
 
  private:
-  TestCell& cell_;
   PosedScene scene_;
   std::unique_ptr<RenderContext> context_;
   std::optional<Renderer> renderer_;
