@@ -66,8 +66,9 @@ class XmlReader final : public FieldReader {
         path.attribute.empty() ? element->GetText() : element->Attribute(path.attribute.c_str());
     if (text == nullptr) return {};
     std::string_view value = text;
-    while (!value.empty() && value.front() <= ' ' && value.front() >= 0) value.remove_prefix(1);
-    while (!value.empty() && value.back() <= ' ' && value.back() >= 0) value.remove_suffix(1);
+    const auto isBlank = [](char each) { return static_cast<unsigned char>(each) <= ' '; };
+    while (!value.empty() && isBlank(value.front())) value.remove_prefix(1);
+    while (!value.empty() && isBlank(value.back())) value.remove_suffix(1);
     return FieldValue::of(value);
   }
 

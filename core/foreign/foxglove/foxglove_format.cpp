@@ -136,12 +136,14 @@ class FoxgloveFormat final : public SessionFormat {
     ProtoWriter writer(message_);
     putDeletion(writer, time);
     std::set<std::string> clouds;
-    for (const auto& [id, drawing] : drawings) {
+    for (const auto& named : drawings) {
+      const auto& id = named.first;
+      const auto& drawing = named.second;
       if (drawing->kind == StatementKind::points) {
         clouds.insert(id);
         continue;
       }
-      writer.message(2, [&, id = id, drawing = drawing](ProtoWriter& entity) {
+      writer.message(2, [&](ProtoWriter& entity) {
         putTime(entity, 1, time);
         entity.text(2, frameOf(*drawing));
         entity.text(3, id);
