@@ -32,7 +32,7 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now
                       plotsHeight(model, io.DisplaySize.y);
   const float tallest = std::max(px(120), io.DisplaySize.y - px(kPanelMargin) - below);
   PlacedPanel placed(model.panels.places, "Scene", ImVec2(px(kPanelMargin), px(kPanelMargin)),
-                     ImVec2(0, 0), px(kScenePanelWidth), tallest);
+                     ImVec2(0, 0), px(scenePanelWidth(model.isLive())), tallest);
   ImGui::Begin("Scene", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
   if (placed.collapsed()) {
     drawCollapsed("Scene");
@@ -98,11 +98,12 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
     const float unit = px(1);
     const float plots = plotsHeight(model, size.y);
     const PanelLayout layout =
-        panelLayout(size.x / unit, (size.y - plots) / unit, model.cursor() != nullptr,
-                    !model.inspected().device.empty());
+        panelLayout(size.x / unit, (size.y - plots) / unit, model.isLive(),
+                    model.cursor() != nullptr, !model.inspected().device.empty());
     if (layout.scene) {
       drawScenePanel(model, status, now, requests);
-      middle.left = coveredAtLeft(model.panels.places, px(kScenePanelWidth + kPanelMargin));
+      middle.left =
+          coveredAtLeft(model.panels.places, px(scenePanelWidth(model.isLive()) + kPanelMargin));
     }
     if (layout.figures != PanelLayout::Figures::none) {
       const bool brief = layout.figures == PanelLayout::Figures::brief;
