@@ -128,9 +128,9 @@ if(ROCINANTE_SERVE)
     DEPENDS "rocinante ${same_version}"
     COMPILED_IN ${headers}
     SUMMARY "shows Rocinante's sessions in any browser of the network"
-    TEXT "Serves the page of rocinante-page over HTTP, with a recorded session or with
-what comes live, and speaks the protocol of Foxglove and Lichtblick, by
-libwebsockets.")
+    TEXT "Serves the page of rocinante-page over HTTP, with a recorded session or
+with what comes live, and speaks the protocol of Foxglove and Lichtblick,
+by libwebsockets.")
 endif()
 if(ROCINANTE_OPENIMAGEIO)
   list(APPEND CPACK_COMPONENTS_ALL openimageio)

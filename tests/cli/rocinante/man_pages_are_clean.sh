@@ -15,6 +15,11 @@ for verb in $verbs; do
     pages="$pages rocinante-$verb-$sub"
   done
 done
+# No verb, but a program that may be run by hand.
+if [ -x "$bin/rocinante-self-test-draw" ]; then
+  "$SRC/cmake/make_man_pages" "$bin" rocinante-self-test-draw pages 1.2.3 /usr
+  pages="$pages rocinante-self-test-draw"
+fi
 for page in $pages; do
   LC_ALL=C.UTF-8 man -E UTF-8 --warnings -l "pages/$page.1.gz" 2>&1 >/dev/null
   lexgrog "pages/$page.1.gz" | grep -q "\"$page - [A-Za-z]" || echo "$page has no name line"
