@@ -85,6 +85,8 @@ void onCountedSignal(int signal_number) {
 int run(CLI::App& app, int argc, char** argv, std::string_view examples,
         const std::function<Result<Exit>()>& body) {
   fillClosedStandardStreams();
+  // Makes write() report the file size limit as an error, like a full disk.
+  ::signal(SIGXFSZ, SIG_IGN);
   program_name = app.get_name();
   app.set_version_flag("--version", version());
   setHelp(app, examples);

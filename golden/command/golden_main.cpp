@@ -1,6 +1,5 @@
 // rocinante-golden: visual regression (docs/programs/golden.md).
 #include <CLI/CLI.hpp>
-#include <csignal>
 
 #include "core/cli/program.h"
 #include "golden/command/add_command.h"
@@ -65,8 +64,6 @@ int goldenMain(int argc, char** argv) {
 
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     cli::catchStopSignals();
-    // Makes write() report the file size limit as an error, like a full disk.
-    std::signal(SIGXFSZ, SIG_IGN);
     if (run->parsed()) return runSuiteCommand(run_arguments);
     if (approve->parsed()) return runApproveCommand(approve_arguments);
     if (list->parsed()) return runListCommand(list_arguments);

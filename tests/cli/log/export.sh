@@ -25,6 +25,6 @@ try session.mcap "$cell" --pcap -o x.pcap
 try session.mcap --foxglove -o bag.mcap
 try session.mcap missing.cell.toml --foxglove -o x.mcap
 try session.mcap --foxglove -o session.mcap --force
-(ulimit -f 40; trap '' XFSZ; try session.mcap "$cell" --foxglove -o full.mcap)
-(ulimit -f 40; trap '' XFSZ; try session.mcap --pcap -o full.pcap)
+(ulimit -f 40; try session.mcap "$cell" --foxglove -o full.mcap)
+(ulimit -f 40; try session.mcap --pcap -o full.pcap)
 ls

@@ -29,5 +29,5 @@ try session.mcap "$cell" --gltf --every 0s -o x.glb
 try session.mcap "$cell" --gltf --from 1h -o x.glb
 try session.mcap "$cell" --foxglove --every 1s -o x.mcap
 try session.mcap "$cell" --gltf -o scene.glb
-(ulimit -f 40; trap '' XFSZ; try session.mcap "$cell" --gltf -o full.glb)
+(ulimit -f 40; try session.mcap "$cell" --gltf -o full.glb)
 ls
