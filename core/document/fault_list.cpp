@@ -6,6 +6,7 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kListedPerRule = 100;
+constexpr std::string_view kLeftOutRule = "model.left-out";
 constexpr std::size_t kQuotedBytes = 60;
 constexpr std::size_t kLongestFileName = 256;  // with a slash; Linux has none longer
 
@@ -37,6 +38,21 @@ void FaultList::add(Severity severity, std::string_view rule, Place place, std::
                      .file = file_,
                      .line = place.line,
                      .column = place.column});
+}
+
+void FaultList::leaveOut(std::string_view kind, std::string_view name, Place place,
+                         std::string reason, Severity severity) {
+  const std::string what =
+      name.empty() ? std::string(kind) : fmt::format("{} {}", kind, quotedInFault(name));
+  if (const auto known = left_out_.find(what); known != left_out_.end()) {
+    if (known->second < faults_.size()) ++faults_[known->second].count;
+    return;
+  }
+  const bool is_listed = lists(kLeftOutRule);
+  add(severity, kLeftOutRule, place, std::move(reason));
+  if (!is_listed) return;
+  faults_.back().left_out = what;
+  left_out_.emplace(what, faults_.size() - 1);
 }
 
 bool FaultList::lists(std::string_view rule) const {

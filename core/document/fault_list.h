@@ -35,6 +35,12 @@ class FaultList {
     add(Severity::note, rule, place, std::move(text), std::move(hint));
   }
 
+  /// Something of the file that is not used: one note (or warning) for each `kind` and `name`, at
+  /// the place of the first, with their count; part of the file's account (core/report/account.h,
+  /// which explains the words). `reason` is a clause: "instancing is not drawn".
+  void leaveOut(std::string_view kind, std::string_view name, Place place, std::string reason,
+                Severity severity = Severity::note);
+
   /// Whether one more of this rule would be listed: hints for the rest are not computed.
   bool lists(std::string_view rule) const;
 
@@ -50,6 +56,7 @@ class FaultList {
   Findings& faults_;
   std::string file_;
   std::map<std::string, Count, std::less<>> counts_;
+  std::map<std::string, std::size_t, std::less<>> left_out_;  ///< to their places in faults_
 };
 
 /// `text` in backquotes for a fault's message: control characters escaped, cut when very long.

@@ -14,6 +14,16 @@
 
 namespace rocinante {
 
+/// What the opacity of a surface means (glTF 2.0, 3.9.4).
+enum class AlphaMode : std::uint8_t {
+  blend,   ///< drawn over what lies behind it; also what OBJ, COLLADA and SDF mean
+  opaque,  ///< opacity is ignored
+  mask,    ///< drawn whole where opacity >= alpha_cutoff, elsewhere not at all
+};
+
+/// What a picture shows outside [0, 1] of its coordinates.
+enum class TextureWrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+
 /// How a surface looks. Colours are display values (sRGB-encoded) in [0, 1], as MTL and URDF write
 /// them.
 struct Material {
@@ -29,6 +39,12 @@ struct Material {
   std::shared_ptr<const Bytes> diffuse_bytes;
   glm::vec2 map_scale{1.0F, 1.0F};   ///< map_Kd -s
   glm::vec2 map_offset{0.0F, 0.0F};  ///< map_Kd -o
+  /// Radians, counter-clockwise about (0, 0) with v up: after map_scale, before map_offset.
+  float map_rotation = 0.0F;
+  TextureWrap wrap_u = TextureWrap::repeat;
+  TextureWrap wrap_v = TextureWrap::repeat;
+  AlphaMode alpha_mode = AlphaMode::blend;
+  float alpha_cutoff = 0.5F;  ///< of AlphaMode::mask
   bool operator==(const Material&) const = default;
 };
 

@@ -25,7 +25,10 @@ std::string Finding::place() const {
 }
 
 std::string Finding::print() const {
-  return fmt::format("{}: {}: {}{} [{}]", place(), nameOf(severity), text,
+  const std::string what = left_out.empty() ? std::string()
+                           : count > 1 ? fmt::format("{} is left out {} times: ", left_out, count)
+                                       : fmt::format("{} is left out: ", left_out);
+  return fmt::format("{}: {}: {}{}{} [{}]", place(), nameOf(severity), what, text,
                      hint.empty() ? "" : fmt::format(" ({})", hint), rule);
 }
 

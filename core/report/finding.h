@@ -22,6 +22,9 @@ struct Finding {
   Severity severity = Severity::error;
   std::string text{};  ///< one sentence
   std::string hint{};  ///< what to do about it; may be empty
+  /// What was given and not used, "element `pbr`", when the finding states that: then it is part of
+  /// the file's account (core/report/account.h). Else empty.
+  std::string left_out{};
 
   std::string file{};                   ///< empty: of a session, or of the one file examined
   int line = 0, column = 0;             ///< in `file`, from 1; 0: none

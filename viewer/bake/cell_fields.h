@@ -20,6 +20,8 @@ inline std::uint8_t enumeratorCount(CollisionLook) { return 3; }
 inline std::uint8_t enumeratorCount(Severity) { return 3; }
 inline std::uint8_t enumeratorCount(JointType) { return 6; }
 inline std::uint8_t enumeratorCount(ShapeSize::Kind) { return 4; }
+inline std::uint8_t enumeratorCount(AlphaMode) { return 3; }
+inline std::uint8_t enumeratorCount(TextureWrap) { return 3; }
 
 template <class Fields>
 void fields(Fields& io, Taken<Fields, Pose>& pose) {
@@ -42,9 +44,9 @@ void fields(Fields& io, Taken<Fields, ShapeSize>& shape) {
 template <class Fields>
 void fields(Fields& io, Taken<Fields, Material>& material) {
   auto& [name, diffuse, specular, emission, shininess, diffuse_map, missing_map, diffuse_bytes,
-         map_scale, map_offset] = material;
+         map_scale, map_offset, map_rotation, wrap_u, wrap_v, alpha_mode, alpha_cutoff] = material;
   io(name, diffuse, specular, emission, shininess, diffuse_map, missing_map, diffuse_bytes,
-     map_scale, map_offset);
+     map_scale, map_offset, map_rotation, wrap_u, wrap_v, alpha_mode, alpha_cutoff);
 }
 
 template <class Fields>
@@ -186,9 +188,10 @@ void fields(Fields& io, Taken<Fields, CellScene>& scene) {
 /// Of a file: what only findings of a session have (times, packets) is not baked.
 template <class Fields>
 void fields(Fields& io, Taken<Fields, Finding>& fault) {
-  auto& [rule, severity, text, hint, file, line, column, byte, count, first, last, when, packet,
-         subject, example, accepted] = fault;
-  io(rule, severity, text, hint, file, line, column, byte, count, subject, example, accepted);
+  auto& [rule, severity, text, hint, left_out, file, line, column, byte, count, first, last, when,
+         packet, subject, example, accepted] = fault;
+  io(rule, severity, text, hint, left_out, file, line, column, byte, count, subject, example,
+     accepted);
 }
 
 /// All but what models and pictures have sections of their own for, and what keeps files and

@@ -114,6 +114,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"mesh.up-axis", kNote, "a mesh that is not z up is turned"},
     {"model.absolute-path", kWarning,
      "a model names a file by an absolute path of another machine"},
+    {"model.left-out", kNote, "something of a model or mesh file is not used"},
     {"model.missing-file", kError, "a mesh is not in the search roots"},
     {"model.missing-texture", kWarning, "a texture is not in the search roots"},
     {"model.scale", kWarning, "meshes and joints differ wildly in size"},

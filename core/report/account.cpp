@@ -1,0 +1,94 @@
+#include "core/report/account.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/count_text.h"
+
+namespace rocinante {
+
+std::string LeftOut::text() const {
+  std::string text = countText(count, kind);
+  if (!name.empty()) text += fmt::format(" `{}`", name);
+  if (first.empty() && reason.empty()) return text;
+  const bool both = !first.empty() && !reason.empty();
+  return text + fmt::format(" ({}{}{}{})", reason, both ? "; " : "",
+                            first.empty() ? ""
+                            : count > 1   ? "the first at "
+                                          : "at ",
+                            first);
+}
+
+void Account::leaveOut(LeftOut left_out) {
+  total_ += left_out.count;
+  const auto same = std::ranges::find_if(left_out_, [&](const LeftOut& one) {
+    return one.name == left_out.name && one.kind == left_out.kind && one.reason == left_out.reason;
+  });
+  if (same != left_out_.end()) {
+    same->count += left_out.count;
+    same->severity = std::max(same->severity, left_out.severity);
+  } else if (left_out_.size() < kMaxListed) {
+    left_out_.push_back(std::move(left_out));
+  } else {
+    unlisted_ += left_out.count;
+  }
+}
+
+void Account::add(const Account& other) {
+  for (const LeftOut& one : other.left_out_) leaveOut(one);
+  total_ += other.unlisted_;
+  unlisted_ += other.unlisted_;
+}
+
+Account accountOf(const Findings& findings) {
+  Account account;
+  for (const Finding& finding : findings) {
+    if (finding.left_out.empty()) continue;
+    // "element `pbr`": FaultList::leaveOut writes it.
+    const std::size_t quote = finding.left_out.find(" `");
+    LeftOut one{.kind = finding.left_out.substr(0, quote),
+                .reason = finding.text,
+                .first = finding.place(),
+                .count = finding.count,
+                .severity = finding.severity};
+    if (quote != std::string::npos) {
+      one.name = finding.left_out.substr(quote + 2, finding.left_out.size() - quote - 3);
+    }
+    account.leaveOut(std::move(one));
+  }
+  return account;
+}
+
+std::string accountSentence(const Account& account, std::size_t most_listed) {
+  if (account.empty()) return {};
+  const auto& all = account.leftOut();
+  std::string sentence = "left out: ";
+  std::uint64_t listed = 0;
+  for (std::size_t i = 0; i < std::min(most_listed, all.size()); ++i) {
+    if (i > 0) sentence += ", ";
+    sentence += all[i].text();
+    listed += all[i].count;
+  }
+  if (listed < account.total()) {
+    sentence += fmt::format("{}{} more", listed > 0 ? ", and " : "",
+                            countText(account.total() - listed, "thing"));
+  }
+  return sentence;
+}
+
+Json leftOutJson(const Account& account) {
+  Json items = Json::array();
+  for (const LeftOut& one : account.leftOut()) {
+    items.push_back({{"kind", one.kind},
+                     {"name", orNull(one.name)},
+                     {"reason", orNull(one.reason)},
+                     {"first", orNull(one.first)},
+                     {"count", one.count},
+                     {"severity", nameOf(one.severity)}});
+  }
+  return {
+      {"total", account.total()}, {"unlisted", account.unlisted()}, {"items", std::move(items)}};
+}
+
+}  // namespace rocinante
