@@ -176,7 +176,10 @@ std::optional<std::uint64_t> SpanDecoder::indexedMessages(const MessageSpan& spa
   if (span.by_summary && steps.position() != span.index_end) return std::nullopt;
   if (!indexesSpan(indexes, span.chunk)) return std::nullopt;
   std::ranges::sort(indexes, {}, &mcap::IndexEntries::channel);
-  if (std::ranges::adjacent_find(indexes, {}, &mcap::IndexEntries::channel) != indexes.end()) {
+  const auto of_one_channel = [](const mcap::IndexEntries& a, const mcap::IndexEntries& b) {
+    return a.channel == b.channel;
+  };
+  if (std::adjacent_find(indexes.begin(), indexes.end(), of_one_channel) != indexes.end()) {
     return std::nullopt;
   }
   std::uint64_t count = 0;

@@ -9,7 +9,7 @@
 // Every byte is the C header's; only this file sees its functions.
 #define RK_SOURCE_STATIC
 #define RK_SOURCE_IMPLEMENTATION
-#include "core/source/rocinante_source.h"
+#include "core/source/rocinante/rocinante_source.h"
 
 namespace rocinante {
 namespace {

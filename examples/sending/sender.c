@@ -1,5 +1,7 @@
-/* Moves an arm of two joints and says everything again every 2 s.
- * cc -std=c99 -D_POSIX_C_SOURCE=200809L sender.c -o sender; ./sender 127.0.0.1 19960 [CYCLES] */
+/* Moves an arm of two joints and restates everything every 2 s. In a clone of this repository:
+ *   cc -std=c99 -I../../core/source sender.c -o sender && ./sender 127.0.0.1 19960 [CYCLES]
+ * Where Rocinante is installed, -I is not needed. */
+#define _POSIX_C_SOURCE 200809L
 #include <arpa/inet.h>
 #include <stdio.h>
 #include <stdlib.h>

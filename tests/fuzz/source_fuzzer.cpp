@@ -12,7 +12,7 @@
 
 #define RK_SOURCE_STATIC
 #define RK_SOURCE_IMPLEMENTATION
-#include "core/source/rocinante_source.h"
+#include "core/source/rocinante/rocinante_source.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #define RK_SOURCE_IMPLEMENTATION
-#include "core/source/rocinante_source.h"
+#include "core/source/rocinante/rocinante_source.h"
 
 static char line[1 << 16];
 static char *words[1024];

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include "core/base/atomic_file.h"
 #include "tests/core/source/source_driver.h"
@@ -23,12 +25,13 @@ TEST(SourceInC, CompilesWithoutAWarning) {
   test::TemporaryFolder folder;
   const std::string use = (folder.path() / "use.c").string();
   test::writeFile(use,
-                  "#include \"core/source/rocinante_source.h\"\n"
+                  "#include \"core/source/rocinante/rocinante_source.h\"\n"
                   "int main(void) { return rk_world().link != NULL; }\n");
   const std::string all = (folder.path() / "static.c").string();
-  test::writeFile(all,
-                  "#define RK_SOURCE_STATIC\n#define RK_SOURCE_IMPLEMENTATION\n"
-                  "#include \"core/source/rocinante_source.h\"\nint main(void) { return 0; }\n");
+  test::writeFile(
+      all,
+      "#define RK_SOURCE_STATIC\n#define RK_SOURCE_IMPLEMENTATION\n"
+      "#include \"core/source/rocinante/rocinante_source.h\"\nint main(void) { return 0; }\n");
   for (const std::string& file : std::array{kSender, use, all}) {
     for (const char* how : {"-x c -std=c99 ", "-x c -std=c11 ", "-x c++ -std=c++20 "}) {
       SCOPED_TRACE(std::string(how) + file);
@@ -87,6 +90,37 @@ TEST(SourceInC, SendsTheSameBytesAsTheCppClass) {
       EXPECT_TRUE(readFile(output).value() == expected) << "seed " << seed;
     }
   }
+}
+
+/// Compiles examples/sending/NAME.c in its folder by the command in its first comment.
+::testing::AssertionResult compilesAsItStates(const std::string& name,
+                                              const std::filesystem::path& program) {
+  const std::filesystem::path folder = std::filesystem::path(kTree) / "examples" / "sending";
+  const std::string text = readFile(folder / (name + ".c")).value();
+  const std::size_t begin = text.find("cc -std=c99 ");
+  const std::string command = text.substr(begin, text.find(" -o ", begin) - begin);
+  if (runs("cd '" + folder.string() + "' && " + command + " -o '" + program.string() + "'"))
+    return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << command;
+}
+
+TEST(SourceInC, ExamplesCompileAsTheyStateAndHearEachOther) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(compilesAsItStates("sender", folder.path() / "sender"));
+  ASSERT_TRUE(compilesAsItStates("receiver", folder.path() / "receiver"));
+  const std::string bin = folder.path().string();
+  FILE* const heard = popen((bin + "/receiver 127.0.0.1 0 3").c_str(), "r");
+  ASSERT_NE(heard, nullptr);
+  std::array<char, 256> line{};
+  ASSERT_NE(fgets(line.data(), line.size(), heard), nullptr);
+  std::string port = line.data();
+  ASSERT_EQ(port.substr(0, 13), "listening on ");
+  port = port.substr(13, port.find('\n') - 13);
+  EXPECT_TRUE(runs(bin + "/sender 127.0.0.1 " + port + " 20"));
+  std::string text;
+  while (fgets(line.data(), line.size(), heard) != nullptr) text += line.data();
+  EXPECT_EQ(pclose(heard), 0);
+  EXPECT_EQ(text, "joints arm 0 0\njoints arm 0.004 0.006\njoints arm 0.008 0.012\n");
 }
 
 }  // namespace
