@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <compare>
@@ -57,6 +58,14 @@ strong_ordering operator<=>(const vector<T>& a, const vector<T>& b) {
     if (b[i] < a[i]) return strong_ordering::greater;
   }
   return a.size() <=> b.size();
+}
+
+template <class T, size_t N>
+auto operator<=>(const array<T, N>& a, const array<T, N>& b) -> decltype(a[0] <=> b[0]) {
+  for (size_t i = 0; i < N; ++i) {
+    if (const auto order = a[i] <=> b[i]; order != 0) return order;
+  }
+  return decltype(a[0] <=> b[0])::equivalent;
 }
 
 template <class T>
