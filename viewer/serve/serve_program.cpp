@@ -86,6 +86,12 @@ Result<std::string> pageFor(const ServeRequest& request, const Cell& cell) {
   return servedPageOf(parts, request.log.empty());
 }
 
+std::string pageWithoutViewer() {
+  return "<!DOCTYPE html><meta charset=\"utf-8\"><title>rocinante serve</title>\n"
+         "<p>This server was started without the viewer of pages, which scripts/build_web builds. "
+         "Foxglove clients can connect.\n";
+}
+
 Result<std::unique_ptr<LiveSession>> listen(const ServeRequest& request, const Cell& cell,
                                             const ServeSurroundings& surroundings,
                                             WebServer& server) {
@@ -130,8 +136,11 @@ Result<ServeReport> serveUntilStopped(const ServeRequest& request,
     content.log_bytes = log.size();
   }
   auto page = pageFor(request, *cell);
-  if (!page) return page.error();
-  content.page = std::move(*page);
+  // Foxglove clients of a live session need no page; whoever named a viewer wants one.
+  const bool is_dispensable = request.log.empty() && request.viewer.empty();
+  if (!page && (!is_dispensable || page.error().kind != ErrorKind::not_found)) return page.error();
+  if (!page) surroundings.told("no page, Foxglove clients alone: " + page.error().what);
+  content.page = page ? std::move(*page) : pageWithoutViewer();
   WebServer::Options web = request.web;
   web.told = surroundings.told;
   auto server = WebServer::open(std::move(web), std::move(content));
