@@ -32,6 +32,7 @@ function(rocinante_man_pages program component)
     COMMENT "Man pages of ${program}" VERBATIM)
   add_custom_target(${program}_man_pages ALL DEPENDS ${pages}.made)
   add_dependencies(man_pages ${program}_man_pages)
-  # Optional: of a tree in which only some programs were built, those are installed.
-  install(DIRECTORY ${pages}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component} OPTIONAL)
+  # Who builds the programs alone installs them too (scripts/demo, cmake --install).
+  add_dependencies(programs ${program}_man_pages)
+  install(DIRECTORY ${pages}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
 endfunction()
