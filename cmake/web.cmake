@@ -30,7 +30,7 @@ endfunction()
 
 add_executable(rocinante-viewer)
 rocinante_web_sources(core/base hash duration_text plain_text name_hint count_text pattern number_list
-  angle_text size_text version)
+  angle_text size_text version json_parse)
 rocinante_web_sources(core/math angle_reduction srgb trigonometry transform)
 rocinante_web_sources(core/packet packet text_name text_number header_reader statement_reader
   packet_text_decoder packet_text_writer state_folder fold_statement state_forgetting session_state

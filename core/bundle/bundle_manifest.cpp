@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "core/base/json_parse.h"
+
 namespace rocinante {
 namespace {
 
@@ -195,7 +197,9 @@ Result<BundleManifest> parseManifest(ByteView text, const std::string& where) {
     return Error{kind, "the list of the cell's files cannot be used: " + why, where};
   };
   if (text.size() > kMaxManifestBytes) return refuse(ErrorKind::damaged, "it is too large");
-  const Json root = Json::parse(textOf(text), nullptr, false);
+  const Result<Json> parsed = parseJson<Json>(textOf(text));
+  if (!parsed) return refuse(parsed.error().kind, parsed.error().what);
+  const Json& root = *parsed;
   if (!root.is_object()) return refuse(ErrorKind::damaged, "it is not a JSON object");
   const auto format = root.find("format");
   if (format == root.end() || !format->is_number_unsigned()) {

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_parse.h"
+
 namespace rocinante {
 namespace {
 
@@ -11,7 +13,7 @@ constexpr const char* kStep = "step_ns";
 
 /// Null when the payload is not a clock step.
 Json parseObject(ByteView payload) {
-  Json object = Json::parse(textOf(payload), nullptr, /*allow_exceptions=*/false);
+  Json object = parseJsonOrDiscard<Json>(textOf(payload), kSmallJson);
   const auto isCount = [&](const char* key) {
     return object.contains(key) && object[key].is_number_integer();
   };

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_parse.h"
+
 namespace rocinante {
 namespace {
 
@@ -39,7 +41,7 @@ std::string lossText(const LossSpan& span) {
 }
 
 std::optional<LossSpan> parseLoss(ByteView payload) {
-  const Json object = Json::parse(textOf(payload), nullptr, /*allow_exceptions=*/false);
+  const Json object = parseJsonOrDiscard<Json>(textOf(payload), kSmallJson);
   if (!object.is_object()) return std::nullopt;
   LossSpan span;
   const auto endpoint = object.find("endpoint");

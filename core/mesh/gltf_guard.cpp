@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/json_parse.h"
 #include "core/mesh/glb_container.h"
 
 namespace rocinante {
@@ -370,8 +371,12 @@ std::string judge(Json& root, ByteView binary) {
 Result<Bytes> sanitizedGltf(ByteView bytes) {
   const Result<GltfParts> parts = gltfParts(bytes);
   if (!parts.ok()) return parts.error();
-  Json root = Json::parse(parts->text, nullptr, false);
-  if (root.is_discarded()) return Error{ErrorKind::damaged, "is not valid JSON", {}};
+  Result<Json> parsed = parseJson<Json>(parts->text);
+  if (!parsed.ok() && parsed.error().kind == ErrorKind::damaged) {
+    return Error{ErrorKind::damaged, "is not valid JSON", {}};
+  }
+  if (!parsed.ok()) return parsed.error();
+  Json& root = *parsed;
   if (std::string problem = judge(root, parts->binary); !problem.empty()) {
     return Error{ErrorKind::damaged, std::move(problem), {}};
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_parse.h"
 #include "core/base/plain_text.h"
 
 namespace rocinante {
@@ -91,7 +92,7 @@ std::string factsJson(std::span<const SelfTestFact> facts) {
 std::string factsWire(std::span<const SelfTestFact> facts) { return dumped(jsonOf(facts), -1); }
 
 std::optional<std::vector<SelfTestFact>> factsOfWire(std::string_view line) {
-  const auto json = nlohmann::json::parse(line, nullptr, /*allow_exceptions=*/false);
+  const auto json = parseJsonOrDiscard<nlohmann::json>(line);
   if (!json.is_array()) return std::nullopt;
   std::vector<SelfTestFact> facts;
   for (const auto& each : json) {

@@ -13,6 +13,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/duration_text.h"
+#include "core/base/json_parse.h"
 #include "core/base/plain_text.h"
 
 namespace rocinante {
@@ -27,11 +28,20 @@ Error systemError(std::string what, const std::filesystem::path& path) {
   return Error{ErrorKind::unreadable, std::move(what) + ": " + std::strerror(errno), path.string()};
 }
 
+/// A link is not followed: a log that was shared as a folder would have this write anywhere.
+Error notRegular(mode_t mode, const std::filesystem::path& path) {
+  return Error{ErrorKind::unreadable,
+               S_ISLNK(mode) ? "the marks are a link, which is not followed"
+                             : "the marks are not a regular file",
+               path.string()};
+}
+
 /// Locks a file against other markers while it lives.
 class LockedFile {
  public:
   explicit LockedFile(const std::filesystem::path& path)
-      : file_(::open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0644)) {
+      : file_(::open(path.c_str(),
+                     O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK, 0644)) {
     while (file_ >= 0 && ::flock(file_, LOCK_EX) != 0) {
       if (errno != EINTR) return;
     }
@@ -116,7 +126,7 @@ std::optional<Event> parseMarkLine(std::string_view line) {
   if (space == std::string_view::npos) return std::nullopt;
   const std::optional<LogTime> time = parseTime(line.substr(0, space));
   if (!time) return std::nullopt;
-  const Json text = Json::parse(line.substr(space + 1), nullptr, /*allow_exceptions=*/false);
+  const Json text = parseJsonOrDiscard<Json>(line.substr(space + 1), kSmallJson);
   if (!text.is_string()) return std::nullopt;
   Event mark{*time, {}, text.get<std::string>()};
   if (mark.text.empty() || mark.text.size() > kMaxMarkBytes) return std::nullopt;
@@ -126,13 +136,11 @@ std::optional<Event> parseMarkLine(std::string_view line) {
 Result<std::vector<Event>> readMarks(const std::filesystem::path& log) {
   const std::filesystem::path path = marksPath(log);
   struct stat facts {};
-  if (::stat(path.c_str(), &facts) != 0) {
+  if (::lstat(path.c_str(), &facts) != 0) {
     if (errno == ENOENT || errno == ENOTDIR) return std::vector<Event>{};
     return systemError("cannot read the marks", path);
   }
-  if (!S_ISREG(facts.st_mode)) {
-    return Error{ErrorKind::unreadable, "the marks are not a regular file", path.string()};
-  }
+  if (!S_ISREG(facts.st_mode)) return notRegular(facts.st_mode, path);
   const Result<std::string> content = readFile(path, kMaxMarksFileBytes);
   if (!content) return content.error();
   std::vector<Event> marks;
@@ -160,12 +168,11 @@ Status addMark(const std::filesystem::path& log, const Event& mark) {
   const std::filesystem::path path = marksPath(log);
   // Locked while it is written, so that a write cut short by the disk can be undone.
   const LockedFile file(path);
-  if (!file.ok()) return systemError("cannot open the marks", path);
   struct stat facts {};
+  if (!file.ok() && errno == ELOOP) return notRegular(S_IFLNK, path);
+  if (!file.ok()) return systemError("cannot open the marks", path);
   if (::fstat(file.number(), &facts) != 0) return systemError("cannot read the marks", path);
-  if (!S_ISREG(facts.st_mode)) {
-    return Error{ErrorKind::unreadable, "the marks are not a regular file", path.string()};
-  }
+  if (!S_ISREG(facts.st_mode)) return notRegular(facts.st_mode, path);
   std::string line = markLine(mark);
   if (facts.st_size > 0) {
     char last = '\n';
@@ -200,7 +207,7 @@ std::string markText(std::string_view text) {
 }
 
 std::optional<std::string> parseMark(ByteView payload) {
-  const Json object = Json::parse(textOf(payload), nullptr, /*allow_exceptions=*/false);
+  const Json object = parseJsonOrDiscard<Json>(textOf(payload), kSmallJson);
   if (!object.is_object()) return std::nullopt;
   const auto text = object.find("text");
   if (text == object.end() || !text->is_string()) return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
+#include "core/base/json_parse.h"
 #include "core/base/plain_text.h"
 #include "core/report/json_text.h"
 #include "golden/suite/merge_conflict.h"
@@ -129,6 +130,7 @@ Result<Json> parseOnce(std::string_view text, const std::filesystem::path& file)
     if (depth == 2 && of_root == "cases" && !names.insert(name).second) twice = name;
     return true;
   };
+  if (Status fits = checkJsonSize(text); !fits) return broken(file, fits.error().what);
   Json root;
   try {
     root = Json::parse(text, look);

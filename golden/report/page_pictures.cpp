@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_parse.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
@@ -63,7 +64,7 @@ std::string pagePicturesJson(const SuiteReport& report) {
 }
 
 void addPagePictures(std::string_view json, SuiteReport& report) {
-  const PagesJson root = PagesJson::parse(json, nullptr, false);
+  const PagesJson root = parseJsonOrDiscard<PagesJson>(json);
   if (!root.is_object() || root.value("format", PagesJson()) != 1) return;
   const auto frames = root.find("frames");
   if (frames == root.end() || !frames->is_object()) return;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
+#include "core/base/json_parse.h"
 #include "golden/report/page_pictures.h"
 #include "golden/report/report_runs.h"
 #include "golden/suite/suite_case.h"
@@ -249,9 +250,10 @@ Status readRunPictures(const std::filesystem::path& folder, JudgedRun& run) {
 }  // namespace
 
 Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::path& file) {
-  const ReportJson root = ReportJson::parse(text, nullptr, false);
-  if (root.is_discarded() || !root.is_object())
-    return brokenReport(file, "it is not a JSON object");
+  const Result<ReportJson> parsed = parseJson<ReportJson>(text);
+  if (!parsed) return brokenReport(file, parsed.error().what);
+  const ReportJson& root = *parsed;
+  if (!root.is_object()) return brokenReport(file, "it is not a JSON object");
   if (root.value("format", ReportJson()) != 1) {
     return Error{ErrorKind::unsupported, "the report has a format other than 1", file.string()};
   }

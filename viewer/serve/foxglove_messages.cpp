@@ -6,12 +6,15 @@
 #include <optional>
 
 #include "core/base/base64.h"
+#include "core/base/json_parse.h"
 #include "core/base/plain_text.h"
 #include "core/base/version.h"
 #include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
+
+constexpr JsonLimits kRequestJson{64U << 10U, 1U << 15U, 16};
 
 Error refused(std::string sentence) { return {ErrorKind::bad_argument, std::move(sentence), {}}; }
 
@@ -63,7 +66,7 @@ Result<FoxgloveRequest> endedOf(const Json& json) {
 }  // namespace
 
 Result<FoxgloveRequest> parseFoxgloveRequest(std::string_view message) {
-  const Json json = Json::parse(message, nullptr, false);
+  const Json json = parseJsonOrDiscard<Json>(message, kRequestJson);
   if (!json.is_object()) return refused("a message is a JSON object");
   const auto op = json.find("op");
   if (op == json.end() || !op->is_string()) return refused("a message has an op, a text");

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/atomic_file.h"
+#include "core/base/json_parse.h"
 #include "core/base/plain_text.h"
 
 namespace rocinante {
@@ -128,6 +129,7 @@ Result<Baseline> Baseline::read(const std::filesystem::path& path) {
 
 Result<Baseline> Baseline::parse(ByteView bytes, const std::string& name) {
   const std::string_view text = textOf(bytes);
+  if (Status fits = checkJsonSize(text); !fits) return damaged(name, fits.error().what);
   Json json;
   try {
     json = Json::parse(text);

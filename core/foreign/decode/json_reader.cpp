@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_parse.h"
 #include "core/foreign/decode/field_reader.h"
 #include "core/packet/text_number.h"
 
@@ -8,9 +9,6 @@ namespace rocinante::decode {
 namespace {
 
 using Tree = nlohmann::json;
-
-/// Deeper values are refused before they are built.
-constexpr int kMaxDepth = 64;
 
 /// "/joints/0" in its parts; ~1 is / and ~0 is ~ (RFC 6901).
 std::vector<std::string> tokensOf(std::string_view pointer) {
@@ -66,10 +64,9 @@ class JsonReader final : public FieldReader {
 
  private:
   bool parse(ByteView datagram) {
-    const auto bounded = [](int depth, Tree::parse_event_t, Tree&) { return depth < kMaxDepth; };
     std::string_view text = textOf(datagram);
     while (text.ends_with('\0')) text.remove_suffix(1);
-    tree_ = Tree::parse(text, bounded, false);
+    tree_ = parseJsonOrDiscard<Tree>(text);
     return !tree_.is_discarded() && tree_.is_structured();
   }
 

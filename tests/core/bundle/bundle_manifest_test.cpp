@@ -67,7 +67,7 @@ TEST(BundleManifest, LongNamesAreRefused) {
 
 TEST(BundleManifest, RefusalsSayWhatIsWrong) {
   const auto says = [](const char* text) { return testing::HasSubstr(text); };
-  EXPECT_THAT(refusalOf("no json"), says("it is not a JSON object"));
+  EXPECT_THAT(refusalOf("no json"), says("it is not JSON"));
   EXPECT_THAT(refusalOf("[]"), says("it is not a JSON object"));
   EXPECT_THAT(refusalOf("{}"), says("it states no format"));
   EXPECT_THAT(refusalOf(changed("\"format\": 1", "\"format\": 2")), says("it has format 2"));

@@ -116,6 +116,23 @@ TEST_F(Marks, RefuseWhatNoMarkCanBe) {
   EXPECT_FALSE(readMarks(log_).ok());
 }
 
+TEST_F(Marks, ThatAreALinkAreNotFollowed) {
+  const std::filesystem::path victim = folder_ / "victim";
+  for (const bool is_there : {false, true}) {
+    if (is_there) std::ofstream(victim) << "precious";
+    std::filesystem::remove(marksPath(log_));
+    std::filesystem::create_symlink(victim, marksPath(log_));
+    const Status added = addMark(log_, {at(1), {}, "x"});
+    ASSERT_FALSE(added.ok());
+    EXPECT_EQ(added.error().what, "the marks are a link, which is not followed");
+    const Result<std::vector<Event>> marks = readMarks(log_);
+    ASSERT_FALSE(marks.ok());
+    EXPECT_EQ(marks.error().what, "the marks are a link, which is not followed");
+    EXPECT_EQ(std::filesystem::exists(victim), is_there);
+  }
+  EXPECT_EQ(readFile(victim).value(), "precious");
+}
+
 TEST_F(Marks, OfProcessesThatMarkAtOnceAreAllThere) {
   constexpr int kProcesses = 4;
   constexpr int kMarks = 50;
