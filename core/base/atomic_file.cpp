@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/file_lock.h"
+#include "core/base/part_file.h"
 
 namespace rocinante {
 namespace {
@@ -39,14 +40,6 @@ Status writeAll(int file, ByteView bytes, const std::filesystem::path& path) {
     }
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
-  return {};
-}
-
-/// Held during the replacement, so that no recorder begins to write the file being replaced.
-Status renameOver(const std::filesystem::path& beside, const std::filesystem::path& path) {
-  const Result<HeldFile> held = HeldFile::at(path, HeldFile::For::replacing);
-  if (!held) return held.error();
-  if (::rename(beside.c_str(), path.c_str()) != 0) return systemError("cannot create", path);
   return {};
 }
 
@@ -100,6 +93,15 @@ Status readFileInParts(const std::filesystem::path& path, std::uint64_t max_byte
 Status mayWriteFile(const std::filesystem::path& path, bool overwrite) {
   std::error_code ignored;
   const std::filesystem::file_status there = std::filesystem::status(path, ignored);
+  if (ignored == std::errc::filename_too_long) {
+    errno = ENAMETOOLONG;
+    return systemError("cannot create", path);
+  }
+  if (!overwrite && !std::filesystem::exists(there) &&
+      std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored))) {
+    return Error{ErrorKind::refused, "a link to nothing has this name; --force overwrites it",
+                 path.string()};
+  }
   if (std::filesystem::exists(there)) {
     if (!std::filesystem::is_regular_file(there)) {
       return Error{ErrorKind::refused, "this is not a regular file, so it is not replaced",
@@ -118,9 +120,11 @@ Status mayWriteFile(const std::filesystem::path& path, bool overwrite) {
 Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite,
                       Sync sync) {
   if (Status may = mayWriteFile(path, overwrite); !may) return may;
-  const std::filesystem::path beside = path.string() + ".part" + std::to_string(::getpid());
-  Descriptor file{::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)};
-  if (file.number < 0) return systemError("cannot create", path);
+  Result<PartFile> part = PartFile::make(path);
+  if (!part) return part.error();
+  const Result<int> writer = part->writer();
+  if (!writer) return writer.error();
+  Descriptor file{*writer};
   Status written = writeAll(file.number, bytes, path);
   if (written && sync == Sync::now && ::fsync(file.number) != 0 && errno != EINVAL) {
     written = systemError("cannot write", path);
@@ -128,9 +132,7 @@ Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool ov
   if (::close(std::exchange(file.number, -1)) != 0 && written) {
     written = systemError("cannot write", path);
   }
-  if (written) written = renameOver(beside, path);
-  if (!written) ::unlink(beside.c_str());
-  return written;
+  return written ? part->publish(overwrite) : written;
 }
 
 Status syncFileSystem(const std::filesystem::path& folder) {

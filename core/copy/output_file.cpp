@@ -9,7 +9,7 @@
 #include <cstring>
 #include <utility>
 
-#include "core/log/new_log_file.h"
+#include "core/mcap/file_sink.h"
 
 namespace rocinante {
 namespace {
@@ -61,17 +61,14 @@ Result<OutputFile> OutputFile::create(fs::path path, bool overwrite,
   OutputFile output;
   output.path_ = std::move(path);
   output.overwrite_ = overwrite;
-  const fs::path beside = output.path_.string() + ".part" + std::to_string(::getpid());
-  Result<NewLogFile> file = NewLogFile::make(beside, false);
-  if (!file) {
-    Error error = file.error();
-    error.where = output.path_.string();
-    return error;
-  }
-  output.beside_ = beside;
-  output.unfinished_ = UnfinishedPath(beside);
-  output.sink_ = file->takeSink();
-  if (Status stays = file->publish(); !stays) return stays.error();
+  Result<PartFile> part = PartFile::make(output.path_, 0666);
+  if (!part) return part.error();
+  const Result<int> file = part->writer();
+  if (!file) return file.error();
+  output.beside_ = part->beside();
+  output.unfinished_ = UnfinishedPath(output.beside_);
+  output.sink_ = makeFileSinkOn(*file, output.beside_.string());
+  output.part_ = std::make_unique<PartFile>(std::move(*part));
   return output;
 }
 
@@ -80,6 +77,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept { *this = std::move(other); 
 OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(beside_, other.beside_);
+  std::swap(part_, other.part_);
   std::swap(overwrite_, other.overwrite_);
   std::swap(unfinished_, other.unfinished_);
   std::swap(sink_, other.sink_);
@@ -88,32 +86,14 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
 
 Status OutputFile::commit() {
   const EndingHeld until_renamed;
-  int renamed = -1;
-  const Result<HeldFile> held = HeldFile::at(path_, HeldFile::For::replacing);
-  if (!held) return held.error();
-  if (overwrite_) {
-    renamed = ::rename(beside_.c_str(), path_.c_str());
-  } else {
-    renamed = ::renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE);
-    // Some file systems do not support RENAME_NOREPLACE: check for an existing file instead.
-    if (renamed != 0 && (errno == EINVAL || errno == ENOSYS) &&
-        ::access(path_.c_str(), F_OK) != 0) {
-      renamed = ::rename(beside_.c_str(), path_.c_str());
-    }
-  }
-  if (renamed != 0) {
-    if (errno == EEXIST) return alreadyThere(path_);
-    return Error{ErrorKind::unreadable,
-                 std::string("cannot rename the finished output: ") + std::strerror(errno),
-                 path_.string()};
-  }
+  if (Status published = part_->publish(overwrite_); !published) return published;
   unfinished_.keep();
   syncFolderOf(path_);
   return {};
 }
 
 Error OutputFile::named(Error error) const {
-  const std::string beside = path_.string() + ".part" + std::to_string(::getpid());
+  const std::string& beside = beside_.string();
   const std::size_t at = error.where.find(beside);
   if (at != std::string::npos) error.where.replace(at, beside.size(), path_.string());
   return error;

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/base/part_file.h"
 #include "core/base/result.h"
 #include "core/base/unfinished_path.h"
 #include "core/mcap/byte_sink.h"
@@ -42,9 +43,10 @@ class OutputFile {
   OutputFile() = default;
 
   std::filesystem::path path_;
-  std::filesystem::path beside_;
+  std::filesystem::path beside_;  ///< the name until commit()
   bool overwrite_ = false;
   UnfinishedPath unfinished_;  ///< beside_; removed after the sink is destroyed
+  std::unique_ptr<PartFile> part_;
   std::unique_ptr<ByteSink> sink_;
 };
 

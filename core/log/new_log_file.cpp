@@ -49,6 +49,7 @@ NewLogFile::NewLogFile(NewLogFile&& other) noexcept
     : path_(std::move(other.path_)),
       made_(std::exchange(other.made_, {})),
       old_(std::move(other.old_)),
+      part_(std::move(other.part_)),
       sink_(std::move(other.sink_)),
       locked_(other.locked_) {}
 
@@ -72,15 +73,16 @@ Result<NewLogFile> NewLogFile::makeFree(const fs::path& path, FileCalls& calls) 
 }
 
 Result<NewLogFile> NewLogFile::makeInPlaceOf(const fs::path& path, HeldFile old, FileCalls& calls) {
-  const fs::path beside = path.string() + ".part" + std::to_string(::getpid());
-  const int file = openUninterrupted(beside, O_WRONLY | O_CREAT | O_EXCL);
-  if (file < 0) return cannotMake(errno, path);
+  Result<PartFile> part = PartFile::make(path, 0666);
+  if (!part) return Error{part.error().kind, "cannot make the log: " + part.error().what, path};
+  const Result<int> file = part->writer();
+  if (!file) return file.error();
   NewLogFile made;
   made.path_ = path;
-  made.made_ = beside;
   made.old_ = std::make_unique<HeldFile>(std::move(old));
-  made.sink_ = makeFileSinkOn(file, path.string(), calls);
-  const Result<Lock> locked = calls.lock(file, path);
+  made.part_ = std::make_unique<PartFile>(std::move(*part));
+  made.sink_ = makeFileSinkOn(*file, path.string(), calls);
+  const Result<Lock> locked = calls.lock(*file, path);
   if (!locked) return locked.error();
   made.locked_ = *locked == Lock::taken;
   return made;
@@ -118,8 +120,11 @@ Result<NewLogFile> NewLogFile::make(const fs::path& path, bool overwrite, FileCa
 }
 
 Status NewLogFile::publish() {
-  if (old_ && ::rename(made_.c_str(), path_.c_str()) != 0) return cannotMake(errno, path_);
+  if (part_) {
+    if (Status published = part_->publishOver(*old_); !published) return published;
+  }
   made_.clear();
+  part_.reset();
   old_.reset();
   return {};
 }

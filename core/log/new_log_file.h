@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/file_lock.h"
+#include "core/base/part_file.h"
 #include "core/mcap/byte_sink.h"
 #include "core/mcap/file_sink.h"
 
@@ -41,8 +42,9 @@ class NewLogFile {
   static Result<NewLogFile> openAsItIs(const std::filesystem::path& path, FileCalls& calls);
 
   std::filesystem::path path_;     ///< of the log
-  std::filesystem::path made_;     ///< of the file until publish(); empty: nothing to remove
-  std::unique_ptr<HeldFile> old_;  ///< the file that it will replace
+  std::filesystem::path made_;     ///< the same until publish(); empty: nothing to remove
+  std::unique_ptr<HeldFile> old_;  ///< the file that `part_` will replace
+  std::unique_ptr<PartFile> part_;
   std::unique_ptr<ByteSink> sink_;
   bool locked_ = true;
 };

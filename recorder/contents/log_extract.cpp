@@ -1,7 +1,6 @@
 #include "recorder/contents/log_extract.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <map>
@@ -10,6 +9,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
+#include "core/base/part_file.h"
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_folder.h"
@@ -29,27 +29,13 @@ std::string sha256Of(ByteView bytes) {
 
 /// Writes every file into a new folder.
 Status writeNewFolder(const CellBundle& files, const fs::path& path) {
-  std::string beside = path.lexically_normal().string();
-  while (beside.size() > 1 && beside.back() == '/') beside.pop_back();
-  beside += fmt::format(".part{}", ::getpid());
-  std::error_code error;
-  if (!fs::create_directory(beside, error)) {
-    return Error{ErrorKind::unreadable,
-                 "cannot make the folder" + (error ? ": " + error.message() : std::string()),
-                 path.string()};
-  }
-  Status written = layOut(files, beside);
-  if (!written) {
-    written = Error{written.error().kind, written.error().what, path.string()};
-  } else {
-    // rename() replaces an empty folder, never any other.
-    fs::rename(beside, path, error);
-    if (error) {
-      written =
-          Error{ErrorKind::unreadable, "cannot make the folder: " + error.message(), path.string()};
-    }
-  }
-  if (!written) fs::remove_all(beside, error);
+  std::string folder = path.lexically_normal().string();
+  while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+  Result<PartFile> part = PartFile::makeFolder(folder);
+  if (!part) return Error{part.error().kind, part.error().what, path.string()};
+  Status written = layOut(files, part->beside());
+  if (written) written = part->publish(false);
+  if (!written) written = Error{written.error().kind, written.error().what, path.string()};
   return written;
 }
 

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "core/base/child_process.h"
+#include "core/base/part_file.h"
 #include "core/base/plain_text.h"
 
 namespace rocinante {
@@ -30,7 +32,8 @@ Error videoError(std::string what, const std::filesystem::path& path) {
 }  // namespace
 
 struct VideoFile::Impl {
-  std::filesystem::path path, beside;
+  std::filesystem::path path;
+  std::unique_ptr<PartFile> part;
   bool overwrite = false;
   std::size_t picture_bytes = 0;
   pid_t child = -1;
@@ -45,7 +48,6 @@ struct VideoFile::Impl {
       }
     }
     if (words >= 0) ::close(words);
-    ::unlink(beside.c_str());  // already renamed, or unwanted
   }
 
   void closePictures() {
@@ -60,8 +62,9 @@ struct VideoFile::Impl {
     const ssize_t got = ::pread(words, buffer.data(), buffer.size(), begin);
     std::string text(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
     // Replace the temporary file's name in the message.
-    for (std::size_t at = 0; (at = text.find(beside.string(), at)) != std::string::npos;) {
-      text.replace(at, beside.string().size(), path.string());
+    const std::string beside = part->beside().string();
+    for (std::size_t at = 0; (at = text.find(beside, at)) != std::string::npos;) {
+      text.replace(at, beside.size(), path.string());
       at += path.string().size();
     }
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
@@ -101,9 +104,9 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
   impl->path = path;
   impl->overwrite = overwrite;
   impl->picture_bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
-  // The extension last: ffmpeg selects the format by it.
-  impl->beside = path.parent_path() / fmt::format(".{}.part{}{}", path.stem().string(), ::getpid(),
-                                                  path.extension().string());
+  Result<PartFile> part = PartFile::make(path);
+  if (!part) return part.error();
+  impl->part = std::make_unique<PartFile>(std::move(*part));
   impl->words = ::memfd_create("ffmpeg", MFD_CLOEXEC);
   std::array<int, 2> ends{-1, -1};
   // A socket, not a pipe: it can write without SIGPIPE after the reader has died.
@@ -142,7 +145,11 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
   if (path.extension() == ".mp4" || path.extension() == ".mov") {
     arguments.insert(arguments.end(), {"-movflags", "+faststart"});
   }
-  arguments.push_back("file:" + impl->beside.string());
+  // Of the format by which ffmpeg knows the output's ending.
+  arguments.insert(
+      arguments.end(),
+      {"-f", path.extension() == ".mkv" ? "matroska" : path.extension().string().substr(1)});
+  arguments.push_back("file:" + impl->part->beside().string());
   // Its own process group, so that only we handle Ctrl-C.
   const Result<pid_t> child = startChild(arguments, {ends[1], -1, impl->words}, true);
   ::close(ends[1]);
@@ -178,20 +185,15 @@ Status VideoFile::add(const Picture& picture) {
 Status VideoFile::finish() {
   Impl& my = *impl_;
   if (Status end = my.ended(); !end) return end;
-  const int file = ::open(my.beside.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = file >= 0 && ::fsync(file) == 0;
+  const int file = ::open(my.part->beside().c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat facts {};
+  const bool synced = file >= 0 && ::fstat(file, &facts) == 0 && ::fsync(file) == 0;
   if (file >= 0) ::close(file);
   if (!synced) {
     return videoError(std::string("ffmpeg wrote no file: ") + std::strerror(errno), my.path);
   }
-  std::error_code ignored;
-  if (!my.overwrite && std::filesystem::exists(my.path, ignored)) {
-    return videoError("the file exists; --force replaces it", my.path);
-  }
-  if (::rename(my.beside.c_str(), my.path.c_str()) != 0) {
-    return videoError(std::string("cannot create: ") + std::strerror(errno), my.path);
-  }
-  return {};
+  if (facts.st_size == 0) return videoError("ffmpeg wrote an empty file", my.path);
+  return my.part->publish(my.overwrite);
 }
 
 }  // namespace rocinante
