@@ -19,6 +19,22 @@ namespace {
 /// Words of one command line.
 constexpr std::size_t kMaxWords = 1000;
 
+/// The last line of each commit's message: what the store owns.
+constexpr std::string_view kMark = "Rocinante-Store: 1";
+
+/// Whether the store made a commit, by its message: it has the mark, or it is of a time before the
+/// mark.
+bool isOwnMessage(const std::string& message) {
+  const std::vector<std::string> lines = partsOf(message, '\n');
+  if (lines.empty()) return false;
+  if (lines.back() == kMark) return true;
+  for (const std::string_view subject : {"golden push: ", "golden gc: "}) {
+    const std::string count = lines[0].starts_with(subject) ? lines[0].substr(subject.size()) : "";
+    if (!count.empty() && count.find_first_not_of("0123456789") == count.npos) return true;
+  }
+  return lines[0] == "goldens";
+}
+
 /// `origin`, else the only one; empty when there is none, or a choice.
 std::string remoteOf(const std::string& remotes) {
   const std::vector<std::string> names = partsOf(remotes, '\n');
@@ -138,6 +154,25 @@ Result<std::string> GitStore::fetchTip(bool with_history) const {
   return firstLineOf(*now);
 }
 
+Status GitStore::ownsAll(const std::string& tip, bool with_history) const {
+  if (tip.empty()) return {};
+  std::vector<std::string> words{"log", "-z", "--format=%h%n%B"};
+  if (!with_history) words.push_back("--max-count=1");
+  words.push_back(tip);
+  const auto commits = git(std::move(words));
+  if (!commits.ok()) return commits.error();
+  for (const std::string& each : partsOf(*commits, '\0')) {
+    const std::size_t line = std::min(each.find('\n'), each.size());
+    if (isOwnMessage(each.substr(line))) continue;
+    return Error{ErrorKind::refused,
+                 fmt::format("{} of {} holds something else than goldens: `golden push` did not "
+                             "make its commit {}; name a ref of its own, as git:refs/goldens",
+                             ref_, remote_, each.substr(0, line)),
+                 root_.string()};
+  }
+  return {};
+}
+
 Result<GitStore::Blobs> GitStore::filesOf(const std::string& commit) const {
   Blobs blobs;
   if (commit.empty()) return blobs;
@@ -237,7 +272,8 @@ Result<std::string> GitStore::commit(const std::string& tree, const std::string&
   std::vector<std::string> words{"-c",          "user.name=rocinante",
                                  "-c",          "user.email=rocinante@invalid",
                                  "commit-tree", tree,
-                                 "-m",          message};
+                                 "-m",          message,
+                                 "-m",          std::string(kMark)};
   if (!parent.empty()) words.insert(words.end(), {"-p", parent});
   const auto made = git(std::move(words));
   if (!made.ok()) return made.error();
@@ -278,6 +314,7 @@ Result<GitStore::Pushed> GitStore::pushOnce(const std::set<std::string>& names,
                                             bool& is_done) const {
   const auto tip = fetchTip(false);
   if (!tip.ok()) return tip.error();
+  if (Status own = ownsAll(*tip, false); !own) return own.error();
   const auto there = filesOf(*tip);
   if (!there.ok()) return there.error();
   std::set<std::string> added;

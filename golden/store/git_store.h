@@ -42,7 +42,8 @@ class GitStore {
     int attempts = 1;
   };
   /// Adds files to the ref, all that the remote does not have yet. Others may push meanwhile: their
-  /// files stay, and it is tried again. not_found when one is neither here nor there.
+  /// files stay, and it is tried again. not_found when one is neither here nor there; refused when
+  /// the ref is not the store's.
   Result<Pushed> push(const std::set<std::string>& names) const;
 
   /// The names that a manifest of goldens uses; empty for other files of that name.
@@ -53,7 +54,8 @@ class GitStore {
     std::size_t kept = 0, branches = 0;
   };
   /// Removes files that no branch or tag of the remote and no branch here names, and that were not
-  /// pushed in the last `keep_days` (their branch may not be there yet). `dry`: only tells.
+  /// pushed in the last `keep_days` (their branch may not be there yet). `dry`: only tells. refused
+  /// when the ref is not the store's.
   Result<Collected> collect(const NamesIn& names_in, int keep_days, bool dry) const;
 
  private:
@@ -71,6 +73,8 @@ class GitStore {
   Result<std::string> remoteTip() const;
   /// The same, fetched.
   Result<std::string> fetchTip(bool with_history) const;
+  /// refused when somebody else made the commit, or one before it: the ref is not the store's.
+  Status ownsAll(const std::string& tip, bool with_history) const;
   /// Hashes by name of the files of a commit, or of files here, which are then objects too.
   using Blobs = std::map<std::string, std::string>;
   Result<Blobs> filesOf(const std::string& commit) const;

@@ -53,6 +53,7 @@ Result<GitStore::Collected> GitStore::collectOnce(const NamesIn& names_in, int k
                                                   bool& is_done) const {
   const auto tip = fetchTip(true);
   if (!tip.ok()) return tip.error();
+  if (Status own = ownsAll(*tip, true); !own) return own.error();
   const auto there = filesOf(*tip);
   if (!there.ok()) return there.error();
   Collected collected;

@@ -90,6 +90,22 @@ git -C ../remote.git config uploadpack.allowAnySHA1InWant false
 git clone --quiet --depth 1 "$remote" ../old
 (cd ../old && rocinante golden list suite.toml --verify | tail -1)
 
+echo "a ref of somebody else:"
+git notes add -m reviewed && git push --quiet origin refs/notes/commits
+notes=$(git -C ../remote.git rev-parse refs/notes/commits)
+sed 's/refs.goldens/refs\/notes\/commits/' suite.toml >notes.toml
+for verb in push gc; do
+  rocinante golden $verb notes.toml 2>&1 | sed 's/commit [0-9a-f]*;/commit HASH;/; s/ (.*//' || echo "exit $?"
+done
+[ "$notes" = "$(git -C ../remote.git rev-parse refs/notes/commits)" ] && echo "it is as it was"
+
+echo "a ref from before the mark:"
+tree=$(git -C ../remote.git rev-parse 'refs/goldens/files^{tree}')
+unmarked=$(git -C ../remote.git commit-tree "$tree" -m "golden push: 3")
+git -C ../remote.git update-ref refs/goldens/files "$unmarked"
+rocinante golden push suite.toml
+rocinante golden gc suite.toml --keep-days 0 --dry-run | sed 's/[0-9a-f]\{32\}/HASH/'
+
 echo "refusals:"
 sed 's/refs.goldens/refs\/heads\/goldens/' suite.toml >branch.toml
 rocinante golden run branch.toml || echo "exit $?"

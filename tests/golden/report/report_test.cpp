@@ -222,6 +222,11 @@ TEST_F(ReportTest, ThePageEscapesWhatItShowsAndNeedsNoNetwork) {
   EXPECT_THAT(page, Not(HasSubstr("http:")));
   EXPECT_THAT(page, Not(HasSubstr("https:")));
   EXPECT_THAT(page, Not(HasSubstr("<angle>")));
+  // Before anything that could be loaded: a name that is markup fetches nothing.
+  const std::size_t policy =
+      page.find("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none';");
+  ASSERT_NE(policy, std::string::npos);
+  EXPECT_LT(policy, page.find("<link"));
 }
 
 TEST_F(ReportTest, APictureLiesInThePageOnce) {
