@@ -7,6 +7,7 @@ const token = new URLSearchParams(location.search).get("token");
 const address = (path) => new URL(path + (token ? "?token=" + encodeURIComponent(token) : ""), location.href);
 
 const kPieceBytes = 4 << 20;
+const kMostBytes = 2e9;  // viewer/page/page_limits.h; beyond 2^32 an address would wrap around
 const kSilentMs = 5000;  // the server restates everything every two seconds
 const served = {kind, trouble: ""};
 
@@ -29,6 +30,9 @@ async function piece(from, size) {
 async function readLog(viewer, say) {
   const first = await piece(0, kPieceBytes);
   const size = first.whole === null ? first.bytes.length : first.whole;
+  if (!(size <= kMostBytes)) {
+    throw new Error(`a page holds a log of at most ${kMostBytes / 1e6} MB, and this one has ${Math.round(size / 1e6)} MB`);
+  }
   const log = {at: viewer._malloc(Math.max(size, 1)), size, there: 0};
   if (!log.at) throw new Error("it has not the memory for a log of " + Math.round(size / 1e6) + " MB");
   for (let next = first; ; next = await piece(log.there, kPieceBytes)) {

@@ -102,6 +102,9 @@ bool AccessRules::hasToken(std::string_view token) const {
 }
 
 std::optional<AccessRefusal> AccessRules::refusal(const AccessRequest& request) const {
+  if (request.is_too_long) {
+    return AccessRefusal{431, "The header Host or Origin is longer than any that may look here."};
+  }
   if (!isOwnHost(request.host)) {
     return AccessRefusal{
         421, fmt::format("This server does not answer as {}. Open it by its address, or start "

@@ -16,6 +16,8 @@ struct AccessRequest {
   std::string host;    ///< the header Host
   std::string origin;  ///< the header Origin; empty: not sent
   std::string token;   ///< of the query or of Authorization
+  /// Host or Origin was sent and is longer than any of ours.
+  bool is_too_long = false;
 };
 
 /// A refused request: the status of HTTP, and a sentence for whoever asked.

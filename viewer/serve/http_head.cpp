@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace rocinante {
 namespace {
@@ -11,14 +12,21 @@ namespace {
 /// Longer ones are no header of ours.
 constexpr int kMostHeaderBytes = 2048;
 
-/// Empty when it is absent or too long.
-std::string headerOf(lws* wsi, lws_token_indexes which) {
+/// Empty when it is absent; nothing when it is longer than ours, or cannot be read.
+std::optional<std::string> wholeHeaderOf(lws* wsi, lws_token_indexes which) {
   const int length = ::lws_hdr_total_length(wsi, which);
-  if (length <= 0 || length > kMostHeaderBytes) return {};
+  if (length <= 0) return std::string();
+  if (length > kMostHeaderBytes) return std::nullopt;
   std::string text(static_cast<std::size_t>(length) + 1, '\0');
   const int copied = ::lws_hdr_copy(wsi, text.data(), length + 1, which);
-  text.resize(copied < 0 ? 0 : static_cast<std::size_t>(copied));
+  if (copied < 0) return std::nullopt;
+  text.resize(static_cast<std::size_t>(copied));
   return text;
+}
+
+/// One without which an answer is the same, or less is allowed.
+std::string headerOf(lws* wsi, lws_token_indexes which) {
+  return wholeHeaderOf(wsi, which).value_or(std::string());
 }
 
 std::string tokenOf(lws* wsi) {
@@ -34,6 +42,8 @@ std::string tokenOf(lws* wsi) {
 }  // namespace
 
 bool HttpHead::isGet() const { return ::lws_hdr_total_length(wsi_, WSI_TOKEN_GET_URI) > 0; }
+
+bool HttpHead::isHead() const { return ::lws_hdr_total_length(wsi_, WSI_TOKEN_HEAD_URI) > 0; }
 
 std::string HttpHead::range() const { return headerOf(wsi_, WSI_TOKEN_HTTP_RANGE); }
 
@@ -52,7 +62,14 @@ bool HttpHead::offers(std::string_view protocol) const {
 }
 
 AccessRequest HttpHead::accessRequest() const {
-  return {headerOf(wsi_, WSI_TOKEN_HOST), headerOf(wsi_, WSI_TOKEN_ORIGIN), tokenOf(wsi_)};
+  AccessRequest request;
+  const auto host = wholeHeaderOf(wsi_, WSI_TOKEN_HOST);
+  const auto origin = wholeHeaderOf(wsi_, WSI_TOKEN_ORIGIN);
+  request.is_too_long = !host || !origin;
+  request.host = host.value_or(std::string());
+  request.origin = origin.value_or(std::string());
+  request.token = tokenOf(wsi_);
+  return request;
 }
 
 bool writeHttpHead(lws* wsi, unsigned status, const std::string& type, std::uint64_t size,

@@ -16,6 +16,7 @@ class HttpHead {
   explicit HttpHead(lws* wsi) : wsi_(wsi) {}
 
   bool isGet() const;
+  bool isHead() const;
   std::string range() const;
   /// Whether a socket may speak this subprotocol.
   bool offers(std::string_view protocol) const;

@@ -19,6 +19,7 @@
 #include "core/log/log_reader.h"
 #include "viewer/page/page_cell.h"
 #include "viewer/page/page_file.h"
+#include "viewer/page/page_limits.h"
 #include "viewer/page/page_viewer.h"
 #include "viewer/serve/feed.h"
 #include "viewer/serve/live_session.h"
@@ -30,6 +31,15 @@ namespace {
 class OpenLog {
  public:
   static Result<OpenLog> open(const std::filesystem::path& path) {
+    std::error_code none;
+    const std::uint64_t bytes = std::filesystem::file_size(path, none);
+    if (!none && bytes > kMostLogInPageBytes) {
+      return Error{ErrorKind::unsupported,
+                   fmt::format("the log has {}, and a page in a browser holds at most {}: "
+                               "`rocinante log cut` makes a shorter one",
+                               sizeText(bytes), sizeText(kMostLogInPageBytes)),
+                   path.string()};
+    }
     // Read as a log once, so that a page does not have to say what is wrong with it.
     const auto reader = LogReader::open(path);
     if (!reader) return reader.error();

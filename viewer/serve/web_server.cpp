@@ -13,6 +13,7 @@
 
 #include "viewer/serve/byte_range.h"
 #include "viewer/serve/http_head.h"
+#include "viewer/serve/idle_connections.h"
 #include "viewer/serve/library_complaint.h"
 #include "viewer/serve/socket_client.h"
 
@@ -30,6 +31,8 @@ constexpr Nanoseconds kLongestSleep = std::chrono::milliseconds(100);
 constexpr Nanoseconds kPace = std::chrono::milliseconds(5);
 /// A request that does not come to its end.
 constexpr unsigned kRequestSeconds = 10;
+/// Connections that ask for nothing, beside those of clients.
+constexpr std::size_t kMostIdle = 64;
 /// Silent sockets are asked, and given up.
 constexpr lws_retry_bo_t kIdle = {nullptr, 0, 0, 20, 40, 0};
 
@@ -69,6 +72,8 @@ class LwsServer final : public WebServer {
 
   bool mayConnect(int socket);
   std::optional<AccessRefusal> refusalOf(lws* wsi, bool is_socket) const;
+  void idles(lws* wsi);
+  int answered(lws* wsi);
   int answerText(lws* wsi, unsigned status, std::string_view text);
   int request(lws* wsi, std::string_view path);
   int sendFile(lws* wsi, std::string_view text, const std::string& type, std::uint64_t size);
@@ -91,6 +96,7 @@ class LwsServer final : public WebServer {
   std::chrono::steady_clock::time_point stepped_{};
   std::map<lws*, Transfer> transfers_;
   std::map<lws*, std::unique_ptr<SocketClient>> clients_;
+  IdleConnections<lws*> idle_{kMostIdle};
   Counts counts_;
 };
 
@@ -104,7 +110,7 @@ Status LwsServer::open() {
   lws_context_creation_info info{};
   info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS;
   info.user = this;
-  info.fd_limit_per_thread = static_cast<unsigned>(2 * options_.clients + 64);
+  info.fd_limit_per_thread = static_cast<unsigned>(2 * options_.clients + 2 * kMostIdle);
   const bool is_secure = !options_.certificate.empty();
   if (is_secure) info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
   context_ = ::lws_create_context(&info);
@@ -228,23 +234,45 @@ std::optional<AccessRefusal> LwsServer::refusalOf(lws* wsi, bool is_socket) cons
       503, fmt::format("{} look already, as many as --clients allows.", options_.clients)};
 }
 
+/// The connection asks for nothing now; one that has asked for nothing longer may end for it.
+void LwsServer::idles(lws* wsi) {
+  std::array<char, NI_MAXHOST> host{};
+  ::lws_get_peer_simple(wsi, host.data(), host.size());
+  const auto ends = idle_.add(wsi, host.data());
+  if (!ends) return;
+  ++counts_.refused;
+  ::lws_set_timeout(*ends, PENDING_TIMEOUT_AWAITING_CLIENT_HS_SEND, LWS_TO_KILL_ASYNC);
+}
+
+/// After the last byte of an answer.
+int LwsServer::answered(lws* wsi) {
+  idles(wsi);
+  return ::lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
+}
+
 int LwsServer::answerText(lws* wsi, unsigned status, std::string_view text) {
   ++counts_.refused;
   const std::string body = std::string(text) + "\n";
-  if (!writeHttpHead(wsi, status, "text/plain; charset=utf-8", body.size(), {})) return -1;
+  HttpHeaders headers;
+  if (status == 405) headers.emplace_back("allow:", "GET, HEAD");
+  if (!writeHttpHead(wsi, status, "text/plain; charset=utf-8", body.size(), headers)) return -1;
+  if (HttpHead(wsi).isHead()) return answered(wsi);
   Bytes bytes(LWS_PRE);
   const ByteView view = bytesOf(body);
   bytes.insert(bytes.end(), view.begin(), view.end());
   auto* const at = reinterpret_cast<unsigned char*>(bytes.data()) + LWS_PRE;
   if (::lws_write(wsi, at, body.size(), LWS_WRITE_HTTP_FINAL) < 0) return -1;
-  return ::lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
+  return answered(wsi);
 }
 
 int LwsServer::request(lws* wsi, std::string_view path) {
   if (const auto refusal = refusalOf(wsi, false)) {
     return answerText(wsi, refusal->status, refusal->sentence);
   }
-  if (!HttpHead(wsi).isGet()) return answerText(wsi, 405, "Only GET is answered here.");
+  const HttpHead head(wsi);
+  if (!head.isGet() && !head.isHead()) {
+    return answerText(wsi, 405, "Only GET and HEAD are answered here.");
+  }
   if (path == "/") {
     return sendFile(wsi, content_.page, "text/html; charset=utf-8", content_.page.size());
   }
@@ -271,6 +299,7 @@ int LwsServer::sendFile(lws* wsi, std::string_view text, const std::string& type
     }
   }
   if (!writeHttpHead(wsi, status, type, part.count, headers)) return -1;
+  if (HttpHead(wsi).isHead()) return answered(wsi);
   transfers_[wsi] = {text, part};
   ::lws_callback_on_writable(wsi);
   return 0;
@@ -294,7 +323,7 @@ int LwsServer::sendPiece(lws* wsi) {
   const bool is_last = transfer.left.count == 0;
   if (is_last) transfers_.erase(found);
   if (::lws_write(wsi, at, size, is_last ? LWS_WRITE_HTTP_FINAL : LWS_WRITE_HTTP) < 0) return -1;
-  if (is_last) return ::lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
+  if (is_last) return answered(wsi);
   ::lws_callback_on_writable(wsi);
   return 0;
 }
@@ -308,7 +337,14 @@ int LwsServer::onHttp(lws* wsi, lws_callback_reasons reason, void* user, void* i
       return 0;
     case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
       return server->mayConnect(static_cast<int>(reinterpret_cast<std::intptr_t>(in))) ? 0 : 1;
+    case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED:
+      server->idles(wsi);
+      return 0;
+    case LWS_CALLBACK_WSI_DESTROY:
+      server->idle_.remove(wsi);
+      return 0;
     case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE:
+      server->idle_.remove(wsi);
       if (const auto refusal = server->refusalOf(wsi, true)) {
         return server->answerText(wsi, refusal->status, refusal->sentence) < 0 ? -1 : 1;
       }
@@ -316,11 +352,13 @@ int LwsServer::onHttp(lws* wsi, lws_callback_reasons reason, void* user, void* i
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
       return 1;  // a socket without a subprotocol
     case LWS_CALLBACK_HTTP:
+      server->idle_.remove(wsi);
       return server->request(wsi, {static_cast<const char*>(in), size});
     case LWS_CALLBACK_HTTP_WRITEABLE:
       return server->sendPiece(wsi);
     case LWS_CALLBACK_CLOSED_HTTP:
       server->transfers_.erase(wsi);
+      server->idle_.remove(wsi);
       return 0;
     default:
       return ::lws_callback_http_dummy(wsi, reason, user, in, size);

@@ -36,6 +36,20 @@ refused("elsewhere", serving.get("/../../etc/passwd" + token))
 refused("a socket's path", serving.get("/live" + token))
 print("localhost", serving.get("/" + token, host=f"localhost:{serving.port}")[0],
       "behind a proxy", serving.get("/" + token, "Origin: https://robot.example:8443", host="robot.example:8443")[0])
+# A browser always sends a short one: what is longer is not taken for none.
+for size in (2040, 2200, 3500):
+    try:
+        status, _, body = serving.get("/log" + token, "Origin: http://" + "e" * size)
+        print("an Origin of", size, status, body.decode().strip()[:60])
+    except (ConnectionError, IndexError):
+        print("an Origin of", size, "refused by the library")
+for path, *headers in (["/"], ["/log"], ["/log", "Range: bytes=10-19"], ["/nowhere"]):
+    lines = [f"HEAD {path}{token} HTTP/1.1", f"Host: 127.0.0.1:{serving.port}", "Connection: close", *headers]
+    head, _, body = serving.ask("\r\n".join(lines) + "\r\n\r\n").partition(b"\r\n\r\n")
+    of_get = serving.get(path + token, *headers)[1].lower()
+    same = [line for line in head.decode().lower().split("\r\n") if line in of_get]
+    print("HEAD", path, head.split(b"\r\n")[0].decode(), "as GET" if len(same) == len(head.split(b"\r\n")) else "unlike GET",
+          len(body))
 answer = serving.ask(f"POST / HTTP/1.1\r\nHost: 127.0.0.1:{serving.port}\r\nAuthorization: Bearer open-sesame\r\n"
                      "Connection: close\r\nContent-Length: 0\r\n\r\n")
 print("POST", answer.split(b"\r\n")[0].decode())

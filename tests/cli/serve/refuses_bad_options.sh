@@ -20,6 +20,8 @@ serve "$demo/demo.cell.toml" --live --viewer nowhere
 serve nowhere.toml "$demo/session.mcap"
 mkdir viewer && echo x >viewer/rocinante-viewer.js && echo y >viewer/rocinante-viewer.wasm
 serve "$demo/demo.cell.toml" nowhere.mcap --viewer viewer
+truncate -s 5G long.mcap
+serve "$demo/demo.cell.toml" long.mcap --viewer viewer
 serve "$demo/demo.cell.toml" "$demo/demo.cell.toml" --viewer viewer
 serve "$demo/demo.cell.toml" "$demo/session.mcap" --viewer viewer --listen 127.0.0.1:0 --origin nonsense
 serve "$demo/demo.cell.toml" "$demo/session.mcap" --viewer viewer --listen 127.0.0.1:0 --tls-cert no.pem --tls-key no.pem

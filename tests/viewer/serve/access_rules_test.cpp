@@ -45,6 +45,12 @@ TEST(AccessRules, AnOriginIsOursOrNamed) {
   EXPECT_EQ(statusOf(rules, {"app.example:8443", "https://app.example:8443", ""}), 200U);
 }
 
+TEST(AccessRules, AHeaderThatIsTooLongIsNotTakenForNone) {
+  const AccessRules rules = rulesWith({}, "open-sesame");
+  EXPECT_EQ(statusOf(rules, {"127.0.0.1:8080", "", "open-sesame", true}), 431U);
+  EXPECT_EQ(statusOf(rules, {"127.0.0.1:8080", "", "open-sesame", false}), 200U);
+}
+
 TEST(AccessRules, TheTokenIsAskedForLast) {
   const AccessRules rules = rulesWith({}, "open-sesame");
   EXPECT_EQ(statusOf(rules, {"localhost:8080", "", "open-sesame"}), 200U);
