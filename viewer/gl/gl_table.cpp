@@ -1,9 +1,18 @@
 #include "viewer/gl/gl_table.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <string_view>
 
 namespace rocinante {
+
+bool isSoftwareRenderer(std::string_view renderer) {
+  static constexpr std::array<std::string_view, 6> kNames{
+      "llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SwiftShader", "Basic Render"};
+  return std::ranges::any_of(
+      kNames, [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; });
+}
 
 bool GlTable::hasExtension(const char* name) const {
   GLint count = 0;
@@ -31,6 +40,8 @@ Result<GlTable> fillGlTable(const GlProcFinder& find) {
   gl.GetIntegerv(GL_MAJOR_VERSION, &major);
   gl.GetIntegerv(GL_MINOR_VERSION, &minor);
   const auto* const version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
+  const auto* const renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+  gl.is_software = renderer != nullptr && isSoftwareRenderer(renderer);
   gl.is_embedded = version != nullptr && std::string_view(version).starts_with("OpenGL ES");
   if (major * 10 + minor < (gl.is_embedded ? 30 : 33)) {
     return Error{ErrorKind::refused,

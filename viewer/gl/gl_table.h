@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 
@@ -115,9 +116,16 @@ struct GlTable {
   bool is_embedded = false;
   /// Has GL_DEPTH_CLAMP, as every GL 3.3.
   bool clamps_depth = true;
+  /// isSoftwareRenderer() of its GL_RENDERER.
+  bool is_software = false;
 
   bool hasExtension(const char* name) const;
 };
+
+/// Whether a GL_RENDERER is one that draws on the CPU: Mesa's llvmpipe, softpipe and swrast (also
+/// below zink), SwiftShader, Microsoft's WARP. What is a driver's choice of speed on a GPU may take
+/// seconds there.
+bool isSoftwareRenderer(std::string_view renderer);
 
 /// Requires a current context. refused, naming the first missing function or the version, when the
 /// context is older than GL 3.3 or OpenGL ES 3.0.

@@ -105,8 +105,8 @@ GLuint TextureStore::upload(Picture picture) {
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
   // Browsers' renderers differ most in this filter: without it a page looks as the reproducible
-  // profile does.
-  if (profile_ == Profile::fast && !gl_.is_embedded &&
+  // profile does. llvmpipe's takes seconds for one frame at some views, or never ends.
+  if (profile_ == Profile::fast && !gl_.is_embedded && !gl_.is_software &&
       gl_.hasExtension("GL_EXT_texture_filter_anisotropic")) {
     gl_.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY, 8.0F);
   }

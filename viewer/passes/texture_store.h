@@ -18,7 +18,7 @@ namespace rocinante {
 class TextureStore {
  public:
   /// Reads and uploads all, with mipmaps of our own; adds the read pictures to `inputs`.
-  /// Anisotropic filtering only in the fast profile, if the driver has it. In a browser only
+  /// Anisotropic filtering only in the fast profile on a GPU that has it. In a browser only
   /// finish() reads, so that something is drawn before; then both references must hold until then.
   TextureStore(const GlTable& gl, const std::vector<CatalogTexture>& files, Profile profile,
                InputsHash& inputs);

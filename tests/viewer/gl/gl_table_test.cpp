@@ -46,6 +46,20 @@ TEST(GlTable, KnowsAContextOfOpenGlEs) {
   EXPECT_EQ(gl->ClipControl, nullptr);
 }
 
+TEST(GlTable, KnowsARendererThatDrawsOnTheProcessor) {
+  for (const char* name :
+       {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Mesa DRI swrast", "Software Rasterizer",
+        "zink Vulkan 1.3(llvmpipe (LLVM 19.1.7, 256 bits) (MESA_LLVMPIPE))",
+        "ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)), SwiftShader driver)",
+        "D3D12 (Microsoft Basic Render Driver)"}) {
+    EXPECT_TRUE(isSoftwareRenderer(name)) << name;
+  }
+  for (const char* name : {"Mesa Intel(R) UHD Graphics 620 (KBL GT2)", "AMD Radeon RX 6800",
+                           "NVIDIA GeForce RTX 3060/PCIe/SSE2", "D3D12 (NVIDIA RTX A2000)", ""}) {
+    EXPECT_FALSE(isSoftwareRenderer(name)) << name;
+  }
+}
+
 TEST(ShaderProgram, HasTheFirstLinesOfItsContext) {
   const auto gl = fillGlTable(embeddedProc);
   ASSERT_TRUE(gl.has_value());
