@@ -61,7 +61,8 @@ std::string importReportJson(const std::string& output, const ros::ImportReport&
                  {"robot", report.robot.empty() ? Json(nullptr) : Json(report.robot)},
                  {"topics", std::move(topics)},
                  {"damage", report.damage},
-                 {"notes", report.notes}};
+                 {"notes", report.notes},
+                 {"left_out", leftOutJson(report.account)}};
   return jsonText(out);
 }
 

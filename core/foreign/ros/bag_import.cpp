@@ -222,6 +222,7 @@ class Import {
       report_.damage.insert(report_.damage.end(), damage.begin(), damage.end());
       const std::vector<std::string> remarks = input.bag->remarks();
       report_.notes.insert(report_.notes.end(), remarks.begin(), remarks.end());
+      report_.account.add(input.bag->account());
       for (std::size_t i = 0; i < input.outlets.size(); ++i) {
         const std::optional<Outlet>& outlet = input.outlets[i];
         if (!outlet) continue;

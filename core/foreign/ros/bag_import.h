@@ -17,6 +17,7 @@
 #include "core/log/log_writer.h"
 #include "core/mcap/byte_sink.h"
 #include "core/recording/session_writer.h"
+#include "core/report/account.h"
 
 /// Makes a log of other programs' recordings (docs/other-formats.md):
 ///
@@ -62,6 +63,7 @@ struct ImportReport {
   std::string robot;                ///< whose description is the log's cell; empty: none
   std::vector<std::string> damage;  ///< of the recordings
   std::vector<std::string> notes;
+  Account account;  ///< what became neither a message nor a packet
 
   bool lostNothing() const { return damage.empty() && malformed == 0 && dropped == 0; }
 };

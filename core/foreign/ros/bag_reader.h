@@ -14,6 +14,7 @@
 #include "core/foreign/ros/translation_notes.h"
 #include "core/log/log_types.h"
 #include "core/log/log_writer.h"
+#include "core/report/account.h"
 
 namespace rocinante::ros {
 
@@ -72,6 +73,8 @@ class BagReader {
   virtual std::vector<std::string> damage() const = 0;
   /// What the user should know, though nothing is lost: sentences, valid after the last message.
   virtual std::vector<std::string> remarks() const { return {}; }
+  /// What became neither a message nor a packet; valid after the last message.
+  virtual Account account() const { return {}; }
   /// Copies what the file holds beside messages.
   virtual Status copyExtras(LogWriter&) { return {}; }
   /// For those that make packets themselves: whose names are meant. Called once, before any

@@ -4,6 +4,7 @@
 #include "core/log/import_record.h"
 
 namespace rocinante::ros {
+
 std::vector<std::string> importWarnings(const ImportReport& report) {
   std::vector<std::string> warnings = report.damage;
   if (report.dropped > 0) {
@@ -21,6 +22,7 @@ std::vector<std::string> importWarnings(const ImportReport& report) {
     }
   }
   warnings.insert(warnings.end(), report.notes.begin(), report.notes.end());
+  if (!report.account.empty()) warnings.push_back(accountSentence(report.account));
   for (std::string& warning : warnings) warning = plainText(warning);
   return warnings;
 }

@@ -267,6 +267,20 @@ TEST(BagImport, NothingToImportIsAnError) {
   EXPECT_EQ(made.error().kind, ErrorKind::not_found);
 }
 
+TEST(BagImport, NamesWhatTheReaderLeftOut) {
+  ImportReport report;
+  EXPECT_THAT(importWarnings(report), IsEmpty());
+  report.account.leaveOut({.kind = "column",
+                           .name = "note",
+                           .reason = "text",
+                           .first = "t.csv:1",
+                           .count = 1,
+                           .severity = Severity::note});
+  EXPECT_THAT(importWarnings(report), ElementsAre("left out: 1 column `note` (text; at t.csv:1)"));
+  EXPECT_TRUE(report.lostNothing());
+  EXPECT_THAT(warningsRecord(report).entries.begin()->second, HasSubstr("column `note`"));
+}
+
 TEST(BagImport, OurOwnLogsAreNoBags) {
   Bytes log;
   {
