@@ -6,7 +6,6 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kListedPerRule = 100;
-constexpr std::string_view kLeftOutRule = "model.left-out";
 constexpr std::size_t kQuotedBytes = 60;
 constexpr std::size_t kLongestFileName = 256;  // with a slash; Linux has none longer
 
@@ -41,17 +40,19 @@ void FaultList::add(Severity severity, std::string_view rule, Place place, std::
 }
 
 void FaultList::leaveOut(std::string_view kind, std::string_view name, Place place,
-                         std::string reason, Severity severity) {
+                         std::string reason, Severity severity, std::string_view rule,
+                         std::string hint, std::uint64_t count) {
   const std::string what =
       name.empty() ? std::string(kind) : fmt::format("{} {}", kind, quotedInFault(name));
   if (const auto known = left_out_.find(what); known != left_out_.end()) {
-    if (known->second < faults_.size()) ++faults_[known->second].count;
+    if (known->second < faults_.size()) faults_[known->second].count += count;
     return;
   }
-  const bool is_listed = lists(kLeftOutRule);
-  add(severity, kLeftOutRule, place, std::move(reason));
+  const bool is_listed = lists(rule);
+  add(severity, rule, place, std::move(reason), std::move(hint));
   if (!is_listed) return;
   faults_.back().left_out = what;
+  faults_.back().count = count;
   left_out_.emplace(what, faults_.size() - 1);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -37,9 +38,12 @@ class FaultList {
 
   /// Something of the file that is not used: one note (or warning) for each `kind` and `name`, at
   /// the place of the first, with their count; part of the file's account (core/report/account.h,
-  /// which explains the words). `reason` is a clause: "instancing is not drawn".
+  /// which explains the words). `reason` is a clause: "instancing is not drawn". `rule` is another
+  /// than model.left-out where a rule of its own explains it; `count` is of things that the caller
+  /// has counted.
   void leaveOut(std::string_view kind, std::string_view name, Place place, std::string reason,
-                Severity severity = Severity::note);
+                Severity severity = Severity::note, std::string_view rule = "model.left-out",
+                std::string hint = {}, std::uint64_t count = 1);
 
   /// Whether one more of this rule would be listed: hints for the rest are not computed.
   bool lists(std::string_view rule) const;
