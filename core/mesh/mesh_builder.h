@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,6 +10,16 @@
 namespace rocinante {
 
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+/// Metres from the origin along each axis: beyond the planets, nothing but a broken exporter's
+/// number puts a point, and a picture of all would show a dot.
+inline constexpr float kFarthestPoint = 1e13F;
+
+/// Whether a point can be drawn: finite and not beyond kFarthestPoint.
+inline bool isDrawablePoint(const glm::vec3& p) {
+  return std::fabs(p.x) <= kFarthestPoint && std::fabs(p.y) <= kFarthestPoint &&
+         std::fabs(p.z) <= kFarthestPoint;
+}
 
 /// One corner of a triangle: indices into the arrays of a LooseMesh.
 struct Corner {

@@ -11,17 +11,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kPassedOver = {
-    "Ka",     "Ni",       "illum",     "Tf",     "map_Ka",  "map_Ks",  "map_Ns", "map_Ke",
-    "map_d",  "map_Bump", "map_bump",  "bump",   "norm",    "disp",    "decal",  "refl",
-    "Pr",     "Pm",       "Ps",        "Pc",     "Pcr",     "aniso",   "anisor", "map_Pr",
-    "map_Pm", "map_Ps",   "sharpness", "map_Tr", "map_aat", "map_refl"};
+/// Statements that are not used, in lower case, and why.
+struct PassedOver {
+  std::string_view keyword, reason;
+};
+constexpr std::string_view kNoRelief = "surfaces are drawn without relief";
+constexpr std::string_view kNoReflections = "reflections are not drawn";
+constexpr std::string_view kOneImage = "only the image of map_Kd is drawn";
+constexpr std::string_view kNoPbr = "physically based values are not drawn";
+constexpr PassedOver kPassedOver[] = {
+    {"ka", "the light around is the renderer's"},
+    {"ni", "refraction is not drawn"},
+    {"illum", "all surfaces are drawn with a colour and a highlight, as by illum 2"},
+    {"tf", "light that passes is not coloured"},
+    {"sharpness", kNoReflections},
+    {"map_ka", kOneImage},
+    {"map_ks", kOneImage},
+    {"map_ns", kOneImage},
+    {"map_ke", kOneImage},
+    {"map_d", "the opacity drawn is that of map_Kd's image"},
+    {"map_tr", "the opacity drawn is that of map_Kd's image"},
+    {"decal", kOneImage},
+    {"map_aat", "textures are always filtered"},
+    {"map_bump", kNoRelief},
+    {"bump", kNoRelief},
+    {"norm", kNoRelief},
+    {"disp", kNoRelief},
+    {"refl", kNoReflections},
+    {"map_refl", kNoReflections},
+    {"pr", kNoPbr},
+    {"pm", kNoPbr},
+    {"ps", kNoPbr},
+    {"pc", kNoPbr},
+    {"pcr", kNoPbr},
+    {"aniso", kNoPbr},
+    {"anisor", kNoPbr},
+    {"map_pr", kNoPbr},
+    {"map_pm", kNoPbr},
+    {"map_ps", kNoPbr}};
 
 struct TextureOption {
   std::string_view name;
   int least, most;  ///< how many words follow
   bool numeric;
 };
+constexpr std::size_t kLongestStatement = 16;
 constexpr std::array kTextureOptions = {
     TextureOption{"-s", 1, 3, true},       TextureOption{"-o", 1, 3, true},
     TextureOption{"-t", 1, 3, true},       TextureOption{"-mm", 2, 2, true},
@@ -50,7 +84,12 @@ class MtlReader {
   }
 
  private:
-  void readStatement(std::string_view keyword) {
+  void readStatement(std::string_view given) {
+    // Exporters write map_kd, map_KD and Map_Kd.
+    std::string keyword(given.substr(0, kLongestStatement));
+    std::ranges::transform(keyword, keyword.begin(), [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
     if (keyword == "newmtl") {
       keepMaterial();
       material_ = Material{};
@@ -60,40 +99,63 @@ class MtlReader {
       begun_line_ = line_;
       return;
     }
-    if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) != kPassedOver.end()) return;
+    const auto* const passed = std::ranges::find(kPassedOver, keyword, &PassedOver::keyword);
+    if (passed != std::end(kPassedOver)) {
+      if (!hasNoEffect(keyword)) {
+        faults_.leaveOut("statement", given, {line_}, std::string(passed->reason));
+      }
+      return;
+    }
     if (!begun_) {
-      add(Severity::warning, "mtl.no-material",
-          quotedInFault(keyword) + " comes before any newmtl");
+      add(Severity::warning, "mtl.no-material", quotedInFault(given) + " comes before any newmtl");
       return;
     }
     double value = 0;
-    if (keyword == "Kd") {
+    if (keyword == "kd") {
       glm::vec3 rgb(material_.diffuse);
-      readColor(keyword, rgb);
+      readColor(given, rgb);
       material_.diffuse = glm::vec4(rgb, material_.diffuse.a);
-    } else if (keyword == "Ks") {
-      readColor(keyword, material_.specular);
-    } else if (keyword == "Ke") {
-      readColor(keyword, material_.emission);
-    } else if (keyword == "Ns") {
+    } else if (keyword == "ks") {
+      readColor(given, material_.specular);
+    } else if (keyword == "ke") {
+      readColor(given, material_.emission);
+    } else if (keyword == "ns") {
       // Blender writes small negative ones.
-      if (readNumber(keyword, value)) {
+      if (readNumber(given, value)) {
         material_.shininess = static_cast<float>(std::clamp(value, 0.0, 1000.0));
       }
-    } else if (keyword == "d" || keyword == "Tr") {
-      if (scan_.skipBlanks() && scan_.take('-')) scan_.word();  // d -halo
-      if (readNumber(keyword, value)) {
+    } else if (keyword == "d" || keyword == "tr") {
+      if (scan_.skipBlanks() && scan_.take('-')) {
+        faults_.leaveOut("option", "-" + std::string(scan_.word()), {line_},
+                         "opacity does not depend on the angle of view");
+      }
+      if (readNumber(given, value)) {
         // Some exporters write the opacity into Tr too: where both are given, d is used.
-        if (keyword == "Tr" && opacity_said_) return;
+        if (keyword == "tr" && opacity_said_) return;
         opacity_said_ = opacity_said_ || keyword == "d";
         const double opacity = keyword == "d" ? value : 1.0 - value;
         material_.diffuse.a = static_cast<float>(std::clamp(opacity, 0.0, 1.0));
       }
-    } else if (keyword == "map_Kd" || keyword == "map_kd") {
+    } else if (keyword == "map_kd") {
       readTexture();
     } else {
-      add(Severity::note, "mtl.unknown-keyword", quotedInFault(keyword) + " is unknown in MTL");
+      faults_.leaveOut("statement", given, {line_}, "it is unknown in MTL", Severity::note,
+                       "mtl.unknown-keyword");
     }
+  }
+
+  /// Whether a passed-over statement asks for what is drawn anyway.
+  bool hasNoEffect(std::string_view keyword) {
+    std::array<double, 3> values{};
+    std::size_t count = 0;
+    while (count < values.size() && scan_.number(values[count])) ++count;
+    if (count == 0) return false;
+    if (keyword == "illum") return values[0] == 2;
+    const auto all = [&](double value) {
+      return std::all_of(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count),
+                         [&](double each) { return each == value; });
+    };
+    return keyword == "ka" ? all(0) : (keyword == "ni" || keyword == "tf") && all(1);
   }
 
   bool readNumber(std::string_view keyword, double& value) {
@@ -116,16 +178,16 @@ class MtlReader {
   }
 
   void readTexture() {
-    while (scan_.skipBlanks()) {
-      TextScanner ahead = scan_;
-      const std::string_view word = ahead.word();
-      const auto* option = std::find_if(kTextureOptions.begin(), kTextureOptions.end(),
-                                        [&](const TextureOption& o) { return o.name == word; });
-      if (option == kTextureOptions.end()) break;
-      scan_ = ahead;
-      readTextureOption(*option);
-    }
+    readOptions(scan_);
     std::string name = scan_.restOfLine();
+    // Options behind the name, unless they are part of it.
+    const std::size_t behind = optionsBehind(name);
+    if (behind < name.size() && textureFile(resolve_, name, path_.parent_path()).path.empty()) {
+      TextScanner options(std::string_view(name).substr(behind));
+      readOptions(options);
+      name.erase(behind);
+      name.erase(name.find_last_not_of(" \t") + 1);
+    }
     if (name.size() > 2 && name.front() == '"' && name.back() == '"') {
       name = name.substr(1, name.size() - 2);
     }
@@ -137,13 +199,39 @@ class MtlReader {
                material_);
   }
 
-  void readTextureOption(const TextureOption& option) {
+  static const TextureOption* optionNamed(std::string_view word) {
+    const auto* const option = std::ranges::find(kTextureOptions, word, &TextureOption::name);
+    return option == std::end(kTextureOptions) ? nullptr : option;
+  }
+
+  /// Where the first option behind a file's name begins; its length without one.
+  static std::size_t optionsBehind(std::string_view name) {
+    for (std::size_t at = name.find(" -"); at != std::string_view::npos;
+         at = name.find(" -", at + 1)) {
+      const std::size_t end = std::min(name.find_first_of(" \t", at + 1), name.size());
+      if (at > 0 && optionNamed(name.substr(at + 1, end - at - 1)) != nullptr) return at + 1;
+    }
+    return name.size();
+  }
+
+  void readOptions(TextScanner& scan) {
+    while (scan.skipBlanks()) {
+      TextScanner ahead = scan;
+      const TextureOption* const option = optionNamed(ahead.word());
+      if (option == nullptr) return;
+      scan = ahead;
+      readTextureOption(scan, *option);
+    }
+  }
+
+  void readTextureOption(TextScanner& scan, const TextureOption& option) {
     double values[3] = {0, 0, 0};
+    std::string_view word;
     int count = 0;
-    for (; count < option.most && scan_.skipBlanks(); ++count) {
+    for (; count < option.most && scan.skipBlanks(); ++count) {
       if (!option.numeric) {
-        scan_.word();
-      } else if (!scan_.number(values[count])) {
+        word = scan.word();
+      } else if (!scan.number(values[count])) {
         break;
       }
     }
@@ -157,6 +245,11 @@ class MtlReader {
                              count > 1 ? static_cast<float>(values[1]) : 1.0F};
     } else if (option.name == "-o") {
       material_.map_offset = {static_cast<float>(values[0]), static_cast<float>(values[1])};
+    } else if (option.name == "-clamp" && (word == "on" || word == "off")) {
+      material_.wrap_u = word == "on" ? TextureWrap::clamp_to_edge : TextureWrap::repeat;
+      material_.wrap_v = material_.wrap_u;
+    } else {
+      faults_.leaveOut("option", option.name, {line_}, "images are drawn as they are");
     }
   }
 

@@ -9,10 +9,10 @@
 
 namespace rocinante {
 
-/// Reads a Wavefront material file: Kd Ks Ke Ns d Tr map_Kd (with -s and -o). Materials are added
-/// to `materials` in the file's order; a duplicate name is left out with a fault. Other known
-/// keywords are passed over. A texture that textureFile does not find is a fault, and the material
-/// has no texture.
+/// Reads a Wavefront material file: Kd Ks Ke Ns d Tr map_Kd (with -s, -o and -clamp), in capitals
+/// or not. Materials are added to `materials` in the file's order; a duplicate name is left out
+/// with a fault. Other statements and options are left out in `faults`. A texture that textureFile
+/// does not find is a fault, and the material has no texture.
 void readMtl(std::string_view text, const std::filesystem::path& path, const ResolveFile& resolve,
              FaultList& faults, std::vector<Material>& materials);
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "core/base/atomic_file.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/mtl_reader.h"
+#include "core/mesh/obj_materials.h"
 #include "core/mesh/polygon.h"
 #include "core/mesh/smooth_normals.h"
 #include "core/mesh/text_scanner.h"
@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 /// Vertices and corners are numbered with 32 bits; half of that leaves room for the arithmetic.
 constexpr std::size_t kMaxElements = std::size_t{1} << 31U;
 constexpr std::uint32_t kWhite = 0xFFFFFFFF;
-constexpr std::uint64_t kLargestMtlBytes = std::uint64_t{64} << 20U;
 
 class ObjReader {
  public:
@@ -28,8 +27,8 @@ class ObjReader {
       : scan_(textOf(bytes)),
         path_(path),
         options_(options),
-        resolve_(resolverOf(options)),
-        faults_(faults) {
+        faults_(faults),
+        materials_(path, resolverOf(options), faults) {
     // Typical counts for a file of that size; untouched memory costs nothing.
     loose_.positions.reserve(bytes.size() / 70);
     loose_.corners.reserve(bytes.size() / 24);
@@ -45,10 +44,12 @@ class ObjReader {
     if (loose_.corners.empty()) {
       return Error{ErrorKind::damaged, "holds no face that can be drawn", path_.string()};
     }
-    // Vertex colours are used as they are, not darkened by a default grey.
-    for (const std::size_t grey : loose_.colors.empty() ? std::vector<std::size_t>() : greys_) {
-      loose_.materials[grey].diffuse = glm::vec4(1.0F);
+    if (first_smoothing_ > 0 &&
+        std::ranges::find(loose_.corners, kNone, &Corner::normal) != loose_.corners.end()) {
+      faults_.leaveOut("statement", "s", {first_smoothing_},
+                       "where normals are missing, faces are smoothed by their angles");
     }
+    loose_.materials = materials_.takeAll(!loose_.colors.empty());
     smoothNormals(loose_, options_.smooth_angle_deg);
     return indexedMesh(std::move(loose_));
   }
@@ -76,8 +77,10 @@ class ObjReader {
       object_ = scan_.restOfLine();
       setGroup("");
     } else if (keyword == "mtllib") {
-      readMaterialLibraries(scan_.restOfLine());
-    } else if (!keyword.starts_with('#') && keyword != "s" && keyword != "l" && keyword != "p") {
+      materials_.readLibraries(scan_.restOfLine(), line_);
+    } else if (keyword == "s") {
+      if (first_smoothing_ == 0) first_smoothing_ = line_;
+    } else if (!keyword.starts_with('#')) {
       passOver(keyword);
     }
   }
@@ -92,9 +95,10 @@ class ObjReader {
 
   void readPosition() {
     Vec3 p(0.0);
-    if (!readNumbers("v", p.x, p.y, p.z)) p.x = NAN;
+    const bool whole = readNumbers("v", p.x, p.y, p.z);
+    if (!whole) p.x = NAN;
     glm::vec3 position = inMetres(p);
-    if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
+    if (!isDrawablePoint(position)) {
       if (!std::isnan(p.x)) {
         add(Severity::error, "obj.bad-number", "v is outside the range that can be drawn");
       }
@@ -102,14 +106,22 @@ class ObjReader {
       position.x = NAN;
     }
     loose_.positions.push_back(position);
-    if (scan_.skipBlanks()) readColor();
+    if (whole && scan_.skipBlanks()) readColor();
     if (!loose_.colors.empty()) loose_.colors.resize(loose_.positions.size(), kWhite);
   }
 
-  /// Behind a position: a weight, which is ignored, or red, green and blue.
+  /// Behind a position: a weight, or red, green and blue.
   void readColor() {
     double numbers[3] = {0, 0, 0};
-    if (!scan_.number(numbers[0]) || !scan_.number(numbers[1]) || !scan_.number(numbers[2])) return;
+    if (!scan_.number(numbers[0]))
+      return leaveOut("value", "v", "it is not a number behind a point");
+    if (!scan_.number(numbers[1])) {
+      if (numbers[0] != 1) leaveOut("value", "weight of v", "points have no weight");
+      return;
+    }
+    if (!scan_.number(numbers[2])) {
+      return leaveOut("value", "v", "two numbers behind a point are neither weight nor colour");
+    }
     const glm::vec4 color(numbers[0], numbers[1], numbers[2], 1.0);
     for (const double component : numbers) {
       if (component >= 0 && component <= 1) continue;
@@ -135,6 +147,10 @@ class ObjReader {
       badNumber("vt");
     } else if (scan_.skipBlanks() && !scan_.number(v)) {
       badNumber("vt");
+    }
+    double w = 0;
+    if (scan_.skipBlanks() && scan_.number(w) && w != 0) {
+      leaveOut("value", "third number of vt", "images have two dimensions");
     }
     const auto in_range = [](double value) {
       const auto narrow = static_cast<float>(value);
@@ -237,33 +253,11 @@ class ObjReader {
   }
 
   void useMaterial(const std::string& name) {
-    const std::uint32_t material = materialNumber(name);
+    const std::uint32_t material = materials_.number(name, line_);
     if (material == part_.material && used_any_) return;
     closePart();
     part_.material = material;
     used_any_ = true;
-  }
-
-  std::uint32_t materialNumber(const std::string& name) {
-    const auto known = material_numbers_.find(name);
-    if (known != material_numbers_.end()) return known->second;
-    // Exporters without materials still write usemtl: a missing one is a fault only if the file has
-    // materials.
-    if (any_library_) {
-      add(Severity::warning, "obj.unknown-material",
-          "no material file defines " + quotedInFault(name));
-    }
-    Material grey;
-    grey.name = name;
-    greys_.push_back(loose_.materials.size());
-    loose_.materials.push_back(std::move(grey));
-    return numberLastMaterial();
-  }
-
-  std::uint32_t numberLastMaterial() {
-    const auto number = static_cast<std::uint32_t>(loose_.materials.size() - 1);
-    material_numbers_.emplace(loose_.materials.back().name, number);
-    return number;
   }
 
   /// Ends the run of triangles of the current group and material.
@@ -272,54 +266,12 @@ class ObjReader {
     part_.index_count = end - part_.first_index;
     if (part_.index_count > 0) {
       if (!used_any_) {
-        // Faces before any usemtl.
-        part_.material = materialNumber("");
+        part_.material = materials_.number({}, line_);
         used_any_ = true;
       }
       loose_.parts.push_back(part_);
     }
     part_.first_index = end;
-  }
-
-  void readMaterialLibraries(const std::string& names) {
-    const fs::path beside = path_.parent_path();
-    // One name with blanks, as some exporters write it, or several names.
-    if (const fs::path whole = find(names, beside); !whole.empty()) return readLibrary(whole);
-    TextScanner words(names);
-    while (words.skipBlanks()) {
-      const std::string name(words.word());
-      const fs::path file = find(name, beside);
-      if (!file.empty()) {
-        readLibrary(file);
-      } else {
-        add(Severity::warning, "obj.missing-mtllib",
-            "the material file " + quotedPathInFault(name) + " is not found");
-      }
-    }
-  }
-
-  fs::path find(const std::string& name, const fs::path& beside) const {
-    if (name.empty()) return {};
-    if (fs::path found = resolve_(name, beside).path; !found.empty()) return found;
-    // Written on another machine: absolute, perhaps with backslashes.
-    const std::string bare = name.substr(name.find_last_of("/\\") + 1);
-    return bare.empty() || bare == name ? fs::path{} : resolve_(bare, beside).path;
-  }
-
-  void readLibrary(const fs::path& file) {
-    if (!libraries_.emplace(file, true).second) return;
-    const Result<std::string> text = readFile(file, kLargestMtlBytes);
-    if (!text) {
-      return add(Severity::warning, "obj.missing-mtllib",
-                 "the material file cannot be read: " + text.error().text());
-    }
-    any_library_ = true;
-    const std::size_t before = loose_.materials.size();
-    FaultList faults(faults_.all(), file.string());
-    readMtl(*text, file, resolve_, faults, loose_.materials);
-    for (std::size_t i = before; i < loose_.materials.size(); ++i) {
-      material_numbers_.emplace(loose_.materials[i].name, static_cast<std::uint32_t>(i));
-    }
   }
 
   void passOver(std::string_view keyword) {
@@ -328,14 +280,20 @@ class ObjReader {
         "surf",      "parm",   "trim",  "hole",   "scrv",     "sp",       "end",
         "con",       "mg",     "bevel", "lod",    "c_interp", "d_interp", "shadow_obj",
         "trace_obj", "ctech",  "stech", "maplib", "usemap"};
-    for (const std::string_view known : kFreeForm) {
-      if (keyword == known) {
-        return add(
-            Severity::note, "obj.unsupported",
-            fmt::format("`{}` (free-form geometry or a render setting) is passed over", keyword));
-      }
+    if (keyword == "l" || keyword == "p") {
+      return leaveOut("statement", keyword, "lines and points are not drawn");
     }
-    add(Severity::warning, "obj.unknown-keyword", quotedInFault(keyword) + " is unknown in OBJ");
+    if (std::ranges::find(kFreeForm, keyword) != std::end(kFreeForm)) {
+      return faults_.leaveOut("statement", keyword, {line_},
+                              "free-form geometry and settings of renderers are not drawn",
+                              Severity::note, "obj.unsupported");
+    }
+    faults_.leaveOut("statement", keyword, {line_}, "it is unknown in OBJ", Severity::warning,
+                     "obj.unknown-keyword");
+  }
+
+  void leaveOut(std::string_view kind, std::string_view name, std::string_view reason) {
+    faults_.leaveOut(kind, name, {line_}, std::string(reason));
   }
 
   void add(Severity severity, std::string_view rule, std::string text) {
@@ -345,17 +303,14 @@ class ObjReader {
   TextScanner scan_;
   const fs::path& path_;
   const MeshReadOptions& options_;
-  const ResolveFile resolve_;
   FaultList& faults_;
+  ObjMaterials materials_;
   int line_ = 0;
   LooseMesh loose_;
   std::string object_;
-  MeshPart part_;          ///< the one being filled
-  bool used_any_ = false;  ///< part_.material is valid
-  bool any_library_ = false;
-  std::map<std::string, std::uint32_t> material_numbers_;
-  std::map<fs::path, bool> libraries_;
-  std::vector<std::size_t> greys_;  ///< materials that no file defines
+  MeshPart part_;            ///< the one being filled
+  bool used_any_ = false;    ///< part_.material is valid
+  int first_smoothing_ = 0;  ///< line of the first `s`
   std::vector<Corner> face_;
   std::vector<glm::vec3> polygon_;
   PolygonCutter cutter_;

@@ -16,7 +16,8 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 84;  // 80 of comment, 4 of count
-constexpr std::size_t kFacetBytes = 50;   // normal, three points: 12 floats; 2 of attributes
+constexpr std::size_t kLongestStlWord = 16;
+constexpr std::size_t kFacetBytes = 50;  // normal, three points: 12 floats; 2 of attributes
 
 // The format is little-endian, and so is every machine that we run on.
 static_assert(std::endian::native == std::endian::little);
@@ -32,6 +33,10 @@ class StlReader {
         points_(bytes.size() / 100) {}
 
   Result<Mesh> read() {
+    const std::string_view text = textOf(bytes_);
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+      return Error{ErrorKind::unsupported, "is UTF-16 text; save it as UTF-8", path_.string()};
+    }
     if (isBinary()) {
       readBinary();
     } else {
@@ -39,6 +44,12 @@ class StlReader {
     }
     if (loose_.corners.empty()) {
       return Error{ErrorKind::damaged, "holds no triangle that can be drawn", path_.string()};
+    }
+    if (opposed_ > 0) {
+      faults_.leaveOut("value", "normal", first_opposed_,
+                       "the order of the corners decides which side is outside, and these normals "
+                       "point to the other",
+                       Severity::warning, "model.left-out", {}, opposed_);
     }
     loose_.positions = points_.takePositions();
     loose_.materials.emplace_back();
@@ -60,11 +71,9 @@ class StlReader {
         bytes_.size() == kHeaderBytes + std::uint64_t{countOfHeader()} * kFacetBytes) {
       return true;
     }
-    TextScanner scan(text);
-    scan.skipBlanks();
-    if (scan.word() != "solid") return true;
-    // A binary file of the wrong length may also begin with "solid"; text has no zero bytes.
-    return text.substr(0, 1024).find('\0') != std::string_view::npos;
+    // A binary file of the wrong length may begin with "solid" too; text has no zero bytes, which
+    // every count of a binary file has.
+    return bytes_.empty() || text.substr(0, 1024).find('\0') != std::string_view::npos;
   }
 
   void readBinary() {
@@ -75,15 +84,20 @@ class StlReader {
     }
     const std::uint64_t claimed = countOfHeader();
     const std::uint64_t held = (bytes_.size() - kHeaderBytes) / kFacetBytes;
+    std::uint64_t count = std::min(claimed, held);
     if (claimed > held) {
       faults_.add(Severity::error, "stl.truncated", {},
                   fmt::format("the header says {} triangles, the file holds {}", claimed, held));
+    } else if (claimed == 0 && held > 0) {
+      // Written before its count was known.
+      count = held;
+      faults_.add(Severity::warning, "stl.trailing-bytes", {},
+                  fmt::format("the header says 0 triangles; the {} that follow are read", held));
     } else if (bytes_.size() - kHeaderBytes != claimed * kFacetBytes) {
       faults_.add(Severity::warning, "stl.trailing-bytes", {},
                   fmt::format("{} bytes follow the {} triangles of the header",
                               bytes_.size() - kHeaderBytes - claimed * kFacetBytes, claimed));
     }
-    const std::uint64_t count = std::min(claimed, held);
     loose_.corners.reserve(count * 3);
     for (std::uint64_t i = 0; i < count; ++i) {
       std::array<float, 12> numbers;
@@ -92,7 +106,19 @@ class StlReader {
       for (std::size_t c = 0; c < 3; ++c) {
         facet[c] = {numbers[3 + c * 3], numbers[4 + c * 3], numbers[5 + c * 3]};
       }
+      const std::byte* const attribute = bytes_.data() + kHeaderBytes + i * kFacetBytes + 48;
+      if (attribute[0] != std::byte{0} || attribute[1] != std::byte{0}) ++attributes_;
+      compareNormal({numbers[0], numbers[1], numbers[2]}, facet, 0);
       addFacet(facet, 0, i);
+    }
+    if (attributes_ > 0) {
+      faults_.leaveOut(
+          "value", "attribute bytes", {},
+          "colours of triangles, which programs write in different ways, are not drawn",
+          Severity::note, "model.left-out", {}, attributes_);
+    }
+    if (textOf(bytes_).substr(0, kHeaderBytes - 4).find("COLOR=") != std::string_view::npos) {
+      faults_.leaveOut("value", "COLOR=", {}, "the colour in the header is not drawn");
     }
   }
 
@@ -100,11 +126,17 @@ class StlReader {
     TextScanner scan(textOf(bytes_));
     std::array<Vec3, 3> facet;
     std::size_t corners = 0;
-    std::uint64_t number = 0;
+    std::uint64_t number = 0, solids = 0;
+    Vec3 normal(0.0);
+    int normal_line = 0;
     for (; !scan.atEnd(); scan.skipLine()) {
       if (!scan.skipBlanks()) continue;
       const int line = scan.line();
-      const std::string_view word = scan.word();
+      const std::string_view given = scan.word();
+      std::string word(given.substr(0, kLongestStlWord));
+      std::ranges::transform(word, word.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      });
       if (word == "vertex") {
         Vec3 p(0.0);
         if (!scan.number(p.x) || !scan.number(p.y) || !scan.number(p.z)) {
@@ -122,6 +154,7 @@ class StlReader {
         }
       } else if (word == "endfacet") {
         if (corners == facet.size()) {
+          compareNormal(normal, facet, normal_line);
           addFacet(facet, line, number);
         } else if (corners < facet.size()) {
           faults_.add(Severity::error, "stl.bad-facet", {line},
@@ -129,15 +162,34 @@ class StlReader {
         }
         corners = 0;
         ++number;
-      } else if (word != "facet" && word != "outer" && word != "endloop" && word != "solid" &&
-                 word != "endsolid") {
-        faults_.add(Severity::warning, "stl.unknown-keyword", {line},
-                    quotedInFault(word) + " is unknown in STL");
+        normal = Vec3(0.0);
+      } else if (word == "facet") {
+        scan.skipBlanks();
+        scan.word();
+        if (!scan.number(normal.x) || !scan.number(normal.y) || !scan.number(normal.z)) {
+          normal = Vec3(0.0);
+        }
+        normal_line = line;
+      } else if (word == "solid") {
+        if (++solids == 2) {
+          faults_.leaveOut("statement", "solid", {line}, "all solids of a file become one part");
+        }
+      } else if (word != "outer" && word != "endloop" && word != "endsolid") {
+        faults_.leaveOut("statement", given, {line}, "it is unknown in STL", Severity::warning,
+                         "stl.unknown-keyword");
       }
     }
     if (corners > 0) {
       faults_.add(Severity::error, "stl.truncated", {scan.line()}, "ends inside a facet");
     }
+  }
+
+  /// The order of a facet's corners says which side is outside; its normal may say the opposite.
+  void compareNormal(const Vec3& normal, const std::array<Vec3, 3>& facet, int line) {
+    const Vec3 wound = crossOf(facet[1] - facet[0], facet[2] - facet[0]);
+    // Slanted by more than 120 degrees: not what rounding does to a sliver.
+    if (!(dotOf(normal, wound) < -0.5 * lengthOf(normal) * lengthOf(wound))) return;
+    if (opposed_++ == 0) first_opposed_ = {line};
   }
 
   void addFacet(const std::array<Vec3, 3>& facet, int line, std::uint64_t number) {
@@ -146,10 +198,12 @@ class StlReader {
       const Vec3& p = facet[c];
       const Vec3 up = options_.up == UpAxis::y ? Vec3(p.x, -p.z, p.y) : p;
       points[c] = glm::vec3(up * options_.unit_m);
-      if (!std::isfinite(points[c].x) || !std::isfinite(points[c].y) ||
-          !std::isfinite(points[c].z)) {
+      if (!isDrawablePoint(points[c])) {
         faults_.add(Severity::error, "stl.bad-number", {line},
-                    fmt::format("triangle {} has a corner that is not a number", number));
+                    fmt::format("triangle {} has a corner that {}", number,
+                                std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)
+                                    ? "is too far away to be drawn"
+                                    : "is not a number"));
         return;
       }
     }
@@ -160,6 +214,8 @@ class StlReader {
   const std::filesystem::path& path_;
   const MeshReadOptions& options_;
   FaultList& faults_;
+  std::uint64_t attributes_ = 0, opposed_ = 0;  ///< triangles that have such
+  Place first_opposed_;
   PositionIndex points_;
   LooseMesh loose_;
 };

@@ -21,6 +21,22 @@ struct ReadMesh {
     for (const Finding& fault : faults) rules.push_back(fault.rule);
     return rules;
   }
+  /// Rules of what is wrong with the file: not of notes.
+  std::vector<std::string> blame() const {
+    std::vector<std::string> rules;
+    for (const Finding& fault : faults) {
+      if (fault.severity != Severity::note) rules.push_back(fault.rule);
+    }
+    return rules;
+  }
+  /// "element `light`": the file's account.
+  std::vector<std::string> leftOut() const {
+    std::vector<std::string> left_out;
+    for (const Finding& fault : faults) {
+      if (!fault.left_out.empty()) left_out.push_back(fault.left_out);
+    }
+    return left_out;
+  }
   /// The corners of triangle `i`, as positions.
   std::vector<glm::vec3> triangle(std::size_t i) const {
     std::vector<glm::vec3> corners;

@@ -35,7 +35,8 @@ TEST_F(MtlReader, ReadsColoursOpacityAndShine) {
         "newmtl steel plate\nKa 1 1 1\nKd 0.5 0.25 1\nKs 0.1 0.2 0.3\nKe 0 0 0.5\nNs 96.5\nd 0.4\n"
         "illum 2\nnewmtl glass\nKd 0.5\nTr 0.75\nNs -1.96\n");
   const ReadMesh mesh = read("mtllib a.mtl\nusemtl glass");
-  EXPECT_THAT(mesh.faults, IsEmpty());
+  EXPECT_THAT(mesh.leftOut(), ElementsAre("statement `Ka`"));
+  EXPECT_EQ(mesh.faults.size(), 1U);
   ASSERT_EQ(mesh.mesh.materials.size(), 2U);
   const Material& steel = mesh.mesh.materials[0];
   EXPECT_EQ(steel.name, "steel plate");
@@ -54,12 +55,65 @@ TEST_F(MtlReader, ReadsTextureOptionsAndNamesWithBlanks) {
         "newmtl m\nmap_Kd -clamp on -s 2 3 1 -o 0.5 0.25 -bm 1 -mm 0 1 my picture.png\n"
         "newmtl n\nmap_Kd -s 4 my picture.png\n");
   const ReadMesh mesh = read("mtllib a.mtl\nusemtl m");
-  EXPECT_THAT(mesh.faults, IsEmpty());
+  EXPECT_THAT(mesh.leftOut(), ElementsAre("option `-bm`", "option `-mm`"));
+  EXPECT_EQ(mesh.faults.size(), 2U);
   const Material& material = mesh.mesh.materials[0];
+  EXPECT_EQ(material.wrap_u, TextureWrap::clamp_to_edge);
+  EXPECT_EQ(material.wrap_v, TextureWrap::clamp_to_edge);
+  EXPECT_EQ(mesh.mesh.materials[1].wrap_u, TextureWrap::repeat);
   EXPECT_EQ(material.diffuse_map, folder_ / "meshes/my picture.png");
   EXPECT_EQ(material.map_scale, glm::vec2(2, 3));
   EXPECT_EQ(material.map_offset, glm::vec2(0.5F, 0.25F));
   EXPECT_EQ(mesh.mesh.materials[1].map_scale, glm::vec2(4, 1));
+}
+
+TEST_F(MtlReader, TakesKeywordsInCapitalsAndOptionsBehindTheName) {
+  write("meshes/a.png", "x");
+  write("meshes/b -s 2.png", "x");
+  write("meshes/a.mtl",
+        "NEWMTL m\nKD 1 0 0\nMap_KD a.png -s 2 3 -clamp on\nnewmtl n\nmap_kd b -s 2.png\n"
+        "newmtl o\nmap_Kd a.png -x 3\n");
+  const ReadMesh mesh = read("mtllib a.mtl\nusemtl m");
+  ASSERT_EQ(mesh.mesh.materials.size(), 3U);
+  EXPECT_EQ(mesh.mesh.materials[0].diffuse_map, folder_ / "meshes/a.png");
+  EXPECT_EQ(mesh.mesh.materials[0].map_scale, glm::vec2(2, 3));
+  EXPECT_EQ(mesh.mesh.materials[0].wrap_v, TextureWrap::clamp_to_edge);
+  EXPECT_EQ(mesh.mesh.materials[1].diffuse_map, folder_ / "meshes/b -s 2.png");
+  EXPECT_EQ(mesh.mesh.materials[2].missing_map, "a.png -x 3") << "not an option that is known";
+}
+
+TEST_F(MtlReader, NamesEveryStatementThatItDoesNotUse) {
+  write("meshes/a.mtl",
+        "newmtl m\nKa 0 0 0\nNi 1\nTf 1 1 1\nillum 2\nKa 0 0 1\nNi 1.5\nTf 0 1 1\nillum 7\n"
+        "map_Ka a\nmap_Ks a\nmap_d a\nbump a\nnorm a\nrefl a\nPr 1\nsharpness 9\nd -halo 0.5\n"
+        "unheard 3\nunheard 4\n");
+  const ReadMesh mesh = read("mtllib a.mtl\nusemtl m");
+  EXPECT_THAT(
+      mesh.leftOut(),
+      ElementsAre("statement `Ka`", "statement `Ni`", "statement `Tf`", "statement `illum`",
+                  "statement `map_Ka`", "statement `map_Ks`", "statement `map_d`",
+                  "statement `bump`", "statement `norm`", "statement `refl`", "statement `Pr`",
+                  "statement `sharpness`", "option `-halo`", "statement `unheard`"));
+  EXPECT_EQ(mesh.faults.back().rule, "mtl.unknown-keyword");
+  EXPECT_EQ(mesh.faults.back().count, 2U);
+}
+
+TEST_F(MtlReader, AMaterialMayBeUsedBeforeItsFileIsNamed) {
+  write("meshes/a.mtl", "newmtl red\nKd 1 0 0\n");
+  write("meshes/b.mtl", "newmtl red\nKd 0 0 1\n");
+  const ReadMesh mesh = read(
+      "f 1 2 3\nusemtl red\nf 1 2 3\nmtllib a.mtl\nusemtl none\nf 1 2 3\nmtllib b.mtl\nusemtl red");
+  ASSERT_EQ(mesh.mesh.parts.size(), 4U);
+  const auto redOf = [&](std::size_t part) {
+    return mesh.mesh.materials[mesh.mesh.parts[part].material].diffuse.r;
+  };
+  EXPECT_EQ(redOf(0), 0.8F) << "faces before any usemtl are grey, and nobody's fault";
+  EXPECT_EQ(redOf(1), 1.0F);
+  EXPECT_EQ(redOf(2), 0.8F);
+  EXPECT_EQ(redOf(3), 1.0F);
+  EXPECT_THAT(mesh.rules(), ElementsAre("mtl.duplicate-material", "obj.unknown-material"));
+  EXPECT_EQ(mesh.faults[1].text, "no material file defines `none`");
+  EXPECT_EQ(mesh.faults[1].line, 8);
 }
 
 TEST_F(MtlReader, FindsTexturesNamedOnAnotherMachine) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -17,13 +18,14 @@ using ::testing::IsEmpty;
 
 /// A binary STL: header, count, then facets of nine coordinates.
 std::string binaryStl(std::string header, std::uint32_t count,
-                      const std::vector<std::array<float, 9>>& facets) {
+                      const std::vector<std::array<float, 9>>& facets,
+                      std::string_view attributes = std::string_view("\0\0", 2)) {
   header.resize(80, '\0');
   header.append(reinterpret_cast<const char*>(&count), 4);
   for (const auto& facet : facets) {
     header.append(12, '\0');  // normal: 0 0 0
     header.append(reinterpret_cast<const char*>(facet.data()), 36);
-    header.append("\xAB\xCD", 2);  // attributes: ignored
+    header.append(attributes.substr(0, 2));
   }
   return header;
 }
@@ -52,6 +54,53 @@ TEST(StlReader, ReadsBinaryAndAsciiAlike) {
     EXPECT_EQ(read.mesh.parts[0].group, "");
     expectSound(read.mesh);
   }
+}
+
+TEST(StlReader, ReadsTextInCapitalsAsText) {
+  std::string text(kAscii);
+  std::ranges::transform(text, text.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' && c != 'e' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
+  std::ranges::replace(text, 'e', 'E');
+  for (const std::string& each :
+       {text, "\n  " + text, "made by a program\n" + std::string(kAscii)}) {
+    const ReadMesh read = test::readMesh(each, "a.stl");
+    EXPECT_EQ(read.mesh.triangleCount(), 2U);
+    EXPECT_EQ(read.mesh.bounds.max, Vec3(1, 1, 0));
+  }
+  EXPECT_THAT(test::readMesh(text, "a.stl").faults, IsEmpty());
+  Findings faults;
+  const auto utf16 =
+      readMeshBytes(bytesOf(std::string_view("\xFF\xFEs\0o\0", 6)), "a.stl", {}, faults);
+  ASSERT_FALSE(utf16.ok());
+  EXPECT_EQ(utf16.error().what, "is UTF-16 text; save it as UTF-8");
+}
+
+TEST(StlReader, NamesColoursAndNormalsThatItDoesNotUse) {
+  const ReadMesh colored =
+      test::readMesh(binaryStl("COLOR=abcd", 2, kTwoFacets, "\xAB\xCD"), "a.stl");
+  EXPECT_THAT(colored.leftOut(), ElementsAre("value `attribute bytes`", "value `COLOR=`"));
+  EXPECT_EQ(colored.faults[0].count, 2U);
+  std::string turned(kAscii);
+  turned.replace(turned.find("0 0 1"), 5, "0 0 -1");
+  const ReadMesh read = test::readMesh(turned + "solid b\nendsolid b\n", "a.stl");
+  EXPECT_THAT(read.leftOut(), ElementsAre("statement `solid`", "value `normal`"));
+  EXPECT_THAT(read.blame(), ElementsAre("model.left-out"));
+  EXPECT_EQ(read.mesh.vertices[0].normal, glm::vec3(0, 0, 1)) << "the order of corners decides";
+}
+
+TEST(StlReader, ReadsAFileWrittenBeforeItsCountWasKnown) {
+  const ReadMesh read = test::readMesh(binaryStl("solid", 0, kTwoFacets), "a.stl");
+  EXPECT_EQ(read.mesh.triangleCount(), 2U);
+  EXPECT_THAT(read.blame(), ElementsAre("stl.trailing-bytes"));
+}
+
+TEST(StlReader, LeavesOutWhatIsTooFarAway) {
+  auto facets = kTwoFacets;
+  facets[0][4] = 3e38F;
+  const ReadMesh read = test::readMesh(binaryStl("x", 2, facets), "a.stl");
+  EXPECT_EQ(read.mesh.triangleCount(), 1U);
+  EXPECT_EQ(read.faults[0].text, "triangle 0 has a corner that is too far away to be drawn");
 }
 
 TEST(StlReader, BelievesTheLengthAndNotTheWordSolid) {
