@@ -2,70 +2,49 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "core/base/json_parse.h"
-#include "core/mesh/glb_container.h"
+#include "core/mesh/gltf_document.h"
 
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::size_t kDeepestNodes = 100;           // nodes below nodes
 constexpr std::uint64_t kMaxBufferBytes = 1U << 29;  // of one buffer
 
-std::size_t componentBytes(std::uint64_t type) {
-  switch (type) {
-    case 5120:  // signed and unsigned byte
-    case 5121:
-      return 1;
-    case 5122:  // short
-    case 5123:
-      return 2;
-    case 5125:  // unsigned int, float
-    case 5126:
-      return 4;
-    default:
-      return 0;
-  }
-}
-
-std::size_t componentsOf(const std::string& type) {
-  if (type == "SCALAR") return 1;
-  if (type == "VEC2") return 2;
-  if (type == "VEC3") return 3;
-  if (type == "VEC4" || type == "MAT2") return 4;
-  if (type == "MAT3") return 9;
-  return type == "MAT4" ? 16 : 0;
-}
+/// Elements of a sparse accessor without a bufferView: zeros that no byte of the file stands for.
+constexpr std::uint64_t kMaxImpliedElements = 1U << 20;
 
 /// Checks every index and length of the document against what it refers to. Keeps the first
 /// problem.
 class GltfJudge {
  public:
-  GltfJudge(Json& root, ByteView binary) : root_(root), binary_(binary) {}
+  GltfJudge(const GltfJson& root, std::size_t binary_bytes)
+      : root_(root), binary_bytes_(binary_bytes) {}
 
   std::string problem() {
     buffers();
-    each("bufferViews", [&](Json& view, const std::string& place) { bufferView(view, place); });
-    each("accessors", [&](Json& accessor, const std::string& place) { check(accessor, place); });
-    each("images", [&](Json& image, const std::string& place) {
+    each("bufferViews",
+         [&](const GltfJson& view, const std::string& place) { bufferView(view, place); });
+    each("accessors",
+         [&](const GltfJson& accessor, const std::string& place) { check(accessor, place); });
+    each("images", [&](const GltfJson& image, const std::string& place) {
       if (image.contains("bufferView")) indexIn(image, "bufferView", "bufferViews", place);
       requireText(image, "uri", place);
     });
-    each("textures", [&](Json& texture, const std::string& place) {
+    each("textures", [&](const GltfJson& texture, const std::string& place) {
       if (texture.contains("source")) indexIn(texture, "source", "images", place);
       if (texture.contains("sampler")) indexIn(texture, "sampler", "samplers", place);
     });
-    each("samplers", [](Json&, const std::string&) {});
-    each("materials", [&](Json& material, const std::string& place) { textures(material, place); });
-    each("meshes", [&](Json& mesh, const std::string& place) { checkMesh(mesh, place); });
+    each("samplers", [](const GltfJson&, const std::string&) {});
+    each("materials",
+         [&](const GltfJson& material, const std::string& place) { textures(material, place); });
+    each("meshes", [&](const GltfJson& mesh, const std::string& place) { checkMesh(mesh, place); });
+    each("skins", [&](const GltfJson& given, const std::string& place) { skin(given, place); });
     nodes();
-    each("scenes", [&](Json& scene, const std::string& place) {
+    each("scenes", [&](const GltfJson& scene, const std::string& place) {
       if (scene.contains("nodes")) indices(scene["nodes"], "nodes", place);
     });
     if (root_.contains("scene")) indexIn(root_, "scene", "scenes", "the file");
@@ -83,7 +62,7 @@ class GltfJudge {
   }
 
   /// A whole number that is not negative; `fallback` where there is none.
-  std::uint64_t number(const Json& object, const char* key, std::uint64_t fallback,
+  std::uint64_t number(const GltfJson& object, const char* key, std::uint64_t fallback,
                        const std::string& place) {
     const auto found = object.find(key);
     if (found == object.end()) return fallback;
@@ -94,7 +73,7 @@ class GltfJudge {
     return fallback;
   }
 
-  std::optional<std::size_t> indexIn(const Json& object, const char* key, const char* array,
+  std::optional<std::size_t> indexIn(const GltfJson& object, const char* key, const char* array,
                                      const std::string& place) {
     const std::uint64_t index = number(object, key, kMaxBufferBytes, place);
     if (index < countOf(array)) return static_cast<std::size_t>(index);
@@ -102,9 +81,9 @@ class GltfJudge {
     return std::nullopt;
   }
 
-  void indices(const Json& list, const char* array, const std::string& place) {
+  void indices(const GltfJson& list, const char* array, const std::string& place) {
     if (!list.is_array()) return fail(fmt::format("{}: `{}` is not an array", place, array));
-    for (const Json& index : list) {
+    for (const GltfJson& index : list) {
       if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= countOf(array)) {
         return fail(fmt::format("{}: holds something that is not an index into the {} {}", place,
                                 countOf(array), array));
@@ -112,7 +91,7 @@ class GltfJudge {
     }
   }
 
-  void requireText(const Json& object, const char* key, const std::string& place) {
+  void requireText(const GltfJson& object, const char* key, const std::string& place) {
     const auto found = object.find(key);
     if (found != object.end() && !found->is_string()) {
       fail(fmt::format("{}: `{}` is not a string", place, key));
@@ -127,28 +106,24 @@ class GltfJudge {
     for (std::size_t i = 0; i < found->size() && problem_.empty(); ++i) {
       const std::string place = fmt::format("{}[{}]", array, i);
       if (!(*found)[i].is_object()) return fail(place + " is not an object");
-      (*found)[i].erase("extras");
-      if (std::string_view(array) != "textures" && std::string_view(array) != "materials") {
-        (*found)[i].erase("extensions");
-      }
       requireText((*found)[i], "name", place);
       judge((*found)[i], place);
     }
   }
 
   void buffers() {
-    each("buffers", [&](Json& buffer, const std::string& place) {
+    each("buffers", [&](const GltfJson& buffer, const std::string& place) {
       const std::uint64_t bytes = number(buffer, "byteLength", 0, place);
       requireText(buffer, "uri", place);
       buffer_bytes_.push_back(bytes);
-      if (!buffer.contains("uri") && bytes > binary_.size()) {
+      if (!buffer.contains("uri") && bytes > binary_bytes_) {
         fail(fmt::format("{}: says {} bytes, and the binary chunk has {}", place, bytes,
-                         binary_.size()));
+                         binary_bytes_));
       }
     });
   }
 
-  void bufferView(const Json& view, const std::string& place) {
+  void bufferView(const GltfJson& view, const std::string& place) {
     const auto buffer = indexIn(view, "buffer", "buffers", place);
     const std::uint64_t offset = number(view, "byteOffset", 0, place);
     const std::uint64_t bytes = number(view, "byteLength", 0, place);
@@ -168,20 +143,16 @@ class GltfJudge {
     std::size_t components;
   };
 
-  void check(const Json& accessor, const std::string& place) {
+  void check(const GltfJson& accessor, const std::string& place) {
     const std::uint64_t component = number(accessor, "componentType", 0, place);
     requireText(accessor, "type", place);
     const std::size_t components =
-        problem_.empty() ? componentsOf(accessor.value("type", std::string())) : 0;
+        problem_.empty() ? gltfComponentsOf(accessor.value("type", std::string())) : 0;
     const std::uint64_t count = number(accessor, "count", 0, place);
-    const std::size_t bytes = componentBytes(component) * components;
+    const std::size_t bytes = gltfComponentBytes(component) * components;
     if (bytes == 0 || count == 0) return fail(place + ": has no type or no count");
     accessors_.push_back({count, component, components});
-    if (accessor.contains("bufferView")) {
-      spans(accessor, count, bytes, place);
-    } else if (count * bytes > kMaxBufferBytes) {
-      fail(place + ": is too large");
-    }
+    if (accessor.contains("bufferView")) spans(accessor, count, bytes, place);
     const auto sparse = accessor.find("sparse");
     if (sparse == accessor.end()) return;
     if (!sparse->is_object() || !sparse->contains("indices") || !sparse->contains("values") ||
@@ -190,17 +161,20 @@ class GltfJudge {
     }
     const std::uint64_t changed = number(*sparse, "count", 0, place);
     const std::size_t index_bytes =
-        componentBytes(number((*sparse)["indices"], "componentType", 0, place));
+        gltfComponentBytes(number((*sparse)["indices"], "componentType", 0, place));
     if (changed == 0 || changed > count || index_bytes == 0) {
       return fail(place + ": `sparse` has no valid count or type");
     }
+    if (!accessor.contains("bufferView") && count > kMaxImpliedElements) {
+      return fail(fmt::format("{}: has {} elements without bytes, and {} are read", place, count,
+                              kMaxImpliedElements));
+    }
     spans((*sparse)["indices"], changed, index_bytes, place);
     spans((*sparse)["values"], changed, bytes, place);
-    // Only the bytes say which elements change, and assimp writes wherever they point.
-    fail(place + ": is sparse, which is not read");
   }
 
-  void spans(const Json& user, std::uint64_t count, std::size_t bytes, const std::string& place) {
+  void spans(const GltfJson& user, std::uint64_t count, std::size_t bytes,
+             const std::string& place) {
     const auto view = indexIn(user, "bufferView", "bufferViews", place);
     const std::uint64_t offset = number(user, "byteOffset", 0, place);
     if (!view) return;
@@ -210,91 +184,104 @@ class GltfJudge {
     }
   }
 
-  void textures(Json& object, const std::string& place) {
-    for (auto& [key, value] : object.items()) {
+  void textures(const GltfJson& object, const std::string& place) {
+    for (const auto& [key, value] : object.items()) {
       if (!value.is_object()) continue;
       if (key.ends_with("Texture")) {
         indexIn(value, "index", "textures", place);
         if (number(value, "texCoord", 0, place) > 7) fail(place + ": `texCoord` is above 7");
-        keepTransform(value);
+        transform(value, place);
       } else if (key == "pbrMetallicRoughness") {
+        if (value.contains("baseColorFactor")) {
+          numbers(value["baseColorFactor"], 4, "`baseColorFactor`", place);
+        }
         textures(value, place);
       }
     }
-    object.erase("extensions");
-  }
-
-  static void keepTransform(Json& texture) {
-    Json kept = Json::object();
-    if (texture.contains("extensions") && texture["extensions"].is_object() &&
-        texture["extensions"].contains("KHR_texture_transform")) {
-      kept["KHR_texture_transform"] = texture["extensions"]["KHR_texture_transform"];
+    if (object.contains("emissiveFactor")) {
+      numbers(object["emissiveFactor"], 3, "`emissiveFactor`", place);
     }
-    texture["extensions"] = std::move(kept);
   }
 
-  void checkMesh(Json& mesh, const std::string& place) {
-    mesh.erase("weights");
+  void transform(const GltfJson& texture, const std::string& place) {
+    const GltfJson* const given = gltfExtension(texture, "KHR_texture_transform");
+    if (given == nullptr) return;
+    for (const char* key : {"offset", "scale"}) {
+      if (given->contains(key)) numbers((*given)[key], 2, "a texture transform", place);
+    }
+    if (number(*given, "texCoord", 0, place) > 7) fail(place + ": `texCoord` is above 7");
+  }
+
+  void checkMesh(const GltfJson& mesh, const std::string& place) {
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array()) return fail(place + ": no primitives");
-    for (Json& primitive : *primitives) {
+    for (const GltfJson& primitive : *primitives) {
       if (!primitive.is_object()) return fail(place + ": a primitive is not an object");
-      for (const char* key : {"targets", "extensions", "extras"}) primitive.erase(key);
       if (primitive.contains("material")) indexIn(primitive, "material", "materials", place);
       if (number(primitive, "mode", 4, place) > 6) fail(place + ": an unknown kind of primitive");
       attributes(primitive, place);
       if (!problem_.empty() || !primitive.contains("indices")) continue;
       const auto index = indexIn(primitive, "indices", "accessors", place);
-      if (index && (accessors_[*index].components != 1 || accessors_[*index].component == 5126 ||
-                    accessors_[*index].component == 5120 || accessors_[*index].component == 5122)) {
+      if (index && (accessors_[*index].components != 1 || !isWholeFromZero(*index))) {
         fail(place + ": indices are whole numbers from 0");
       }
     }
   }
 
-  void attributes(Json& primitive, const std::string& place) {
+  bool isWholeFromZero(std::size_t accessor) const {
+    const std::uint64_t type = accessors_[accessor].component;
+    return type == 5121 || type == 5123 || type == 5125;
+  }
+
+  /// Of the types that core glTF and KHR_mesh_quantization allow, and a few more that can be read.
+  void attributes(const GltfJson& primitive, const std::string& place) {
     const auto found = primitive.find("attributes");
     if (found == primitive.end() || !found->is_object() || !found->contains("POSITION")) {
       return fail(place + ": a primitive without positions");
     }
-    Json kept = Json::object();
-    for (const std::string_view key :
-         {"POSITION", "NORMAL", "COLOR_0", "TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2", "TEXCOORD_3",
-          "TEXCOORD_4", "TEXCOORD_5", "TEXCOORD_6", "TEXCOORD_7"}) {
-      const std::string name(key);
-      if (!found->contains(name)) continue;
-      const auto index = indexIn(*found, name.c_str(), "accessors", place);
+    const auto positions = indexIn(*found, "POSITION", "accessors", place);
+    if (!positions) return;
+    for (const auto& [key, value] : found->items()) {
+      const bool is_places = key.starts_with("TEXCOORD_");
+      const bool is_joints = key.starts_with("JOINTS_");
+      const bool is_weights = key.starts_with("WEIGHTS_");
+      const bool is_point = key == "POSITION" || key == "NORMAL";
+      if (!is_places && !is_joints && !is_weights && !is_point && key != "COLOR_0") continue;
+      const auto index = indexIn(*found, key.c_str(), "accessors", place);
       if (!index) return;
       const Accessor& accessor = accessors_[*index];
-      const bool sound = key == "POSITION" || key == "NORMAL"
-                             ? accessor.components == 3 && accessor.component == 5126
-                         : key == "COLOR_0" ? accessor.components == 3 || accessor.components == 4
-                                            : accessor.components == 2;
+      const bool is_whole = accessor.component == 5125;
+      const bool sound = is_point     ? accessor.components == 3 && !is_whole
+                         : is_places  ? accessor.components == 2 && !is_whole
+                         : is_joints  ? accessor.components == 4 && isWholeFromZero(*index)
+                         : is_weights ? accessor.components == 4
+                                      : accessor.components == 3 || accessor.components == 4;
       if (!sound) return fail(fmt::format("{}: {} has the wrong type", place, key));
-      kept[name] = *index;
-      if (accessor.count != accessors_[kept["POSITION"].get<std::size_t>()].count) {
+      if (accessor.count != accessors_[*positions].count) {
         return fail(fmt::format("{}: {} and POSITION differ in count", place, key));
       }
     }
-    *found = std::move(kept);
   }
 
   void nodes() {
     std::vector<std::vector<std::size_t>> below(countOf("nodes"));
     std::vector<bool> has_parent(below.size(), false);
     std::size_t number_of = 0;
-    each("nodes", [&](Json& node, const std::string& place) {
-      for (const char* key : {"skin", "camera", "weights"}) node.erase(key);
+    each("nodes", [&](const GltfJson& node, const std::string& place) {
       if (node.contains("mesh")) indexIn(node, "mesh", "meshes", place);
       for (const auto& [key, count] :
            {std::pair{"matrix", 16}, {"translation", 3}, {"rotation", 4}, {"scale", 3}}) {
-        if (node.contains(key)) numbers(node[key], static_cast<std::size_t>(count), place);
+        if (node.contains(key)) {
+          numbers(node[key], static_cast<std::size_t>(count), "a transform", place);
+        }
       }
+      if (node.contains("skin")) indexIn(node, "skin", "skins", place);
+      instances(node, place);
       const std::size_t self = number_of++;
       if (!node.contains("children")) return;
       indices(node["children"], "nodes", place);
       if (!problem_.empty()) return;
-      for (const Json& child : node["children"]) {
+      for (const GltfJson& child : node["children"]) {
         below[self].push_back(child.get<std::size_t>());
         if (has_parent[below[self].back()]) fail(place + ": a child has two parents");
         has_parent[below[self].back()] = true;
@@ -325,67 +312,84 @@ class GltfJudge {
     if (reached < below.size()) fail("a node is its own descendant");
   }
 
-  void numbers(const Json& list, std::size_t count, const std::string& place) {
-    bool sound = list.is_array() && list.size() == count;
-    for (std::size_t i = 0; sound && i < count; ++i) sound = list[i].is_number();
-    if (!sound) fail(fmt::format("{}: a transform is not {} numbers", place, count));
+  void instances(const GltfJson& node, const std::string& place) {
+    const GltfJson* const instancing = gltfExtension(node, "EXT_mesh_gpu_instancing");
+    if (instancing == nullptr) return;
+    const auto given = instancing->find("attributes");
+    if (given == instancing->end() || !given->is_object()) {
+      return fail(place + ": instances without attributes");
+    }
+    std::optional<std::uint64_t> count;
+    for (const auto& [key, components] :
+         {std::pair{"TRANSLATION", 3U}, {"ROTATION", 4U}, {"SCALE", 3U}}) {
+      if (!given->contains(key)) continue;
+      const auto index = indexIn(*given, key, "accessors", place);
+      if (!index) return;
+      const Accessor& accessor = accessors_[*index];
+      if (accessor.components != components || accessor.component == 5125) {
+        return fail(fmt::format("{}: {} of the instances has the wrong type", place, key));
+      }
+      if (count.value_or(accessor.count) != accessor.count) {
+        return fail(place + ": the attributes of the instances differ in count");
+      }
+      count = accessor.count;
+    }
   }
 
-  Json& root_;
-  ByteView binary_;
+  void skin(const GltfJson& skin, const std::string& place) {
+    const auto joints = skin.find("joints");
+    if (joints == skin.end()) return fail(place + ": has no joints");
+    indices(*joints, "nodes", place);
+    if (!problem_.empty() || !skin.contains("inverseBindMatrices")) return;
+    const auto index = indexIn(skin, "inverseBindMatrices", "accessors", place);
+    if (!index) return;
+    const Accessor& accessor = accessors_[*index];
+    if (accessor.components != 16 || accessor.component != 5126 ||
+        accessor.count < joints->size()) {
+      fail(place + ": `inverseBindMatrices` has the wrong type, or fewer than its joints");
+    }
+  }
+
+  void numbers(const GltfJson& list, std::size_t count, const char* what,
+               const std::string& place) {
+    bool sound = list.is_array() && list.size() == count;
+    for (std::size_t i = 0; sound && i < count; ++i) sound = list[i].is_number();
+    if (!sound) fail(fmt::format("{}: {} is not {} numbers", place, what, count));
+  }
+
+  const GltfJson& root_;
+  std::size_t binary_bytes_;
   std::vector<std::uint64_t> buffer_bytes_;
   std::vector<View> views_;
   std::vector<Accessor> accessors_;
   std::string problem_;
 };
 
-std::string judge(Json& root, ByteView binary) {
+}  // namespace
+
+std::string problemOfGltf(const GltfJson& root, std::size_t binary_bytes) {
   if (!root.is_object()) return "is not a JSON object";
   const auto asset = root.find("asset");
   if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
       !(*asset)["version"].is_string()) {
     return "is not glTF: it states no version";
   }
-  if (!(*asset)["version"].get<std::string>().starts_with("2")) {
-    return "is glTF " + (*asset)["version"].get<std::string>().substr(0, 10) + "; only 2 is read";
+  for (const char* key : {"version", "minVersion"}) {
+    const auto found = asset->find(key);
+    if (found == asset->end() || !found->is_string()) continue;
+    const std::string version = found->get<std::string>().substr(0, 10);
+    const bool is_read =
+        std::string_view(key) == "version" ? version.starts_with("2") : version == "2.0";
+    if (!is_read) return "is glTF " + version + "; only 2 is read";
   }
-  root["asset"] = {{"version", "2.0"}};
   if (const auto required = root.find("extensionsRequired"); required != root.end()) {
     if (!required->is_array()) return "`extensionsRequired` is not an array";
-    for (const Json& name : *required) {
-      if (name == "KHR_texture_transform") continue;
+    for (const GltfJson& name : *required) {
       const std::string text = name.is_string() ? name.get<std::string>().substr(0, 60) : "?";
-      return "requires " + text + ", which is not read";
+      if (!isGltfExtensionRead(text)) return "requires " + text + ", which is not read";
     }
   }
-  for (const char* key : {"animations", "skins", "cameras", "extensions", "extras"}) {
-    root.erase(key);
-  }
-  root.erase("extensionsRequired");
-  root["extensionsUsed"] = Json::array({"KHR_texture_transform"});
-  return GltfJudge(root, binary).problem();
-}
-
-}  // namespace
-
-Result<Bytes> sanitizedGltf(ByteView bytes) {
-  const Result<GltfParts> parts = gltfParts(bytes);
-  if (!parts.ok()) return parts.error();
-  Result<Json> parsed = parseJson<Json>(parts->text);
-  if (!parsed.ok() && parsed.error().kind == ErrorKind::damaged) {
-    return Error{ErrorKind::damaged, "is not valid JSON", {}};
-  }
-  if (!parsed.ok()) return parsed.error();
-  Json& root = *parsed;
-  if (std::string problem = judge(root, parts->binary); !problem.empty()) {
-    return Error{ErrorKind::damaged, std::move(problem), {}};
-  }
-  const std::string kept = root.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (!isGlb(bytes)) {
-    const ByteView json = bytesOf(kept);
-    return Bytes(json.begin(), json.end());
-  }
-  return glbOf({kept, parts->binary});
+  return GltfJudge(root, binary_bytes).problem();
 }
 
 }  // namespace rocinante

@@ -1,17 +1,14 @@
 #pragma once
 
-#include "core/base/bytes.h"
-#include "core/base/result.h"
+#include <nlohmann/json.hpp>
+#include <string>
 
 namespace rocinante {
 
-// Keeps files from assimp that would crash the program or fill the memory (for COLLADA:
-// core/mesh/collada_guard.h).
-
-/// The same glTF file, text or binary, without parts that are not drawn (skins, animations, morph
-/// targets, cameras, extensions except KHR_texture_transform). damaged when an index is out of
-/// range, a length exceeds its buffer, nodes do not form trees, or nesting is too deep; unsupported
-/// when it is not glTF 2 or requires an extension.
-Result<Bytes> sanitizedGltf(ByteView bytes);
+/// What is wrong with a glTF document, in a sentence without its place; empty when every index,
+/// length and type that the reader follows is sound: bufferViews lie in buffers, accessors in
+/// bufferViews, nodes form trees that are not too deep. Refuses other versions than 2 and required
+/// extensions that are not read. `binary_bytes` is the size of a .glb's binary chunk.
+std::string problemOfGltf(const nlohmann::json& root, std::size_t binary_bytes);
 
 }  // namespace rocinante

@@ -1,7 +1,6 @@
 #include "core/mesh/scene_reader.h"
 
 #include <assimp/BaseImporter.h>
-#include <assimp/GltfMaterial.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
@@ -15,9 +14,7 @@
 #include <map>
 
 #include "core/base/plain_text.h"
-#include "core/math/srgb.h"
 #include "core/mesh/collada_guard.h"
-#include "core/mesh/gltf_guard.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/mtl_reader.h"
 #include "core/mesh/scene_files.h"
@@ -29,11 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether it is one of the two importers in use; others must not guess at our files.
+/// Whether it is the importer in use; others must not guess at our files.
 bool isWanted(const aiImporterDesc* facts) {
   if (facts == nullptr || facts->mName == nullptr) return false;
   const std::string_view name = facts->mName;
-  return name == "Collada Importer" || name == "glTF2 Importer";
+  return name == "Collada Importer";
 }
 
 void keepWantedLoaders(Assimp::Importer& importer) {
@@ -49,7 +46,6 @@ std::string reasonOf(const char* given) {
   std::string_view text = given;
   const std::size_t dash = text.find(" - ");
   if (text.starts_with("Collada: ") && dash != std::string_view::npos) text.remove_prefix(dash + 3);
-  if (text.starts_with("GLTF: ")) text.remove_prefix(6);
   text = text.substr(0, std::min<std::size_t>(text.find_first_of("\r\n"), 200));
   return text.empty() ? std::string("the file is not understood") : plainText(text);
 }
@@ -70,14 +66,9 @@ Mat4 zUpFrom(char up) {
 
 class SceneReader {
  public:
-  SceneReader(const aiScene& scene, bool is_gltf, const fs::path& path, const ResolveFile& resolve,
+  SceneReader(const aiScene& scene, const fs::path& path, const ResolveFile& resolve,
               const MeshReadOptions& options, FaultList& faults)
-      : scene_(scene),
-        is_gltf_(is_gltf),
-        path_(path),
-        resolve_(resolve),
-        options_(options),
-        faults_(faults) {}
+      : scene_(scene), path_(path), resolve_(resolve), options_(options), faults_(faults) {}
 
   Result<Mesh> read(const Mat4& to_ours) {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) readMaterial(*scene_.mMaterials[i]);
@@ -107,9 +98,7 @@ class SceneReader {
       const aiNode& node = *visit.node;
       const Mat4 to_root = visit.above * matrixOfNode(node.mTransformation);
       const std::string_view name = node.mName.C_Str();
-      // The outermost node is made by assimp: always in COLLADA, in glTF when there are several
-      // roots.
-      const bool is_own = node.mParent == nullptr && (!is_gltf_ || name == "ROOT");
+      const bool is_own = node.mParent == nullptr;  // made by assimp
       if (!is_own && !name.empty()) visit.group = name;
       for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (Status added = addMesh(*scene_.mMeshes[node.mMeshes[i]], to_root, visit.group);
@@ -208,7 +197,7 @@ class SceneReader {
       const float component = std::isfinite(color[static_cast<unsigned>(i)])
                                   ? std::clamp(color[static_cast<unsigned>(i)], 0.0F, 1.0F)
                                   : 0.0F;
-      rgb[i] = is_gltf_ ? static_cast<float>(srgbOfLinear(component)) : component;
+      rgb[i] = component;
     }
     return rgb;
   }
@@ -227,14 +216,11 @@ class SceneReader {
       material.diffuse = glm::vec4(shown(color), 1.0F);
     }
     ai_real opacity = 1;
-    aiString mode;
-    const bool is_opaque = given.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS &&
-                           std::string_view(mode.C_Str()) == "OPAQUE";
     if (given.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && std::isfinite(opacity)) {
       // Some exporters write 0 for an unset value.
-      if (!is_opaque && opacity > 0) material.diffuse.a = std::min(opacity, 1.0F);
+      if (opacity > 0) material.diffuse.a = std::min(opacity, 1.0F);
     }
-    if (!is_gltf_ && given.Get(AI_MATKEY_COLOR_SPECULAR, color) == aiReturn_SUCCESS) {
+    if (given.Get(AI_MATKEY_COLOR_SPECULAR, color) == aiReturn_SUCCESS) {
       material.specular = shown(color);
     }
     // An emission with a texture would light the whole surface without it.
@@ -243,8 +229,7 @@ class SceneReader {
       material.emission = shown(color);
     }
     ai_real shininess = 0;
-    if (!is_gltf_ && given.Get(AI_MATKEY_SHININESS, shininess) == aiReturn_SUCCESS &&
-        std::isfinite(shininess)) {
+    if (given.Get(AI_MATKEY_SHININESS, shininess) == aiReturn_SUCCESS && std::isfinite(shininess)) {
       material.shininess = std::clamp(shininess, 0.0F, 1000.0F);
     }
     channels_.push_back(readTexture(given, material));
@@ -259,7 +244,7 @@ class SceneReader {
       return 0;
     }
     // COLLADA has a colour or an image, never both.
-    if (!is_gltf_) material.diffuse = glm::vec4(1, 1, 1, material.diffuse.a);
+    material.diffuse = glm::vec4(1, 1, 1, material.diffuse.a);
     aiUVTransform placed;
     if (given.Get(AI_MATKEY_UVTRANSFORM(aiTextureType_DIFFUSE, 0), placed) == aiReturn_SUCCESS) {
       material.map_scale = {placed.mScaling.x, placed.mScaling.y};
@@ -297,7 +282,6 @@ class SceneReader {
   }
 
   const aiScene& scene_;
-  const bool is_gltf_;
   const fs::path& path_;
   const ResolveFile& resolve_;
   const MeshReadOptions& options_;
@@ -308,14 +292,9 @@ class SceneReader {
   std::map<const aiTexture*, std::pair<fs::path, std::shared_ptr<const Bytes>>> pictures_;
 };
 
-bool isGltf(const fs::path& path) {
-  const std::string ending = path.extension().string();
-  return ending.size() > 1 && (ending[1] == 'g' || ending[1] == 'G');
-}
-
-Result<Mesh> importScene(ByteView bytes, const fs::path& path, const std::string& name,
-                         const MeshReadOptions& options, FaultList& faults) {
-  const bool is_gltf = name != "scene.dae";
+Result<Mesh> importScene(ByteView bytes, const fs::path& path, const MeshReadOptions& options,
+                         FaultList& faults) {
+  const std::string name = "scene.dae";
   const ResolveFile resolve = resolverOf(options);
   Assimp::Importer importer;
   keepWantedLoaders(importer);
@@ -336,16 +315,15 @@ Result<Mesh> importScene(ByteView bytes, const fs::path& path, const std::string
                    path.string()};
     }
     return Error{ErrorKind::damaged,
-                 fmt::format("cannot be read as {}: {}", is_gltf ? "glTF 2" : "COLLADA",
-                             reasonOf(importer.GetErrorString())),
+                 "cannot be read as COLLADA: " + reasonOf(importer.GetErrorString()),
                  path.string()};
   }
-  const char up = is_gltf ? 'Y' : upAxisOfCollada(bytes);
-  if (!is_gltf && up != 'Z') {
+  const char up = upAxisOfCollada(bytes);
+  if (up != 'Z') {
     faults.note("mesh.up-axis", {}, fmt::format("the file says {}_UP and is turned to z up", up),
                 "RViz does not turn such files: export with z up to look the same everywhere");
   }
-  return SceneReader(*scene, is_gltf, path, resolve, options, faults).read(zUpFrom(up));
+  return SceneReader(*scene, path, resolve, options, faults).read(zUpFrom(up));
 }
 
 }  // namespace
@@ -358,19 +336,11 @@ Result<Mesh> readScene(ByteView bytes, const fs::path& path, const MeshReadOptio
         fmt::format("the file is larger than the {} MiB that are read", kMaxSceneBytes >> 20),
         path.string()};
   }
-  const bool is_gltf = isGltf(path);
-  const bool binary = textOf(bytes).starts_with("glTF");
-  Bytes cleaned;
-  if (is_gltf) {
-    Result<Bytes> sound = sanitizedGltf(bytes);
-    if (!sound.ok()) return Error{sound.error().kind, sound.error().what, path.string()};
-    cleaned = std::move(*sound);
-  } else if (std::string problem = problemOfCollada(bytes); !problem.empty()) {
+  if (std::string problem = problemOfCollada(bytes); !problem.empty()) {
     return Error{ErrorKind::damaged, std::move(problem), path.string()};
   }
-  const std::string name = !is_gltf ? "scene.dae" : binary ? "scene.glb" : "scene.gltf";
   try {
-    return importScene(is_gltf ? ByteView(cleaned) : bytes, path, name, options, faults);
+    return importScene(bytes, path, options, faults);
   } catch (const std::exception& fault) {
     return Error{ErrorKind::damaged, "cannot be read: " + reasonOf(fault.what()), path.string()};
   }

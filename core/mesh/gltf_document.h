@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/mesh/mesh_file.h"
+
+namespace rocinante {
+
+using GltfJson = nlohmann::json;
+
+/// A glTF 2 file that is safe to read: every index, length and type of `root` was checked
+/// (gltf_guard.h), and every buffer is at hand.
+struct GltfDocument {
+  GltfJson root;
+  std::vector<ByteView> buffers;  ///< of the file, or of `read`
+  std::vector<Bytes> read;        ///< from other files and data URIs
+
+  /// A top-level array; an empty one when it is not there.
+  const GltfJson& all(const char* array) const;
+};
+
+/// Opens a .gltf or .glb. `bytes` are borrowed by the document. Buffers in other files are read
+/// only through `resolve`; not_found names the one that it does not find.
+Result<GltfDocument> openGltf(ByteView bytes, const std::filesystem::path& path,
+                              const ResolveFile& resolve);
+
+/// The content of a data URI (RFC 2397); empty when it is not base64. Not a data URI: see
+/// isDataUri.
+std::optional<Bytes> bytesOfDataUri(std::string_view uri);
+bool isDataUri(std::string_view uri);
+/// The file name that a relative URI writes, %20 for a blank; the name itself when that is how the
+/// file is called.
+std::string fileNameOfUri(std::string_view uri);
+
+/// Numbers of an object, with what they are when it has none or something else.
+double gltfNumber(const GltfJson& object, const char* key, double otherwise);
+std::optional<std::size_t> gltfIndex(const GltfJson& object, const char* key);
+/// The extension of an object, or null.
+const GltfJson* gltfExtension(const GltfJson& object, const char* name);
+std::string gltfName(const GltfJson& object);
+
+/// Of a component type's number (5120 to 5126); 0 for others.
+std::size_t gltfComponentBytes(std::uint64_t type);
+/// "VEC3" has 3; 0 for unknown ones.
+std::size_t gltfComponentsOf(std::string_view type);
+/// Whether the reader does what an extension of this name means.
+bool isGltfExtensionRead(std::string_view name);
+
+/// What an accessor holds (glTF 2.0, 3.6.2), number by number; nothing is copied but the places of
+/// sparse changes. Borrows the document.
+class GltfAccessor {
+ public:
+  GltfAccessor(const GltfDocument& document, std::size_t number);
+
+  std::size_t count() const { return count_; }
+  std::size_t components() const { return components_; }
+  /// Whether the file has any of its bytes; else every number is 0 (or compressed elsewhere).
+  bool hasBytes() const { return !base_.bytes.empty() || !changes_.empty(); }
+  /// Normalised integers are in [-1, 1]. In range: element < count(), component < components().
+  double number(std::size_t element, std::size_t component) const;
+  float single(std::size_t element, std::size_t component) const {
+    return static_cast<float>(number(element, component));
+  }
+  /// A whole number from 0, of an accessor of indices or joints.
+  std::uint32_t index(std::size_t element, std::size_t component = 0) const;
+
+ private:
+  struct Run {
+    ByteView bytes{};
+    std::size_t stride = 0;
+  };
+  Run runOf(const GltfDocument& document, const GltfJson& user, std::size_t element_bytes) const;
+  const std::byte* find(std::size_t element, std::size_t component) const;
+
+  std::size_t count_ = 0, components_ = 0, component_bytes_ = 0;
+  unsigned type_ = 0;
+  bool normalized_ = false;
+  Run base_, changed_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> changes_;  ///< element to place, sorted
+};
+
+}  // namespace rocinante
