@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/report/account.h"
+
 namespace rocinante {
 namespace {
 
@@ -10,6 +12,8 @@ namespace {
 constexpr int kBatches = 16;
 
 }  // namespace
+
+Account ChosenSource::leftOut() const { return inner_->leftOut(); }
 
 bool ChosenSource::takes(const ReceivedDatagram& datagram) {
   const bool wanted = wants(datagram);

@@ -15,6 +15,7 @@ class ChosenSource : public DatagramSource {
  public:
   Result<std::span<const ReceivedDatagram>> receive() override;
   InputCounts counts() const override { return inner_->counts(); }
+  Account leftOut() const override;
 
   bool keepsPlace() const override { return inner_->keepsPlace(); }
   void confirm(std::uint64_t count) override { inner_->confirm(count_.receivedFor(count)); }

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/report/account.h"
+
 namespace rocinante {
+
+Account DatagramSource::leftOut() const { return {}; }
 
 std::string boundText(const Endpoint& endpoint, const SocketAddress& bound) {
   if (endpoint.isSubscription()) return endpoint.text();

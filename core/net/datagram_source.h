@@ -15,6 +15,8 @@
 
 namespace rocinante {
 
+class Account;
+
 /// A datagram as the socket gave it.
 struct ReceivedDatagram {
   ByteView payload;  ///< borrowed from the source until its next receive()
@@ -108,6 +110,9 @@ class DatagramSource {
   /// The endpoint's address with the port that was bound (":0" takes a free one). Of a
   /// subscription: the own address that the relay sends to.
   virtual const SocketAddress& boundAddress() const = 0;
+
+  /// What arrived and is not passed on, by kind: of watched traffic frames that are not UDP.
+  virtual Account leftOut() const;
 };
 
 /// A source's endpoint with the port that was bound, as shown to users. A subscription keeps the

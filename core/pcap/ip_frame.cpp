@@ -1,6 +1,11 @@
 #include "core/pcap/ip_frame.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
 
 namespace rocinante {
 namespace {
@@ -8,7 +13,7 @@ namespace {
 constexpr unsigned kIpv4 = 0x0800;
 constexpr unsigned kIpv6 = 0x86DD;
 constexpr unsigned kUdp = 17;
-constexpr int kMaxTags = 4;
+constexpr unsigned kMaxTags = 4;
 // Hop-by-hop, destination, routing: a packet has a few, a hostile one as many as fit.
 constexpr int kMaxExtensions = 8;
 
@@ -40,41 +45,25 @@ class Cursor {
 
 /// The EtherType of the frame's contents; empty when the frame ends before it. Leaves the cursor
 /// after the link's header.
-std::optional<unsigned> readLink(LinkType link, Cursor& at, std::uint32_t& tags) {
-  const auto take = [&](std::size_t header, std::size_t type) -> std::optional<unsigned> {
-    if (!at.has(header)) return std::nullopt;
-    const unsigned value = at.two(type);
-    at.skip(header);
-    return value;
-  };
-  std::optional<unsigned> type;
-  switch (link) {
-    case LinkType::ethernet:
-      type = take(14, 12);
-      break;
-    case LinkType::linux_cooked:
-      type = take(16, 14);
-      break;
-    case LinkType::linux_cooked_2:
-      type = take(20, 0);
-      break;
-    case LinkType::bsd_null:
-    case LinkType::bsd_loop:
-    case LinkType::raw_ip: {
-      if (link != LinkType::raw_ip) {
-        if (!at.has(4)) return std::nullopt;
-        at.skip(4);  // address families differ between systems; the IP version does not
-      }
-      if (!at.has(1)) return std::nullopt;
-      const unsigned version = at.byte(0) >> 4U;
-      return version == 4 ? kIpv4 : version == 6 ? kIpv6 : 0;
-    }
+std::optional<FrameProtocol> readLink(LinkType link, Cursor& at, IpFrame& result) {
+  const LinkHeader header = linkHeaderOf(link);
+  if (!at.has(header.bytes)) return std::nullopt;
+  if (!header.type_at) {
+    // Address families differ between systems; the IP version does not.
+    at.skip(header.bytes);
+    if (!at.has(1)) return std::nullopt;
+    const unsigned version = at.byte(0) >> 4U;
+    return version == 4 ? kIpv4 : version == 6 ? kIpv6 : kNotIp;
   }
-  for (int tag = 0; type && (*type == 0x8100 || *type == 0x88A8 || *type == 0x9100); ++tag) {
-    if (tag == kMaxTags) return 0;
+  unsigned type = at.two(*header.type_at);
+  at.skip(header.bytes);
+  while (type == 0x8100 || type == 0x88A8 || type == 0x9100) {
+    if (result.tags == kMaxTags) return kManyTags;
     if (!at.has(4)) return std::nullopt;
-    tags = tags << 12U | (at.two(0) & 0x0FFFU);
-    type = take(4, 2);
+    result.link = result.link << 12U | (at.two(0) & 0x0FFFU);
+    type = at.two(2);
+    at.skip(4);
+    ++result.tags;
   }
   return type;
 }
@@ -89,7 +78,10 @@ FrameKind readIpv4(Cursor at, IpFrame& result) {
   if (!at.has(20)) return FrameKind::malformed;
   const std::size_t header = std::size_t{at.byte(0) & 0x0FU} * 4;
   if (at.byte(0) >> 4U != 4 || header < 20) return FrameKind::malformed;
-  if (at.byte(9) != kUdp) return FrameKind::other;
+  if (at.byte(9) != kUdp) {
+    result.other = kIpv4Protocol + at.byte(9);
+    return FrameKind::other;
+  }
   std::size_t total = at.two(2);
   // Segmentation offload: the network card fills in the length.
   if (total == 0) total = at.rest().size();
@@ -106,34 +98,91 @@ FrameKind readIpv4(Cursor at, IpFrame& result) {
   return FrameKind::udp;
 }
 
-FrameKind readIpv6(Cursor at, IpFrame& result) {
-  if (!at.has(40) || at.byte(0) >> 4U != 6) return FrameKind::malformed;
-  result.source = at.address(8, true);
-  result.destination = at.address(24, true);
-  unsigned next = at.byte(6);
-  std::size_t left = at.two(4);
-  at.skip(40);
-  for (int extension = 0; next != kUdp; ++extension) {
-    const bool is_fragment = next == 44;
-    if (next != 0 && next != 43 && next != 60 && !is_fragment) return FrameKind::other;
+/// Of IPv6: what precedes UDP, `left` bytes of which belong to the packet. A fragment's payload is
+/// taken as it is.
+FrameKind readExtensions(Cursor at, std::size_t left, IpFrame& result) {
+  for (int extension = 0; result.next_header != kUdp; ++extension) {
+    const unsigned header = result.next_header;
+    const bool is_fragment = header == 44;
+    if (header != 0 && header != 43 && header != 60 && !is_fragment) {
+      result.other = kIpv6Protocol + header;
+      return FrameKind::other;
+    }
     if (extension == kMaxExtensions || !at.has(8)) return FrameKind::malformed;
     const std::size_t length = is_fragment ? 8 : (std::size_t{at.byte(1)} + 1) * 8;
     if (length > left || !at.has(length)) return FrameKind::malformed;
-    next = at.byte(0);
-    if (is_fragment) {
-      const unsigned flags = at.two(2);
-      result.more_fragments = (flags & 1U) != 0;
-      result.fragment_offset = flags & 0xFFF8U;
-      result.is_fragment = result.more_fragments || result.fragment_offset != 0;
-      result.fragment_id = at.four(4);
-      if (next != kUdp) return FrameKind::other;
-    }
+    result.extended = true;
+    result.next_header = at.byte(0);
+    const unsigned flags = at.two(2);
+    const std::uint32_t id = at.four(4);
     at.skip(length);
     left -= length;
+    if (!is_fragment || (flags & 0xFFF9U) == 0) continue;  // or an atomic one
+    result.is_fragment = true;
+    result.more_fragments = (flags & 1U) != 0;
+    result.fragment_offset = flags & 0xFFF8U;
+    result.fragment_id = id;
+    const unsigned next = result.next_header;
+    if (next != kUdp && next != 43 && next != 60) {
+      result.other = kIpv6Protocol + next;
+      return FrameKind::other;
+    }
+    break;
   }
   takePayload(at, left, result);
   return FrameKind::udp;
 }
+
+FrameKind readIpv6(Cursor at, IpFrame& result) {
+  if (!at.has(40) || at.byte(0) >> 4U != 6) return FrameKind::malformed;
+  result.source = at.address(8, true);
+  result.destination = at.address(24, true);
+  result.next_header = at.byte(6);
+  const std::size_t left = at.two(4);
+  at.skip(40);
+  return readExtensions(at, left, result);
+}
+
+struct NamedProtocol {
+  FrameProtocol protocol;
+  std::string_view name;
+};
+constexpr auto kEtherTypes = std::to_array<NamedProtocol>({
+    {0x0806, "ARP"},
+    {0x22F0, "AVTP"},
+    {0x8035, "RARP"},
+    {0x8137, "IPX"},
+    {0x8847, "MPLS"},
+    {0x8848, "MPLS"},
+    {0x8863, "PPPoE"},
+    {0x8864, "PPPoE"},
+    {0x8892, "PROFINET"},
+    {0x88A4, "EtherCAT"},
+    {0x88CC, "LLDP"},
+    {0x88E5, "MACsec"},
+    {0x88F7, "PTP"},
+    {0x8915, "RoCE"},
+    {kNotIp, "neither IPv4 nor IPv6"},
+    {kManyTags, "more than 4 VLAN tags"},
+});
+constexpr auto kIpProtocols = std::to_array<NamedProtocol>({
+    {0, "hop-by-hop options"},
+    {1, "ICMP"},
+    {2, "IGMP"},
+    {4, "IPv4 in IP"},
+    {6, "TCP"},
+    {41, "IPv6 in IP"},
+    {47, "GRE"},
+    {50, "ESP"},
+    {51, "AH"},
+    {58, "ICMPv6"},
+    {59, "IPv6 without a payload"},
+    {89, "OSPF"},
+    {103, "PIM"},
+    {112, "VRRP"},
+    {132, "SCTP"},
+    {136, "UDP-Lite"},
+});
 
 }  // namespace
 
@@ -160,15 +209,68 @@ std::optional<LinkType> linkTypeOf(int number) {
   }
 }
 
+int linkTypeNumber(LinkType link) {
+  switch (link) {
+    case LinkType::bsd_null:
+      return 0;
+    case LinkType::ethernet:
+      return 1;
+    case LinkType::raw_ip:
+      return 12;
+    case LinkType::bsd_loop:
+      return 108;
+    case LinkType::linux_cooked:
+      return 113;
+    case LinkType::linux_cooked_2:
+      return 276;
+  }
+  return -1;
+}
+
 FrameKind readIpFrame(LinkType link, ByteView frame, IpFrame& result) {
   result = {};
   Cursor at(frame);
-  const auto type = readLink(link, at, result.link);
+  const auto type = readLink(link, at, result);
   if (!type) return FrameKind::malformed;
   result.header_at = frame.size() - at.rest().size();
   if (*type == kIpv4) return readIpv4(at, result);
   if (*type == kIpv6) return readIpv6(at, result);
+  result.other = *type;
   return FrameKind::other;
+}
+
+FrameKind skipExtensions(IpFrame& frame) {
+  const Cursor at(frame.payload);
+  return readExtensions(at, frame.payload.size(), frame);
+}
+
+LinkHeader linkHeaderOf(LinkType link) {
+  switch (link) {
+    case LinkType::ethernet:
+      return {14, 12};
+    case LinkType::linux_cooked:
+      return {16, 14};
+    case LinkType::linux_cooked_2:
+      return {20, 0};
+    case LinkType::bsd_null:
+    case LinkType::bsd_loop:
+      return {4, std::nullopt};
+    case LinkType::raw_ip:
+      break;
+  }
+  return {};
+}
+
+std::string nameOf(FrameProtocol protocol) {
+  const bool is_ip = protocol >= kIpv4Protocol && protocol < kNotIp;
+  const FrameProtocol number = is_ip ? protocol & 0xFFU : protocol;
+  const std::span<const NamedProtocol> names =
+      is_ip ? std::span<const NamedProtocol>(kIpProtocols) : kEtherTypes;
+  const auto named = std::ranges::find(names, number, &NamedProtocol::protocol);
+  if (named != names.end()) return std::string(named->name);
+  if (is_ip) return fmt::format("IP protocol {}", number);
+  if (number < 1536) return "IEEE 802.3";
+  return fmt::format("EtherType {:#06x}", number);
 }
 
 std::optional<UdpPayload> readUdp(ByteView packet, bool is_ipv6, bool cut) {
@@ -183,6 +285,7 @@ std::optional<UdpPayload> readUdp(ByteView packet, bool is_ipv6, bool cut) {
   if (length < 8) return std::nullopt;
   if (length > packet.size() && !cut) return std::nullopt;
   udp.cut = length > packet.size();
+  if (!udp.cut && !cut) udp.surplus = packet.size() - length;
   udp.bytes = packet.subspan(8, std::min(length, packet.size()) - 8);
   return udp;
 }

@@ -7,9 +7,13 @@
 namespace rocinante {
 namespace {
 
-// All UDP fragments: for libpcap not even the first fragment of IPv6 has ports.
-constexpr std::string_view kFragments =
-    "(ip proto 17 and ip[6:2] & 0x3fff != 0) or (ip6[6] = 44 and ip6[40] = 17)";
+// What a filter with ports sees nothing of. Not IP: tagged, or none of ours. For libpcap not even
+// the first fragment of IPv6 has ports.
+constexpr std::string_view kHidden =
+    "(ip proto 17 and ip[6:2] & 0x3fff != 0) or "
+    "(ip6 and (ip6[6] = 0 or ip6[6] = 43 or ip6[6] = 44 or ip6[6] = 60)) or "
+    "not (ip or ip6 or arp)";
+constexpr std::string_view kWide = "not tcp";
 
 bool hasWord(std::string_view text, std::string_view word) {
   const auto is_letter = [&](std::size_t at) {
@@ -21,20 +25,15 @@ bool hasWord(std::string_view text, std::string_view word) {
   return false;
 }
 
-/// All UDP, with up to two VLAN tags. `vlan` shifts the offsets of everything after it, so it comes
-/// last.
-std::string allUdp(LinkType link) {
-  if (link != LinkType::ethernet) return "udp";
-  return "udp or (vlan and (udp or (vlan and udp)))";
-}
-
 }  // namespace
 
-FilterPlan planFilter(std::string_view user_filter, LinkType link) {
-  if (user_filter.empty()) return {allUdp(link), FrameReader::Filtered::before};
-  if (hasWord(user_filter, "vlan")) return {allUdp(link), FrameReader::Filtered::here};
-  return {fmt::format("({}) or (udp and ({}))", kFragments, user_filter),
-          FrameReader::Filtered::before};
+bool namesTags(std::string_view user_filter) { return hasWord(user_filter, "vlan"); }
+
+FilterPlan planFilter(std::string_view user_filter) {
+  if (user_filter.empty()) return {std::string(kWide), FrameReader::Filtered::before, false};
+  if (namesTags(user_filter)) return {std::string(kWide), FrameReader::Filtered::here, true};
+  return {fmt::format("(udp and ({})) or {}", user_filter, kHidden), FrameReader::Filtered::before,
+          false};
 }
 
 }  // namespace rocinante

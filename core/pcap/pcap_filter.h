@@ -7,15 +7,22 @@
 
 namespace rocinante {
 
-/// How a user's filter reaches the kernel. A filter with ports matches at most the first fragment
-/// of a datagram, so the kernel passes all UDP fragments, and the filter is applied again to the
-/// reassembled datagram. A filter that names VLANs shifts the offsets of everything after it, so
-/// nothing can be added to it, and it is applied here, frame by frame. Pure.
+/// How a user's filter reaches the kernel that watches an interface. What the kernel drops nobody
+/// counts, so it drops only what FrameReader would not use (docs/decisions/035): TCP and, with a
+/// filter, plain UDP that the filter does not choose and other plain IP. What no filter of
+/// tcpdump's can see into (fragments, extension headers, VLAN tags) passes, and the filter is
+/// applied to the datagram in it. A filter that names VLANs shifts the offsets of everything after
+/// it, so nothing can be added to it, and it is applied here, frame by frame. Capture files are not
+/// filtered before they are read. Pure.
 struct FilterPlan {
-  std::string kernel;  ///< in libpcap's language; empty: no filter
+  std::string kernel;  ///< in libpcap's language
   FrameReader::Filtered filtered = FrameReader::Filtered::before;
+  bool keep_tags = false;
 };
 
-FilterPlan planFilter(std::string_view user_filter, LinkType link);
+FilterPlan planFilter(std::string_view user_filter);
+
+/// Whether the filter is about VLAN tags.
+bool namesTags(std::string_view user_filter);
 
 }  // namespace rocinante

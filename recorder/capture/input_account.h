@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/net/datagram_source.h"
+#include "core/report/account.h"
 #include "recorder/capture/input_loop.h"
 #include "recorder/capture/tee.h"
 
@@ -15,6 +16,7 @@ namespace rocinante {
 struct InputAccount {
   std::string endpoint;  ///< with the bound port
   InputCounts counts;
+  Account left_out;  ///< by kind: frames that became no datagram
   std::uint64_t buffer_granted_bytes = 0;  ///< 0: no receive buffer
   std::uint64_t buffer_needed_bytes = 0;   ///< to survive a stall in its busiest second
 };

@@ -82,6 +82,7 @@ void addInput(Json& object, const InputAccount& input) {
   object["echoes"] = input.counts.echoes;
   object["incomplete"] = input.counts.incomplete;
   object["malformed"] = input.counts.malformed;
+  object["left_out"] = leftOutJson(input.left_out);
   if (input.counts.untrusted) object["untrusted"] = untrustedJson(*input.counts.untrusted);
   object["receive_buffer"] = {{"granted_bytes", input.buffer_granted_bytes},
                               {"needed_bytes", input.buffer_needed_bytes}};
@@ -101,8 +102,9 @@ std::string inputText(const RecordSummary& summary) {
     const UntrustedCounts untrusted = each.counts.untrusted.value_or(UntrustedCounts{});
     say(untrusted.total(), "{} not recorded: not trusted (" + untrusted.text() + ")");
     say(each.counts.echoes, "{} not recorded: sent by --tee itself");
-    say(each.counts.incomplete, "{} with missing fragments");
-    say(each.counts.malformed, "{} malformed IP or UDP frames");
+    if (!each.left_out.empty()) {
+      text += fmt::format("\n{}: {}", each.endpoint, accountSentence(each.left_out));
+    }
   }
   for (const Tee::Account& each : summary.tees) {
     text +=

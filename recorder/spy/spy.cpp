@@ -119,9 +119,11 @@ void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime ar
   if (judged.packet != nullptr) readPacket(judged, address);
 }
 
-void Spy::setDropped(std::size_t endpoint, std::uint64_t dropped, const InputCounts& counts) {
+void Spy::setDropped(std::size_t endpoint, std::uint64_t dropped, const InputCounts& counts,
+                     Account left_out) {
   endpoints_[endpoint].dropped = dropped;
   endpoints_[endpoint].counts = counts;
+  endpoints_[endpoint].left_out = std::move(left_out);
 }
 
 void Spy::readPacket(const StreamJudge::Judged& judged, const std::string& sender) {

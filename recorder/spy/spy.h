@@ -30,7 +30,8 @@ class Spy {
 
   void add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime arrived);
   /// Sets the endpoint's drop count so far, and its other input counts.
-  void setDropped(std::size_t endpoint, std::uint64_t dropped, const InputCounts& counts = {});
+  void setDropped(std::size_t endpoint, std::uint64_t dropped, const InputCounts& counts = {},
+                  Account left_out = {});
 
   SpyReport report(LogTime now);
 

@@ -19,6 +19,7 @@ Json endpointJson(const SpyEndpoint& each) {
   json["requests"] = each.counts.requests;
   json["incomplete"] = each.counts.incomplete;
   json["malformed"] = each.counts.malformed;
+  json["left_out"] = leftOutJson(each.left_out);
   if (each.counts.untrusted) {
     for (std::size_t i = 0; i < kUntrustedReasons; ++i) {
       json["untrusted"][std::string(nameOf(static_cast<Untrusted>(i)))] =

@@ -100,7 +100,7 @@ Status drain(const Sources& sources, Spy& spy) {
     }
     const Result<std::uint64_t> dropped = source.droppedByNow();
     if (!dropped) return dropped.error();
-    spy.setDropped(i, *dropped, source.counts());
+    spy.setDropped(i, *dropped, source.counts(), source.leftOut());
   }
   return {};
 }
@@ -126,7 +126,7 @@ Result<SpyReport> read(DatagramSource& source, const std::vector<ListenedEndpoin
     }
   }
   if (!spy) spy.emplace(listened, last, decoders);
-  spy->setDropped(0, 0, source.counts());
+  spy->setDropped(0, 0, source.counts(), source.leftOut());
   return spy->report(last);
 }
 

@@ -90,6 +90,11 @@ class Reasons {
                       counted(endpoint.counts.malformed, "frame"), endpoint.endpoint),
           "a capture may have kept only the beginning of each frame (tcpdump -s)");
     }
+    if (!endpoint.left_out.empty()) {
+      add("live.left-out", Severity::note,
+          fmt::format("{}: {}", endpoint.endpoint, accountSentence(endpoint.left_out)),
+          "only UDP is read; docs/endpoints.md lists what is read of a frame");
+    }
     if (endpoint.dropped > 0) {
       add("log.loss", Severity::warning,
           fmt::format("the kernel dropped {} at {} before they could be read",

@@ -10,6 +10,7 @@
 #include "core/math/vector.h"
 #include "core/net/datagram_source.h"
 #include "core/packet/packet.h"
+#include "core/report/account.h"
 #include "core/report/finding.h"
 #include "core/report/traffic_findings.h"
 
@@ -23,6 +24,7 @@ struct SpyEndpoint {
   std::uint64_t bytes = 0;
   std::uint64_t dropped = 0;  ///< by the kernel
   InputCounts counts;
+  Account left_out;  ///< by kind: frames that became no datagram
   std::uint64_t senders = 0;
   std::optional<Nanoseconds> silent;  ///< since the last datagram; empty when none came
 };

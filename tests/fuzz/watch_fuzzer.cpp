@@ -18,6 +18,7 @@ void require(bool holds) {
 struct Outcome {
   std::vector<std::size_t> sizes;
   InputCounts counts;
+  std::uint64_t waiting = 0;
   bool operator==(const Outcome&) const = default;
 };
 
@@ -28,9 +29,10 @@ Outcome readAll(ByteView bytes) {
   Outcome outcome;
   if (bytes.empty()) return outcome;
   const auto number = [&](std::size_t at) { return std::to_integer<std::size_t>(bytes[at]); };
-  FrameReader reader(
-      kLinks[number(0) % 6], [](ByteView frame) { return frame.size() % 7 != 0; },
-      number(0) >= 128 ? FrameReader::Filtered::here : FrameReader::Filtered::before);
+  const LinkType link = kLinks[number(0) % 6];
+  FrameReader reader([](LinkType, ByteView frame) { return frame.size() % 7 != 0; },
+                     number(0) >= 128 ? FrameReader::Filtered::here : FrameReader::Filtered::before,
+                     number(0) % 4 == 1);
   bytes = bytes.subspan(1);
   WallTime time{std::chrono::seconds(1'000)};
   while (bytes.size() >= 3) {
@@ -39,7 +41,10 @@ Outcome readAll(ByteView bytes) {
     // A buffer of its own: reading one byte beyond shows.
     const Bytes frame(bytes.begin() + 3, bytes.begin() + 3 + static_cast<std::ptrdiff_t>(length));
     bytes = bytes.subspan(3 + length);
-    const auto seen = reader.read(frame, time);
+    const std::uint64_t left_out = reader.leftOut(true).total();
+    const auto seen = reader.read(link, frame, time);
+    // Used, named, or a fragment that waits for others.
+    if (!seen) outcome.waiting += reader.leftOut(true).total() == left_out ? 1 : 0;
     if (!seen) continue;
     require(seen->payload.size() <= 65'527);
     std::size_t sum = 0;

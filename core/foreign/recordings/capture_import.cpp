@@ -144,15 +144,6 @@ class CapturePump {
   std::string cut_;
 };
 
-void tellLeftOut(const InputCounts& counts, ros::ImportReport& report) {
-  const auto tell = [&](std::uint64_t count, const char* noun, const char* what) {
-    if (count > 0) report.notes.push_back(countText(count, noun) + what);
-  };
-  tell(counts.incomplete, "datagram", " with missing fragments left out");
-  tell(counts.malformed, "frame", " that break the rules of IP or UDP left out");
-  tell(counts.other, "frame", " of other protocols than UDP left out");
-}
-
 }  // namespace
 
 Result<ros::ImportReport> importCapture(const std::filesystem::path& capture,
@@ -176,7 +167,10 @@ Result<ros::ImportReport> importCapture(const std::filesystem::path& capture,
   CapturePump pump(**source, std::make_unique<CaptureLog>(std::move(made), options, tally));
   if (Status read = pump.run(options); !read) return read.error();
   if (pump.read() == 0) {
-    return Error{ErrorKind::not_found, "the capture file contains no UDP datagram",
+    const std::string left_out = accountSentence((*source)->leftOut());
+    return Error{ErrorKind::not_found,
+                 "the capture file contains no UDP datagram" +
+                     (left_out.empty() ? std::string() : "; " + left_out),
                  capture.string()};
   }
   ros::ImportReport report;
@@ -198,7 +192,7 @@ Result<ros::ImportReport> importCapture(const std::filesystem::path& capture,
     report.damage.push_back(countText(pump.truncated(), "datagram") +
                             " shorter than sent: the capture cut them (" + capture.string() + ")");
   }
-  tellLeftOut((*source)->counts(), report);
+  report.account = (*source)->leftOut();
   return report;
 }
 
