@@ -16,6 +16,7 @@
 #include "core/cli/progress_line.h"
 #include "core/cli/worker_threads.h"
 #include "core/foreign/live/cell_decoders.h"
+#include "core/foreign/recordings/cell_and_log.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "core/log/log_profile.h"
 #include "golden/check/check_live.h"
@@ -205,6 +206,7 @@ Result<cli::Exit> run(CheckArguments& my) {
   if (my.cell.empty()) {
     return Error{ErrorKind::bad_argument, "CELL is required (see rocinante-check --help)", {}};
   }
+  orderCellAndLog(my.cell, my.log);
   const Result<std::vector<CheckOutput>> outputs = readOutputs(my);
   if (!outputs) return outputs.error();
   std::optional<Baseline> baseline;

@@ -4,8 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
 
 #include "core/base/atomic_file.h"
+#include "core/session/moment_name.h"
+#include "golden/suite/suite.h"
 #include "golden/suite/suite_append.h"
 #include "viewer/picture/picture_size.h"
 #include "viewer/view/render_style.h"
@@ -38,7 +44,8 @@ Result<std::string> styleTable(const std::vector<std::string>& words) {
 Result<NewCase> caseOf(const AddArguments& arguments) {
   NewCase made;
   made.name = arguments.name;
-  made.addText("at", arguments.at);
+  // What is not a time is the name of an event.
+  made.addText(isSessionTime(arguments.at) ? "at" : "event", arguments.at);
   made.addText("event", arguments.event);
   if (arguments.occurrence != 0) made.add("occurrence", std::to_string(arguments.occurrence));
   made.addText("events", arguments.events);
@@ -71,6 +78,67 @@ Result<NewCase> caseOf(const AddArguments& arguments) {
   return made;
 }
 
+/// Whether both name one file, or two with the same bytes.
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code fault;
+  if (std::filesystem::equivalent(a, b, fault)) return true;
+  const auto size = std::filesystem::file_size(a, fault);
+  if (fault || size != std::filesystem::file_size(b, fault) || fault) return false;
+  std::ifstream first(a, std::ios::binary), second(b, std::ios::binary);
+  std::array<char, 65536> of_a{}, of_b{};
+  for (std::uintmax_t done = 0; done < size;) {
+    const auto part = std::min<std::uintmax_t>(size - done, of_a.size());
+    first.read(of_a.data(), static_cast<std::streamsize>(part));
+    second.read(of_b.data(), static_cast<std::streamsize>(part));
+    if (!first || !second || std::memcmp(of_a.data(), of_b.data(), part) != 0) return false;
+    done += part;
+  }
+  return true;
+}
+
+/// The suite with the new case has the files that are given: a case of another session would be
+/// drawn of the suite's.
+Status checkFiles(const AddArguments& arguments, const std::string& text) {
+  if (arguments.cell.empty() && arguments.log.empty()) return {};
+  const auto suite = parseSuite(text, arguments.suite);
+  if (!suite.ok()) return suite.error();
+  // Names count from the suite's folder, as those of a new suite do.
+  const std::filesystem::path folder = arguments.suite.parent_path();
+  const auto differs = [&](const char* what, const std::filesystem::path& has,
+                           const std::string& given) {
+    return Error{ErrorKind::bad_argument,
+                 fmt::format("the suite's {} is {}, not {}: add the case to a suite of its own",
+                             what, has.empty() ? "the one that its log carries" : has.string(),
+                             (folder / given).string()),
+                 arguments.suite.string()};
+  };
+  const bool has_moment = !arguments.at.empty() || !arguments.event.empty() ||
+                          !arguments.events.empty() || !arguments.every.empty();
+  if (arguments.log.empty() && suite->log && !has_moment) {
+    return Error{ErrorKind::bad_argument,
+                 "the suite's cases are of a log, and this one has no moment: add it to a suite of "
+                 "its own",
+                 arguments.suite.string()};
+  }
+  if (!arguments.log.empty()) {
+    if (!suite->log) {
+      return Error{ErrorKind::bad_argument,
+                   "the suite has no log: its cases are of the cell at rest",
+                   arguments.suite.string()};
+    }
+    if (!isSameFile(*suite->log, folder / arguments.log)) {
+      return differs("log", *suite->log, arguments.log);
+    }
+  }
+  if (arguments.cell.empty()) return {};
+  // The cell that the log carries is named by the log.
+  const bool is_carried = arguments.cell == arguments.log;
+  if (is_carried && suite->cell.empty()) return {};
+  if (suite->cell.empty()) return differs("cell", {}, arguments.cell);
+  if (isSameFile(suite->cell, folder / arguments.cell)) return {};
+  return differs("cell", suite->cell, arguments.cell);
+}
+
 /// The suite's text, or the first lines of a new suite when the file does not exist and a cell or
 /// log is given.
 Result<std::string> suiteText(const AddArguments& arguments) {
@@ -79,15 +147,10 @@ Result<std::string> suiteText(const AddArguments& arguments) {
   const bool names_files = !arguments.cell.empty() || !arguments.log.empty();
   if (is_new && names_files) {
     std::string text = "format = 1\n";
-    if (!arguments.cell.empty()) text += "cell = " + tomlText(arguments.cell) + "\n";
+    if (!arguments.cell.empty() && arguments.cell != arguments.log)
+      text += "cell = " + tomlText(arguments.cell) + "\n";
     if (!arguments.log.empty()) text += "log = " + tomlText(arguments.log) + "\n";
     return text;
-  }
-  if (!is_new && names_files) {
-    return Error{ErrorKind::bad_argument,
-                 "the suite exists and names its cell and log; --cell and --log are for a new "
-                 "suite",
-                 arguments.suite.string()};
   }
   return readFile(arguments.suite, kMaxSuiteBytes);
 }
@@ -101,7 +164,7 @@ CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments) {
   };
   command->add_option("SUITE", arguments.suite, "the suite's TOML file")->required();
   command->add_option("--case", arguments.name, "the case's name")->required();
-  command->add_option("--at", arguments.at, "a session time");
+  command->add_option("--at", arguments.at, "a session time, or the text of an event");
   command->add_option("--event", arguments.event, "the event with this text");
   command->add_option("--occurrence", arguments.occurrence,
                       "which of several such events: 1 first, -1 last");
@@ -123,8 +186,10 @@ CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments) {
                       "`different`: expect a difference; needs --reason");
   command->add_option("--reason", arguments.reason, "why a difference is expected");
   list("--tag", arguments.tags, "repeatable");
-  command->add_option("--cell", arguments.cell, "of a new suite");
-  command->add_option("--log", arguments.log, "of a new suite");
+  command->add_option("--cell", arguments.cell,
+                      "of a new suite; of a suite that exists it must be the same");
+  command->add_option("--log", arguments.log,
+                      "of a new suite; of a suite that exists it must be the same");
   return command;
 }
 
@@ -135,6 +200,7 @@ Result<cli::Exit> runAddCommand(const AddArguments& arguments) {
   if (!before.ok()) return before.error();
   const auto after = withCase(*before, *made, arguments.suite);
   if (!after.ok()) return after.error();
+  if (Status same = checkFiles(arguments, *after); !same) return same.error();
   if (auto written = writeFileWhole(arguments.suite, bytesOf(*after), true); !written) {
     return written.error();
   }

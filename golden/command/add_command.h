@@ -13,7 +13,7 @@ namespace rocinante {
 struct AddArguments {
   std::filesystem::path suite;
   std::string name, at, event, after, events, every, size, tolerance, expect, reason;
-  std::string cell, log;  ///< of a new suite
+  std::string cell, log;  ///< of a new suite, or the same as the suite's
   int occurrence = 0, samples = 0;
   std::vector<std::string> cameras, layers, hide, show, mask, tags, style;
 };

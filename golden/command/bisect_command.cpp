@@ -12,6 +12,7 @@
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/cli/search_options.h"
+#include "core/foreign/recordings/cell_and_log.h"
 #include "core/report/json_text.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/session/bisect.h"
@@ -160,8 +161,7 @@ Status checkWhole(Timeline& session, const BisectSpan& span) {
 Result<std::vector<StateChange>> partingItems(const BisectArguments& arguments, Nanoseconds at) {
   const std::filesystem::path log =
       arguments.other_log.empty() ? arguments.log : std::filesystem::path(arguments.other_log);
-  const std::filesystem::path cell =
-      arguments.cell.empty() ? arguments.log : std::filesystem::path(arguments.cell);
+  const std::filesystem::path cell = arguments.cell.empty() ? arguments.log : arguments.cell;
   CellOptions options;
   static_cast<ModelSearch&>(options) = arguments;
   options.geometry = false;
@@ -237,8 +237,7 @@ std::string answerJson(const BisectAnswer& answer, const std::vector<StateChange
 }
 
 Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
-  const std::filesystem::path cell =
-      arguments.cell.empty() ? arguments.log : std::filesystem::path(arguments.cell);
+  const std::filesystem::path cell = arguments.cell.empty() ? arguments.log : arguments.cell;
   const std::filesystem::path other_log =
       arguments.other_log.empty() ? arguments.log : std::filesystem::path(arguments.other_log);
   const std::filesystem::path other_cell =
@@ -330,7 +329,9 @@ CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments) {
   return command;
 }
 
-Result<cli::Exit> runBisectCommand(const BisectArguments& arguments) {
+Result<cli::Exit> runBisectCommand(const BisectArguments& given) {
+  BisectArguments arguments = given;
+  orderCellAndLog(arguments.cell, arguments.log);
   if (arguments.other_log.empty() && arguments.other_cell.empty() &&
       arguments.other_render.empty()) {
     return Error{ErrorKind::bad_argument,

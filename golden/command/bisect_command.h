@@ -12,8 +12,8 @@ namespace rocinante {
 
 /// Arguments of `rocinante golden bisect` (docs/programs/golden.md).
 struct BisectArguments : ModelSearch {
-  std::filesystem::path log;
-  std::string cell, other_log, other_cell, other_render, camera, size = "640x480", from, until;
+  std::filesystem::path log, cell;
+  std::string other_log, other_cell, other_render, camera, size = "640x480", from, until;
   int samples = 4;
   std::size_t most_frames = 2000;
   bool json = false;

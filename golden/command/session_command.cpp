@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/cli/search_options.h"
+#include "core/foreign/recordings/cell_and_log.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/report/report_folder.h"
 #include "golden/session/session_comparison_text.h"
@@ -77,7 +78,11 @@ CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments) {
   return command;
 }
 
-Result<cli::Exit> runSessionCommand(const SessionArguments& arguments) {
+Result<cli::Exit> runSessionCommand(const SessionArguments& given) {
+  SessionArguments arguments = given;
+  // The cell may stand anywhere; A stays before B.
+  orderCellAndLog(arguments.cell, arguments.b);
+  if (orderCellAndLog(arguments.cell, arguments.a)) std::swap(arguments.a, arguments.b);
   const auto question = questionOf(arguments);
   if (!question.ok()) return question.error();
   CellOptions options;
@@ -86,8 +91,7 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& arguments) {
   const auto progress = [&](const std::string& what) {
     if (shows_progress) fmt::print(stderr, "\r\033[K{} ", what);
   };
-  const std::filesystem::path cell =
-      arguments.cell.empty() ? arguments.a : std::filesystem::path(arguments.cell);
+  const std::filesystem::path& cell = arguments.cell.empty() ? arguments.a : arguments.cell;
   auto comparison = judgeSessions(cell, options, *question, progress);
   if (shows_progress) fmt::print(stderr, "\r\033[K");
   if (!comparison.ok()) return comparison.error();

@@ -13,8 +13,8 @@ namespace rocinante {
 
 /// Arguments of `rocinante golden session` (docs/programs/golden.md).
 struct SessionArguments : ModelSearch {
-  std::filesystem::path a, b;
-  std::string cell, camera, tier = "loose", size = "640x480", report, align = "events";
+  std::filesystem::path a, b, cell;
+  std::string camera, tier = "loose", size = "640x480", report, align = "events";
   RunLimits limits;
   bool no_pictures = false, json = false;
 };

@@ -12,6 +12,7 @@
 #include "core/base/duration_text.h"
 #include "core/base/pattern.h"
 #include "core/base/plain_text.h"
+#include "core/session/moment_name.h"
 #include "golden/suite/suite_case.h"
 
 namespace rocinante {
@@ -129,6 +130,12 @@ Result<std::vector<NamedMoment>> momentsOf(const SuiteCase& made, Timeline* sess
   if (!moment.at) {
     return std::vector<NamedMoment>{
         {"", {}, "a case over a log needs one of `at`, `event`, `events` and `every`"}};
+  }
+  if (!isSessionTime(*moment.at)) {
+    // The name of an event: as `event` has it.
+    CaseMoment named = moment;
+    named.event = moment.at;
+    return momentsAtEvent(named, *session);
   }
   const auto time = parseSessionTime(*moment.at, session->origin(), session->end());
   if (!time.ok()) return time.error();

@@ -5,6 +5,7 @@
 #include "core/base/duration_text.h"
 #include "core/log/log_reader.h"
 #include "core/session/marks.h"
+#include "core/session/moment_name.h"
 #include "core/session/timeline.h"
 
 namespace rocinante {
@@ -18,7 +19,12 @@ Result<MarkMade> markLog(const std::filesystem::path& log, std::string_view time
     return Error{ErrorKind::bad_argument, "the log has no captured message, so no moment to mark",
                  log.string()};
   }
-  const Result<LogTime> moment = parseSessionTime(time, summary.origin, summary.end);
+  Result<LogTime> moment = parseSessionTime(time, summary.origin, summary.end);
+  if (!moment && !isSessionTime(time)) {
+    Result<Timeline> session = Timeline::open(log);
+    if (!session) return session.error();
+    moment = parseMoment(time, *session);
+  }
   if (!moment) return moment.error();
   if (*moment < summary.start || *moment > summary.end) {
     return Error{ErrorKind::bad_argument,

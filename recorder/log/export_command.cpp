@@ -13,6 +13,7 @@
 #include "core/copy/log_selection.h"
 #include "core/copy/output_file.h"
 #include "core/foreign/foxglove/foxglove_format.h"
+#include "core/foreign/recordings/cell_and_log.h"
 #include "core/foreign/ros_out/ros2_format.h"
 #include "core/report/json_text.h"
 #include "recorder/export/gltf_export.h"
@@ -287,7 +288,11 @@ LogCommand addExportCommand(CLI::App& program) {
   app->add_option("-o,--output", my->output, "the file to make")->type_name("OUT")->required();
   app->add_flag("--force", my->force, "replace an existing output");
   app->add_flag("--json", my->json, "print what was made as JSON");
-  return {app, [my] { return runExport(*my); }};
+  return {app, [my] {
+            std::filesystem::path log = my->log;
+            if (orderCellAndLog(my->cell.cell, log)) my->log = log.string();
+            return runExport(*my);
+          }};
 }
 
 }  // namespace rocinante

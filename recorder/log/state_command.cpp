@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/duration_text.h"
+#include "core/session/moment_name.h"
 #include "core/session/timeline.h"
 #include "recorder/contents/log_state.h"
 #include "recorder/contents/log_state_json.h"
@@ -16,7 +17,7 @@ namespace {
 
 struct StateCommandOptions {
   std::string log;
-  std::string at;
+  std::string at, event;
   bool json = false;
 };
 
@@ -26,12 +27,14 @@ Result<cli::Exit> runState(const StateCommandOptions& options) {
   if (session->log().summary().messages == 0) {
     return Error{ErrorKind::not_found, "the log has no messages", options.log};
   }
-  const Result<LogTime> moment = parseSessionTime(options.at, session->origin(), session->end());
+  const Result<LogTime> moment = options.at.empty() ? momentOfEvent(options.event, *session)
+                                                    : parseMoment(options.at, *session);
   if (!moment) return moment.error();
   if (*moment < session->start() || *moment > session->end()) {
     const auto shown = [&](LogTime time) { return secondsText(time - session->origin(), 3); };
     return Error{ErrorKind::bad_argument,
-                 fmt::format("{} is outside the log, which covers {} to {} s", options.at,
+                 fmt::format("{} is outside the log, which covers {} to {} s",
+                             options.at.empty() ? options.event : options.at,
                              shown(session->start()), shown(session->end())),
                  options.log};
   }
@@ -61,9 +64,14 @@ LogCommand addStateCommand(CLI::App& program) {
   auto options = std::make_shared<StateCommandOptions>();
   CLI::App* const app = program.add_subcommand("state", "print the state at a moment");
   app->add_option("LOG", options->log, "the log to read")->required();
-  app->add_option("--at", options->at, "the moment: a session time (12.5s, -1s, RFC 3339)")
-      ->type_name("TIME")
-      ->required();
+  CLI::Option_group* const moment = app->add_option_group("moment", "The moment (one of these)");
+  moment
+      ->add_option("--at", options->at,
+                   "a session time (12.5s, -1s, RFC 3339), or the text of an event")
+      ->type_name("TIME");
+  moment->add_option("--event", options->event, "the event whose text matches")
+      ->type_name("PATTERN");
+  moment->require_option(1);
   app->add_flag("--json", options->json, "print JSON");
   return {app, [options] { return runState(*options); }};
 }

@@ -49,8 +49,11 @@ void addPoseOptions(CLI::App& app, PoseOptions& options) {
   app.add_option("--joint", options.named, "NAME=VALUE of one joint; repeatable");
   app.add_flag("--degrees", options.degrees, "values of rotating joints are degrees");
   app.add_option("--pose", options.base, "pose of the device: \"x y z\" or \"x y z qx qy qz qw\"");
-  auto* at = app.add_option("--at", options.at, "a session time: 12.5s, -1s, RFC 3339");
-  app.add_option("--log", options.log, "take joint values from this session")->needs(at);
+  auto* at = app.add_option("--at", options.at,
+                            "a session time: 12.5s, -1s, RFC 3339, or the text of an event");
+  auto* event = app.add_option("--event", options.event, "the event with this text (* and ?)");
+  event->option_text("PATTERN")->excludes(at);
+  app.add_option("--log", options.log, "take joint values from this session");
 }
 
 Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string& device) {
@@ -58,10 +61,14 @@ Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string&
   request.device = device;
   request.degrees = options.degrees;
   request.log = options.log;
+  request.event = options.event;
   request.at = options.at;
   const auto refused = [](std::string what, std::string where) {
     return Error{ErrorKind::bad_argument, std::move(what), std::move(where)};
   };
+  if (!options.log.empty() && options.at.empty() && options.event.empty()) {
+    return refused("--log requires --at or --event", "");
+  }
   if (!options.positions.empty()) {
     // Numbers have no `=`: what stands before it is the device, as `view` copies it.
     const std::size_t equals = options.positions.rfind('=');

@@ -37,7 +37,7 @@ struct PoseOptions {
   std::string positions;
   std::vector<std::string> named;
   std::string base;
-  std::string log, at;
+  std::string log, at, event;
   bool degrees = false;
 };
 void addPoseOptions(CLI::App& app, PoseOptions& options);

@@ -6,6 +6,7 @@
 #include "core/cli/text_table.h"
 #include "core/kinematics/joint_values.h"
 #include "core/math/trigonometry.h"
+#include "core/session/moment_name.h"
 #include "core/session/timeline.h"
 
 namespace rocinante {
@@ -54,10 +55,12 @@ Result<SessionState> sessionState(const PoseRequest& request, StateDamage* damag
   if (request.log.empty()) return SessionState{};
   Result<Timeline> session = Timeline::open(request.log);
   if (!session) return session.error();
-  const auto moment = parseSessionTime(request.at, session->origin(), session->end());
+  const auto moment = request.at.empty() ? momentOfEvent(request.event, *session)
+                                         : parseMoment(request.at, *session);
   if (!moment) return moment.error();
   if (*moment < session->start() || *moment > session->end()) {
-    return refused(fmt::format("the session does not include `{}`", plainText(request.at)));
+    return refused(fmt::format("the session does not include `{}`",
+                               plainText(request.at.empty() ? request.event : request.at)));
   }
   const auto state = session->stateAt(*moment, damage);
   if (!state) return state.error();

@@ -22,7 +22,8 @@ struct PoseRequest {
   bool degrees = false;       ///< values of rotating joints are degrees
   std::optional<Pose> base;   ///< of the device, replacing the cell's
   std::filesystem::path log;  ///< initial session; empty: only the cell
-  std::string at;             ///< a time in it, for parseSessionTime()
+  std::string at;             ///< a moment of it, for parseMoment()
+  std::string event;          ///< in its place, for momentOfEvent()
 };
 
 /// The requested state of `cell`. bad_argument for an unknown joint or a wrong number of values,

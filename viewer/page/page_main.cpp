@@ -7,6 +7,7 @@
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/recordings/cell_and_log.h"
 #include "viewer/page/page_job.h"
 
 namespace {
@@ -86,6 +87,7 @@ int main(int argc, char** argv) {
     if (job.log.empty()) {
       return Error{ErrorKind::bad_argument, "give a LOG, or --extract PAGE", {}};
     }
+    orderCellAndLog(job.cell, job.log);
     const auto bytes = parseSize(most);
     if (!bytes) return Error{bytes.error().kind, bytes.error().what, "--size"};
     job.most_bytes = *bytes;

@@ -10,6 +10,7 @@
 #include "core/cli/progress_line.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/recordings/cell_and_log.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "core/report/json_text.h"
 #include "viewer/detail/detail_level.h"
@@ -187,8 +188,9 @@ int main(int argc, char** argv) {
                  "of --beside: origin, events, event:TEXT, or an offset, 2.5s; default: origin")
       ->needs(second)
       ->type_name("HOW");
-  app.add_option("--at", job.moments.at,
-                 "a moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")
+  app.add_option(
+         "--at", job.moments.at,
+         "a moment: 12.5, 1m02.5s, -1s from the end, RFC 3339, or an event's text; repeatable")
       ->allow_extra_args(false);
   app.add_option("--every", job.moments.every,
                  "one frame per period, from the log's start to its end");
@@ -290,6 +292,7 @@ int main(int argc, char** argv) {
         } else {
           avoidShaderCacheOnFullDisk();
         }
+        orderCellAndLog(job.cell, job.log);
         const auto pixels = parsePictureSize(size);
         if (!pixels) return pixels.error();
         std::tie(job.look.width, job.look.height) = *pixels;

@@ -11,6 +11,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/duration_text.h"
 #include "core/base/pattern.h"
+#include "core/session/moment_name.h"
 
 namespace rocinante {
 namespace {
@@ -43,11 +44,24 @@ Result<LogPart> spanOf(const MomentChoice& choice, const Timeline& session) {
   return span;
 }
 
-Status addTime(const std::string& text, const Timeline& session, const std::string& where,
-               std::vector<RenderMoment>& moments) {
+/// A time, or every event of that name, as `events` has them.
+Status addMoment(const std::string& text, Timeline& session, const std::string& where,
+                 std::vector<RenderMoment>& moments, StateDamage& hiding) {
   const auto time = parseSessionTime(text, session.origin(), session.end());
   if (!time) {
-    return where.empty() ? time.error() : badMoment(time.error().what, where);
+    const auto events = isSessionTime(text) ? Result<std::vector<Event>>(time.error())
+                                            : eventsNamed(text, session, hiding);
+    if (!events) {
+      return badMoment(
+          isSessionTime(text) ? time.error().what : time.error().what + "; " + events.error().what,
+          where.empty() ? time.error().where : where);
+    }
+    for (const Event& event : *events) {
+      // A mark may be outside the captured range.
+      if (event.time < session.start() || event.time > session.end()) continue;
+      moments.push_back({secondsText(event.time - session.origin(), 3), event.time, event.text});
+    }
+    return {};
   }
   if (*time < session.start() || *time > session.end()) {
     const auto shown = [&](LogTime moment) { return secondsText(moment - session.origin(), 3); };
@@ -59,8 +73,8 @@ Status addTime(const std::string& text, const Timeline& session, const std::stri
   return {};
 }
 
-Status addTimesOfFile(const std::filesystem::path& file, const Timeline& session,
-                      std::vector<RenderMoment>& moments) {
+Status addTimesOfFile(const std::filesystem::path& file, Timeline& session,
+                      std::vector<RenderMoment>& moments, StateDamage& hiding) {
   const auto content = readFile(file, kMaxTimesFileBytes);
   if (!content) return content.error();
   std::size_t line_number = 0;
@@ -74,7 +88,7 @@ Status addTimesOfFile(const std::filesystem::path& file, const Timeline& session
     if (first == std::string::npos) continue;
     line = line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
     const std::string where = fmt::format("{}, line {}", file.string(), line_number);
-    if (Status added = addTime(line, session, where, moments); !added) return added;
+    if (Status added = addMoment(line, session, where, moments, hiding); !added) return added;
     if (moments.size() > kMaxFrames) break;
   }
   return {};
@@ -166,10 +180,10 @@ Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Time
   if (!span) return span.error();
   std::vector<RenderMoment> moments;
   for (const std::string& text : choice.at) {
-    if (Status added = addTime(text, session, {}, moments); !added) return added.error();
+    if (Status added = addMoment(text, session, {}, moments, hiding); !added) return added.error();
   }
   if (!choice.at_file.empty()) {
-    if (Status added = addTimesOfFile(choice.at_file, session, moments); !added) {
+    if (Status added = addTimesOfFile(choice.at_file, session, moments, hiding); !added) {
       return added.error();
     }
   }

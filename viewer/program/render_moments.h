@@ -21,7 +21,7 @@ Result<FrameRate> parseFrameRate(const std::string& text);
 
 /// The moments of a log to draw: only one of `at` (with `at_file`), `every`, `rate` and `events`.
 struct MomentChoice {
-  std::vector<std::string> at;    ///< session times
+  std::vector<std::string> at;    ///< session times, or names of events (moment_name.h)
   std::filesystem::path at_file;  ///< more of them, one per line; # begins a comment
   std::string every;              ///< a period, counted from the origin
   std::string rate;               ///< frames per second, counted from the origin

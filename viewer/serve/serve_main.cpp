@@ -13,6 +13,7 @@
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/recordings/cell_and_log.h"
 #include "viewer/serve/serve_program.h"
 
 namespace {
@@ -43,6 +44,7 @@ Error bad(std::string what, const std::string& where) {
 
 Status readSession(Arguments& my) {
   ServeRequest& request = my.request;
+  orderCellAndLog(request.cell, request.log);
   if (my.is_live && !request.log.empty()) {
     return bad("a log and --live cannot be used together", "");
   }

@@ -15,5 +15,16 @@ rocinante golden add new.toml --case side || echo "exit $?"
 rocinante golden add new.toml --case other --samples 3 || echo "exit $?"
 rocinante golden add new.toml --case ../up || echo "exit $?"
 rocinante golden add new.toml --case other --style glow || echo "exit $?"
-rocinante golden add new.toml --case other --cell box.urdf || echo "exit $?"
+# Another session's case is refused; the same files, by any name, are the suite's.
+sed 's/1 1 1/2 2 2/' box.urdf >large.urdf
+rocinante golden add new.toml --case other --cell large.urdf || echo "exit $?"
+rocinante golden add new.toml --case other --cell box.urdf --log "$SRC/examples/demo/session.mcap" || echo "exit $?"
 cmp before.toml new.toml && ls
+mkdir sub && cp box.urdf sub/copy.urdf
+rocinante golden add new.toml --case other --cell sub/copy.urdf
+cp "$SRC/examples/demo/session.mcap" "$SRC/examples/demo/motion.mcap" .
+rocinante golden add logs.toml --cell box.urdf --log session.mcap --case first --at picked
+rocinante golden add logs.toml --cell box.urdf --log session.mcap --case second --at 2s
+rocinante golden add logs.toml --cell box.urdf --log motion.mcap --case third --at 2s || echo "exit $?"
+rocinante golden add logs.toml --cell session.mcap --log session.mcap --case fourth --at 2s || echo "exit $?"
+cat logs.toml
