@@ -12,6 +12,8 @@ constexpr std::size_t kWindow = 9;
 /// Three frames in a row that exceed the target by this factor are not a hiccup.
 constexpr double kFarTooDear = 2;
 constexpr std::size_t kFewFrames = 3;
+/// A frame by what the last ones took, or by the target.
+constexpr double kRunaway = 10;
 /// Estimated cost of the next finer rung must be below this share of the target.
 constexpr double kMargin = 0.85;
 constexpr int kBasePatience = 45;
@@ -60,8 +62,13 @@ int Governor::cheapEnoughStep() const {
   return step;
 }
 
+bool Governor::isRunaway(double cost_ms) const {
+  return step_ < coarsestStep() && costs_.size() >= kFewFrames &&
+         cost_ms > kRunaway * std::max(typicalMs(), settings_.target_ms);
+}
+
 bool Governor::ascentWouldHold() const {
-  if (step_ == 0 || costs_.size() < kEnoughFrames) return false;
+  if (step_ <= finest_ || costs_.size() < kEnoughFrames) return false;
   const auto finer = static_cast<std::size_t>(step_ - 1);
   // Unknown saving: assume the geometric mean of none and the largest possible. The attempt
   // measures the real value.
@@ -100,6 +107,12 @@ int Governor::frameDrawn(double cost_ms) {
     --skip_;
     return rung();
   }
+  if (isRunaway(cost_ms)) {
+    runaway_ = Runaway{cost_ms, typicalMs(), rung(), settings_.drops_looks && step_ == 0};
+    finest_ = step_ + 1;
+    moveTo(finest_);
+    return rung();
+  }
   if (costs_.size() == kWindow) costs_.erase(costs_.begin());
   costs_.push_back(std::isfinite(cost_ms) ? std::max(cost_ms, 0.0) : 0.0);
   learnWhatWasSaved();
@@ -122,14 +135,18 @@ int Governor::frameDrawn(double cost_ms) {
 }
 
 void Governor::forget() {
-  const int step = step_;
+  const int step = step_, finest = finest_;
+  const auto runaway = runaway_;
   *this = Governor(settings_);
   step_ = step;
+  finest_ = finest;
+  runaway_ = runaway;
   skip_ = 1;
 }
 
 void Governor::setDropsLooks(bool drops) {
   const int rung_now = rung();
+  if (drops != settings_.drops_looks && finest_ > 0) finest_ += drops ? 1 : -1;
   settings_.drops_looks = drops;
   step_ = drops && rung_now > 0 ? rung_now + 1 : rung_now;
   forget();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "viewer/detail/detail_level.h"
@@ -19,6 +20,9 @@ namespace rocinante {
 /// from the saving measured during the descent, has stayed within the target by a margin for a
 /// while. So it settles when the cost depends only on the rung; with a varying load, each reverted
 /// ascent doubles the wait for the next.
+///
+/// It guards itself against a renderer that takes leave of its senses at some view: one frame of
+/// more than ten times what the last ones took, and than the target, ends its step for good.
 class Governor {
  public:
   struct Settings {
@@ -27,6 +31,13 @@ class Governor {
     /// Before the first rung there is a step with dear looks (shadows, contact), which are what is
     /// left out first.
     bool drops_looks = false;
+  };
+
+  /// A frame that ended its step.
+  struct Runaway {
+    double cost_ms = 0, typical_ms = 0;
+    int rung = 0;             ///< that is not drawn any more, nor a finer one
+    bool with_looks = false;  ///< the step with dear looks ended: rungs have not
   };
 
   explicit Governor(const Settings& settings) : settings_(settings) {}
@@ -41,6 +52,11 @@ class Governor {
   /// of the next one.
   int frameDrawn(double cost_ms);
 
+  /// The frame that ended a step since the last call, if any.
+  std::optional<Runaway> takeRunaway() { return std::exchange(runaway_, std::nullopt); }
+  /// Steps that ended may be tried again.
+  void allowAll() { finest_ = 0; }
+
   /// Discards all measurements, because the user changed what is drawn (size, samples, layers) or
   /// coarser meshes became ready. Keeps the rung.
   void forget();
@@ -53,6 +69,7 @@ class Governor {
   void moveTo(int step);
   void learnWhatWasSaved();
   bool overloaded() const;
+  bool isRunaway(double cost_ms) const;
   int cheapEnoughStep() const;
   bool ascentWouldHold() const;
   int coarsestStep() const { return settings_.coarsest + (settings_.drops_looks ? 1 : 0); }
@@ -61,7 +78,9 @@ class Governor {
   static constexpr std::size_t kSteps = kDetailRungs.size() + 1;
 
   Settings settings_;
-  int step_ = 0;               ///< the rung, or one more where the first step is that with looks
+  int step_ = 0;    ///< the rung, or one more where the first step is that with looks
+  int finest_ = 0;  ///< no step before it is drawn
+  std::optional<Runaway> runaway_;
   int skip_ = 2;               ///< frames to ignore, since first frames cost more
   std::vector<double> costs_;  ///< of the last frames on this rung, oldest first
   int calm_frames_ = 0;        ///< frames for which the next finer step would have held

@@ -12,11 +12,15 @@ void RestPlan::changed(SteadyTime now, int rows) {
 }
 
 int RestPlan::rowsAt(SteadyTime now) const {
-  return whole() || now < at_rest_ ? 0 : std::min(next_, rows_ - drawn_);
+  return rows_ == 0 || whole() || now < at_rest_ ? 0 : std::min(next_, rows_ - drawn_);
 }
 
 void RestPlan::drawn(int rows, Nanoseconds took) {
   drawn_ = std::min(rows_, drawn_ + rows);
+  if (took > kLongestSlice && !whole()) {
+    rows_ = 0;
+    return;
+  }
   const double fits = static_cast<double>(rows) * secondsOf(kSlice) /
                       std::max(secondsOf(took), secondsOf(kSlice) / 100);
   // A slice that was interrupted says little about the next: at most twice as much.

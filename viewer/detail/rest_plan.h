@@ -16,13 +16,15 @@ class RestPlan {
   /// What a slice should take. Geometry costs the same in each, so there are at most kMaxSlices.
   static constexpr Nanoseconds kSlice{8'000'000};
   static constexpr int kMaxSlices = 12;
+  /// A picture with a slice that took longer stays as it is: nobody waits for a dozen of them.
+  static constexpr Nanoseconds kLongestSlice{3'000'000'000};
 
   /// What is shown changed at `now`; the picture has `rows` rows. Starts over.
   void changed(SteadyTime now, int rows);
 
   /// The rows to draw at `now`, below those drawn; 0: not at rest yet, or the picture is whole.
   int rowsAt(SteadyTime now) const;
-  /// These rows were drawn.
+  /// These rows were drawn; ends the plan when that took far too long.
   void drawn(int rows, Nanoseconds took);
 
   int rowsDrawn() const { return drawn_; }

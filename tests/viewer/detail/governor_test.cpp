@@ -71,6 +71,56 @@ TEST(Governor, TheDearFirstFramesAndSingleHiccupsChangeNothing) {
   EXPECT_EQ(seen.changes, 0);
 }
 
+TEST(Governor, AFrameThatNeverSeemsToEndEndsItsLookForGood) {
+  Governor judged = governor();
+  judged.setDropsLooks(true);
+  drive(judged, 50, [](int, int) { return 60.0; });
+  ASSERT_TRUE(judged.drawsLooks());
+  EXPECT_FALSE(judged.takeRunaway());
+  judged.frameDrawn(10'500);
+  EXPECT_FALSE(judged.drawsLooks()) << "after one frame, not three";
+  EXPECT_EQ(judged.rung(), 0);
+  const auto ended = judged.takeRunaway();
+  ASSERT_TRUE(ended);
+  EXPECT_TRUE(ended->with_looks);
+  EXPECT_EQ(ended->cost_ms, 10'500);
+  EXPECT_EQ(ended->typical_ms, 60);
+  EXPECT_FALSE(judged.takeRunaway()) << "said once";
+  drive(judged, 100'000, [](int, int) { return 1.0; });
+  EXPECT_FALSE(judged.drawsLooks()) << "however cheap the others are";
+}
+
+TEST(Governor, ARungThatEndedIsNotDrawnAgainUntilItIsAllowed) {
+  Governor judged = governor();
+  drive(judged, 50, [](int, int) { return 60.0; });
+  judged.frameDrawn(1'001);
+  EXPECT_EQ(judged.rung(), 1);
+  const auto ended = judged.takeRunaway();
+  ASSERT_TRUE(ended);
+  EXPECT_FALSE(ended->with_looks);
+  EXPECT_EQ(ended->rung, 0);
+  judged.forget();
+  judged.setDropsLooks(true);
+  drive(judged, 100'000, [](int, int) { return 1.0; });
+  EXPECT_EQ(judged.rung(), 1);
+  judged.setDropsLooks(false);
+  judged.allowAll();
+  drive(judged, 100'000, [](int, int) { return 1.0; });
+  EXPECT_EQ(judged.rung(), 0);
+}
+
+TEST(Governor, NeitherACheapSceneNorTheFirstFramesEndALook) {
+  Governor judged = governor();
+  // Of 1 ms each: 400 ms are much, but less than ten times the target.
+  drive(judged, 50, [](int, int) { return 1.0; });
+  judged.frameDrawn(400);
+  EXPECT_FALSE(judged.takeRunaway());
+  judged.forget();
+  for (int frame = 0; frame < 3; ++frame) judged.frameDrawn(frame == 0 ? 50'000 : 60);
+  judged.frameDrawn(20'000);
+  EXPECT_FALSE(judged.takeRunaway()) << "two frames are no measure";
+}
+
 TEST(Governor, ComesToRestWhateverTheRungsCost) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> exponent(-1.5, 1.5);

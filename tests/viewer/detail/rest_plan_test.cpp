@@ -76,6 +76,18 @@ TEST(RestPlan, DearGeometryIsNotRepeatedWithoutEnd) {
   EXPECT_LE(refined.slices, RestPlan::kMaxSlices);
 }
 
+TEST(RestPlan, ASliceThatTakesSecondsIsTheLast) {
+  RestPlan plan;
+  plan.changed(kStart, 720);
+  const SteadyTime rest = kStart + RestPlan::kRest;
+  plan.drawn(plan.rowsAt(rest), 4s);
+  EXPECT_EQ(plan.rowsAt(rest + 10s), 0);
+  EXPECT_FALSE(plan.whole());
+  EXPECT_FALSE(plan.nextAt());
+  plan.changed(rest, 720);
+  EXPECT_GT(plan.rowsAt(rest + RestPlan::kRest), 0);
+}
+
 TEST(RestPlan, AChangeStartsOver) {
   RestPlan plan;
   plan.changed(kStart, 720);
