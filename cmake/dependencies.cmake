@@ -14,8 +14,6 @@ pkg_check_modules(ROCINANTE_ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(ROCINANTE_SODIUM REQUIRED IMPORTED_TARGET libsodium)
 pkg_check_modules(ROCINANTE_XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(ROCINANTE_TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
-# Not its CMake package, which asks for libraries that only its programs need.
-pkg_check_modules(ROCINANTE_ASSIMP REQUIRED IMPORTED_TARGET assimp)
 # Optional: a build with ROCINANTE_PCAP=OFF does not need it.
 if(NOT DEFINED ROCINANTE_PCAP OR ROCINANTE_PCAP)
   pkg_check_modules(ROCINANTE_LIBPCAP IMPORTED_TARGET libpcap)

@@ -16,7 +16,6 @@ set(rocinante_linked
   "tinyxml2::tinyxml2|package tinyxml2|tinyxml2|libtinyxml2-dev"
   "Threads::Threads|package Threads||"
   "ZLIB::ZLIB|package ZLIB|zlib|zlib1g-dev"
-  "PkgConfig::ROCINANTE_ASSIMP|module assimp|assimp|libassimp-dev"
   "PkgConfig::ROCINANTE_ISAL|module libisal|libisal|libisal-dev"
   "PkgConfig::ROCINANTE_LIBSPNG|module spng|spng|libspng-dev"
   "PkgConfig::ROCINANTE_LIBLZ4|module liblz4|liblz4|liblz4-dev"

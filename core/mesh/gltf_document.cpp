@@ -11,7 +11,6 @@
 #include "core/document/fault_list.h"
 #include "core/mesh/glb_container.h"
 #include "core/mesh/gltf_guard.h"
-#include "core/mesh/scene_reader.h"
 #include "core/search/file_search.h"
 
 namespace rocinante {

@@ -15,7 +15,6 @@
 #include "core/mesh/gltf_primitive.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/mtl_reader.h"
-#include "core/mesh/scene_reader.h"
 #include "core/mesh/smooth_normals.h"
 
 namespace rocinante {

@@ -11,9 +11,9 @@
 #include <cstring>
 
 #include "core/document/fault_list.h"
+#include "core/mesh/collada_reader.h"
 #include "core/mesh/gltf_reader.h"
 #include "core/mesh/obj_reader.h"
-#include "core/mesh/scene_reader.h"
 #include "core/mesh/stl_reader.h"
 
 namespace rocinante {
@@ -105,8 +105,8 @@ Result<Mesh> readByEnding(ByteView bytes, const std::filesystem::path& path,
   const std::string ending = endingOfMesh(path);
   if (ending == ".obj") return readObj(bytes, path, options, mesh_faults);
   if (ending == ".stl" || ending == ".stlb") return readStl(bytes, path, options, mesh_faults);
+  if (ending == ".dae") return readCollada(bytes, path, options, mesh_faults);
   if (ending == ".gltf" || ending == ".glb") return readGltf(bytes, path, options, mesh_faults);
-  if (ending == ".dae") return readScene(bytes, path, options, mesh_faults);
   return Error{ErrorKind::unsupported,
                "is not a mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not " +
                    (ending.empty() ? "a file without an ending" : quotedInFault(ending)),

@@ -26,6 +26,10 @@ struct MeshReadOptions {
   double smooth_angle_deg = 40;  ///< missing normals: faces that meet at less are smoothed
 };
 
+/// Limits of a COLLADA or glTF file; more is refused (docs/meshes.md, "Limits").
+inline constexpr std::size_t kMaxSceneBytes = std::size_t{512} << 20;
+inline constexpr std::size_t kMaxSceneTriangles = std::size_t{1} << 24;
+
 /// By the file's ending: .obj .stl .stlb .dae .gltf .glb.
 bool isMeshFile(const std::filesystem::path& path);
 /// True for COLLADA and glTF; OBJ and STL state neither unit nor up axis.
@@ -33,7 +37,8 @@ bool saysItsUnit(const std::filesystem::path& path);
 
 /// Reads .obj (with .mtl), .stl, binary and ASCII, .dae, .gltf or .glb by the file's ending. Faults
 /// of the file are added to `faults` with their lines and as much as is sound is returned; an error
-/// only when nothing can be used. Details per format: obj_reader.h, stl_reader.h, scene_reader.h.
+/// only when nothing can be used. Details per format: obj_reader.h, stl_reader.h,
+/// collada_reader.h, gltf_reader.h.
 Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                           Findings& faults);
 

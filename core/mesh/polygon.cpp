@@ -13,27 +13,28 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 }  // namespace
 
-void PolygonCutter::flatten(std::span<const glm::vec3> corners) {
+void flattenPolygon(std::span<const glm::vec3> corners, std::size_t outer,
+                    std::vector<Vec2>& flat) {
   // Newell's normal: sound for concave and slightly bent polygons. Coordinates are taken from the
   // first corner, so that a polygon far from the origin keeps its digits.
   const Vec3 origin(corners[0]);
   Vec3 normal(0.0);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
+  for (std::size_t i = 0; i < outer; ++i) {
     const Vec3 a = Vec3(corners[i]) - origin;
-    const Vec3 b = Vec3(corners[i + 1 == corners.size() ? 0 : i + 1]) - origin;
+    const Vec3 b = Vec3(corners[i + 1 == outer ? 0 : i + 1]) - origin;
     normal += glm::cross(a, b);
   }
   const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
-  flat_.clear();
+  flat.clear();
   // Dropping the normal's largest coordinate keeps the shape and, with the sign, the winding.
   for (const glm::vec3& corner : corners) {
     const Vec3 p = Vec3(corner) - origin;
     if (z >= x && z >= y) {
-      flat_.emplace_back(normal.z < 0 ? -p.x : p.x, p.y);
+      flat.emplace_back(normal.z < 0 ? -p.x : p.x, p.y);
     } else if (y >= x) {
-      flat_.emplace_back(normal.y < 0 ? -p.z : p.z, p.x);
+      flat.emplace_back(normal.y < 0 ? -p.z : p.z, p.x);
     } else {
-      flat_.emplace_back(normal.x < 0 ? -p.y : p.y, p.z);
+      flat.emplace_back(normal.x < 0 ? -p.y : p.y, p.z);
     }
   }
 }
@@ -91,7 +92,7 @@ std::span<const std::uint32_t> PolygonCutter::cut(std::span<const glm::vec3> cor
   gave_up_ = false;
   const auto count = static_cast<std::uint32_t>(corners.size());
   if (count > 3) {
-    flatten(corners);
+    flattenPolygon(corners, corners.size(), flat_);
     bool convex = true;
     for (std::uint32_t i = 0; i < count && convex; ++i) {
       const Vec2& before = flat_[i == 0 ? count - 1 : i - 1];

@@ -8,6 +8,9 @@
 
 namespace rocinante {
 
+/// `corners` in the plane of the first `outer` of them, in which those run counter-clockwise.
+void flattenPolygon(std::span<const glm::vec3> corners, std::size_t outer, std::vector<Vec2>& flat);
+
 /// Cuts one polygon into triangles: a fan where it is convex, ear clipping where it is not. A
 /// concave polygon of more than 2,048 corners is only fanned (ear clipping is quadratic).
 class PolygonCutter {
@@ -23,7 +26,6 @@ class PolygonCutter {
  private:
   bool isEar(std::size_t corner) const;
   bool isStraight(std::size_t corner) const;
-  void flatten(std::span<const glm::vec3> corners);
   void clipEars();
 
   std::vector<Vec2> flat_;  ///< in the polygon's plane, counter-clockwise

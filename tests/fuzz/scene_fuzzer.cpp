@@ -1,5 +1,5 @@
 // Any bytes as COLLADA, as binary glTF, and as the JSON of one: the first byte chooses. What comes
-// back must be drawable; assimp, which is not instrumented, must not bring the program down.
+// back must be drawable.
 
 #include <cmath>
 #include <cstdint>
@@ -51,9 +51,6 @@ Bytes binaryOf(ByteView json) {
 }
 
 }  // namespace
-
-// assimp loses memory where it refuses a file.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;

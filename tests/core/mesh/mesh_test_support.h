@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -73,6 +74,32 @@ inline void expectSound(const Mesh& mesh) {
     next += part.index_count;
   }
   ASSERT_EQ(next, mesh.indices.size());
+}
+
+/// Everything that a picture or a terminal would show of a mesh.
+inline std::string told(const Result<Mesh>& mesh, const Findings& faults) {
+  std::string told;
+  for (const Finding& fault : faults) {
+    told += fmt::format("{} {} {} x{}\n", fault.rule, fault.left_out, fault.text, fault.count);
+  }
+  if (!mesh) return told + mesh.error().what;
+  expectSound(*mesh);
+  for (const std::uint32_t index : mesh->indices) {
+    const Vertex& v = mesh->vertices[index];
+    told += fmt::format("{} {} {} {} {} {} {} {} {:x}\n", v.position.x, v.position.y, v.position.z,
+                        v.normal.x, v.normal.y, v.normal.z, v.texture.x, v.texture.y,
+                        mesh->colors.empty() ? 0 : mesh->colors[index]);
+  }
+  for (const MeshPart& part : mesh->parts) {
+    told += fmt::format("{} {} {}\n", part.group, part.material, part.index_count);
+  }
+  for (const Material& m : mesh->materials) {
+    told += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}\n", m.name, m.diffuse.r,
+                        m.diffuse.b, m.diffuse.a, m.specular.r, m.emission.b, m.shininess,
+                        m.diffuse_map.string(), m.missing_map, static_cast<int>(m.wrap_u),
+                        static_cast<int>(m.wrap_v), m.map_scale.x, m.map_offset.x);
+  }
+  return told;
 }
 
 /// Twice the area of all triangles, seen along z: cutting a flat polygon must not change it.

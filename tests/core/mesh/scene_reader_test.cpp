@@ -133,37 +133,14 @@ TEST(ColladaReader, NodesThatContainThemselvesAreRefused) {
         i + 1, i + 1);
   }
   Findings faults;
+  const std::string first = "<node id=\"a\"><instance_node url=\"#n0\"/></node>";
   const auto mesh =
-      readMeshBytes(bytesOf(collada(1, "Z_UP", kWedge, self, doubling)), "a.dae", {}, faults);
+      readMeshBytes(bytesOf(collada(1, "Z_UP", kWedge, first, doubling)), "a.dae", {}, faults);
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.error().what, "its nodes expand to more than 1000000 nodes");
 }
 
-TEST(ColladaReader, AListOfIndicesThatIsNoneIsRefusedAtOnce) {
-  std::string text = collada(1, "Z_UP", kWedge);
-  text.replace(text.find("<p>0 2 1"), 8, "<p>0 x 1");
-  Findings faults;
-  const auto mesh = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
-  ASSERT_FALSE(mesh.ok());
-  EXPECT_EQ(mesh.error().what, "a <p> holds something that is not an index");
-}
-
-TEST(ColladaReader, AnAccessorThatReadsBeyondItsArrayIsRefused) {
-  for (const auto& [from, to] : {std::pair{"count=\"12\"", "couNt=\"12\""},
-                                 {"count=\"12\"", "count=\"11\""},
-                                 {"stride=\"3\"", "stride=\"18446744073709551615\""}}) {
-    std::string text = collada(1, "Z_UP", kWedge);
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    text.replace(at, std::string_view(from).size(), to);
-    Findings faults;
-    const auto mesh = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
-    ASSERT_FALSE(mesh.ok()) << to;
-    EXPECT_TRUE(mesh.error().what.starts_with("an <accessor> reads 4 times")) << mesh.error().what;
-  }
-}
-
-TEST(ColladaReader, WhatAssimpCannotReadIsToldInOneSentence) {
+TEST(ColladaReader, WhatIsNotColladaIsToldInOneSentence) {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<node>";
   for (const auto& [text, sentence] : std::initializer_list<std::pair<std::string, std::string>>{
@@ -396,7 +373,7 @@ TEST(ColladaReader, TheReactorInInchesStandsAsTallAsInTheYardInMetres) {
   Findings faults;
   const auto reactor = readMeshFile(folder / "meshes/reactor.dae", options, faults);
   ASSERT_TRUE(reactor.ok()) << reactor.error().text();
-  EXPECT_THAT(faults, IsEmpty());
+  EXPECT_EQ(countOf(faults, Severity::note), faults.size());
   expectSound(*reactor);
   EXPECT_EQ(reactor->materials.at(0).diffuse_map.filename(), "reactor_diffuse.jpg");
 
