@@ -34,7 +34,7 @@ rocinante_web_sources(core/base hash duration_text plain_text name_hint count_te
 rocinante_web_sources(core/math angle_reduction srgb trigonometry transform)
 rocinante_web_sources(core/packet packet text_name text_number header_reader statement_reader
   packet_text_decoder packet_text_writer state_folder fold_statement state_forgetting session_state
-  item_text restatement statement_device)
+  item_text joint_order restatement statement_device)
 rocinante_web_sources(core/mcap append_record byte_sink chunk_expander chunk_head no_lz4_frame open_chunk
   open_chunk_stream parse_record record_probe records record_stepper summary tail_reserve torn_chunk)
 rocinante_web_sources(core/log captured_range chunk_indexes clock_message followed_file followed_records

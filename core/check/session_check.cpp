@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/check/judges/clearance_report.h"
+#include "core/packet/joint_order.h"
 
 namespace rocinante {
 namespace {
@@ -133,10 +134,13 @@ void SessionCheck::judgeOfDevice(const Statement& statement, SourceJudge& source
 void SessionCheck::judgeJoints(const Statement& statement, const SourceJudge& source,
                                DeviceJudge& device, const PacketPlace& place) {
   // An order may have been forgotten since it was given: by `remove`, or a restatement without it.
-  const bool ordered = device.hasOrderOf(source.number()) && [&] {
-    const DeviceState* const said = stream_.state().findDevice(statement.name);
-    return said != nullptr && said->orders.contains(source.name());
-  }();
+  const JointsMeaning meaning =
+      meaningOfJoints(stream_.state().findDevice(statement.name), source.name(), statement);
+  if (meaning.fault == PacketFault::unknown_order) {
+    const FaultAt fault{PacketFault::unknown_order, statement.line, 0};
+    return stream_.takeFaults({&fault, 1}, place);
+  }
+  const bool ordered = device.hasOrderOf(source.number()) && meaning.names != nullptr;
   device.judgeJoints(statement.numbers, ordered, place);
 }
 

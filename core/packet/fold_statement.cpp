@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/packet/joint_order.h"
 #include "core/packet/packet_limits.h"
 #include "core/packet/state_folder.h"
 
@@ -101,12 +102,13 @@ void StateFolder::foldJoints(const Statement& statement) {
   Device* const device = deviceFor(statement.name);
   if (device == nullptr) return;
   DeviceState& said = device->second;
-  if (!said.orders.empty()) {
-    const auto order = said.orders.find(header_.source);
-    if (order != said.orders.end()) {
-      foldJointsByName(*device, order->second, statement.numbers);
-      return;
-    }
+  const JointsMeaning meaning = meaningOfJoints(&said, header_.source, statement);
+  if (meaning.fault) {
+    count(*meaning.fault);
+    return forgetIfEmpty(statement.name);
+  }
+  if (meaning.names != nullptr) {
+    return foldJointsByName(*device, *meaning.names, statement.numbers);
   }
   const std::uint64_t weight =
       kItemWeight + header_.source.size() + statement.numbers.size() * sizeof(double);
@@ -123,10 +125,6 @@ void StateFolder::foldJoints(const Statement& statement) {
 
 void StateFolder::foldJointsByName(Device& device, std::span<const std::string> names,
                                    std::span<const double> values) {
-  if (names.size() != values.size()) {
-    count(PacketFault::order_mismatch);
-    return;
-  }
   // Joint names are usually numbered: neighbours in the statement are neighbours in the map too.
   NamedJoints& joints = device.second.named_joints;
   auto next = joints.begin();

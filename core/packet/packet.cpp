@@ -32,6 +32,8 @@ std::string_view nameOf(PacketFault fault) {
       return "too_many";
     case PacketFault::order_mismatch:
       return "order_mismatch";
+    case PacketFault::unknown_order:
+      return "unknown_order";
   }
   return "?";
 }

@@ -37,7 +37,7 @@ struct PacketHeader {
 };
 
 enum class StatementKind : std::uint8_t {
-  joints,  ///< device; numbers
+  joints,  ///< device; order_tag; numbers
   order,   ///< device; names
   joint,   ///< device; names and numbers, one number a name
   pose,    ///< device; numbers = x y z qx qy qz qw (normalised); carrier
@@ -74,6 +74,7 @@ struct Statement {
   std::span<const double> numbers;  ///< metres and radians
   std::span<const std::string_view> names;  ///< joint names
   std::optional<std::uint64_t> kinematics;  ///< kin=HEX16
+  std::optional<std::uint32_t> order_tag;   ///< @TAG of joints: the order that the values need
   std::uint32_t rgba = 0;                   ///< 0xRRGGBBAA
   bool is_default = false;                  ///< "the cell's own value" in place of a value
   std::optional<double> size_px;            ///< width= of a line, size= of points
@@ -99,8 +100,9 @@ enum class PacketFault : std::uint8_t {
   unnormalised_quaternion,  ///< more than 1e-3 from unit length; normalised and applied
   too_many,                 ///< beyond a limit of docs/packet-format.md
   order_mismatch,           ///< found by the fold: `joints` with another count than its `order`
+  unknown_order,            ///< found by the fold: `joints @TAG` without the order of that TAG
 };
-inline constexpr std::size_t kPacketFaultCount = 14;
+inline constexpr std::size_t kPacketFaultCount = 15;
 
 /// "bad_number" and so on: the names that reports use.
 std::string_view nameOf(PacketFault fault);

@@ -88,6 +88,10 @@ void appendStatement(std::string& text, const Statement& statement) {
   switch (statement.kind) {
     case StatementKind::joints:
       appendField(text, statement.name);
+      if (statement.order_tag) {
+        text += " @";
+        appendHex(text, *statement.order_tag, 8);
+      }
       appendNumbers(text, statement.numbers);
       break;
     case StatementKind::order:

@@ -84,7 +84,16 @@ void StatementReader::read(std::string_view line, std::uint32_t number) {
   }
 }
 
-bool StatementReader::readJoints() { return takeName(statement_->name) && takeNumbersToEnd(); }
+bool StatementReader::readJoints() {
+  if (!takeName(statement_->name)) return false;
+  const char* const place = fields_.peek().data();
+  if (std::string_view hex; fields_.takeAfter("@", hex)) {
+    const auto tag = readHex(hex, 8);
+    if (!tag) return fail(PacketFault::bad_number, place);
+    statement_->order_tag = static_cast<std::uint32_t>(*tag);
+  }
+  return takeNumbersToEnd();
+}
 
 bool StatementReader::readOrder() {
   if (!takeName(statement_->name)) return false;

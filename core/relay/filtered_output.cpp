@@ -1,6 +1,7 @@
 #include "core/relay/filtered_output.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "core/packet/packet_text.h"
@@ -28,7 +29,7 @@ bool RelayOutputOptions::isWhole() const {
 FilteredOutput::FilteredOutput(OutputHeader header, RelayOutputOptions options, LogTime now)
     : header_(std::move(header)), options_(std::move(options)), pending_(options_.pacing) {
   if (!options_.bytes_per_second) return;
-  style_.rounded = true;
+  style_.rounded = style_.by_order = true;
   const double rate = *options_.bytes_per_second;
   bucket_.emplace(rate, rate * kBurstSeconds, now);
 }
@@ -53,7 +54,12 @@ void FilteredOutput::takeImmediate(const Step& step, const Packet& packet,
                                    const Statement& statement, RelayDraft& draft) {
   if (!passesImmediate(packet.header.source, statement)) return;
   std::string line = statementText(statement) + '\n';
-  if (statement.kind == StatementKind::remove) pending_.removed(statement.name);
+  if (statement.kind == StatementKind::remove) {
+    pending_.removed(statement.name);
+    forgetOrders(statement.name);
+  }
+  // Told with the values that need it.
+  if (style_.by_order && statement.kind == StatementKind::order) return;
   if (statement.kind == StatementKind::erase && forgets_nothing_ &&
       erases_.size() < kMaxRepeatedErases) {
     erases_.push_back(
@@ -92,6 +98,18 @@ void FilteredOutput::applied(const SessionState& state, const ThroughBySource& t
   sendReady(step, draft);
 }
 
+void FilteredOutput::forgetOrders(std::string_view device) {
+  std::erase_if(told_, [&](const auto& each) { return each.first.first == device; });
+}
+
+bool FilteredOutput::saysOrder(const SessionState& state,
+                               const ToldOrders::key_type& device_and_source) const {
+  const auto& [name, source] = device_and_source;
+  const DeviceState* const device = state.findDevice(name);
+  return device != nullptr &&
+         (device->orders.contains(source) || !orderOfValues(*device, source, style_).empty());
+}
+
 void FilteredOutput::send(const Step& step, RelayDraft& draft, bool restating) {
   step.out.push_back(header_.datagramOf(draft, step.state, step.through, restating));
   if (bucket_) bucket_->spend(step.out.back().size() + options_.head_bytes);
@@ -99,26 +117,30 @@ void FilteredOutput::send(const Step& step, RelayDraft& draft, bool restating) {
   ++live_datagrams_;
 }
 
+/// Adds what is next to `draft`, which is sent when it is full. What one SOURCE owns of a device's
+/// values is in one datagram, whatever its size.
+void FilteredOutput::sendUnit(const Step& step, RelayDraft& draft) {
+  std::map<std::string, std::vector<ItemKey>> by_owner;
+  for (ItemKey& key : pending_.takeReady(step.state, step.now)) {
+    if (!passes(options_.filters, step.state, key)) continue;
+    by_owner[*ownerOf(step.state, key)].push_back(std::move(key));
+  }
+  for (const auto& [owner, keys] : by_owner) {
+    for (std::string& text : DeviceValues(step.state, keys, style_).texts(false, told_)) {
+      const bool fits =
+          draft.source == owner && draft.text.size() + text.size() <= roomFor(step, owner);
+      if (!draft.text.empty() && !fits) send(step, draft, false);
+      draft.source = owner;
+      draft.text += text;
+    }
+  }
+}
+
 /// Sends `draft`, filled with what is ready, and the rest as far as the link allows.
 void FilteredOutput::sendReady(const Step& step, RelayDraft& draft) {
   while (pending_.anyReady()) {
     if (draft.text.empty() && bucket_ && !bucket_->allows(step.now)) return;
-    const std::vector<ItemKey> items = pending_.takeReady(step.state, step.now);
-    const ItemKey* before = nullptr;
-    for (const ItemKey& key : items) {
-      if (!passes(options_.filters, step.state, key)) continue;
-      const std::string& owner = *ownerOf(step.state, key);
-      std::string text = itemText(step.state, key, style_, false);
-      const bool fits =
-          draft.source == owner && draft.text.size() + text.size() <= roomFor(step, owner);
-      if (!draft.text.empty() && !fits) {
-        send(step, draft, false);
-        before = nullptr;
-      }
-      draft.source = owner;
-      appendItem(draft.text, before, key, std::move(text));
-      before = &key;
-    }
+    sendUnit(step, draft);
     // On a slow link a datagram is one device: the next may have newer values when its turn comes.
     if (bucket_ && !draft.text.empty()) send(step, draft, false);
     if (bucket_ && restating_ && live_datagrams_ >= kLiveForEachRestated) sendRestating(step);
@@ -134,6 +156,8 @@ void FilteredOutput::restate(const SessionState& state, const ThroughBySource& t
   options.text_bytes = header_.roomInParts(state, through, id, datagramBytes());
   options.id = std::move(id);
   restating_.emplace(state, std::move(options));
+  // Listeners forget an order that a whole restatement does not repeat.
+  std::erase_if(told_, [&](const auto& each) { return !saysOrder(state, each.first); });
   std::size_t most = RestatingPace::kMaxWithParts;
   if (options_.bytes_per_second) {
     const double bytes = *options_.bytes_per_second * secondsOf(RestatingPace::kLongest) /
@@ -149,7 +173,7 @@ void FilteredOutput::sendRestating(const Step& step) {
     if (!pace_.allows(step.now) || (bucket_ && !bucket_->allows(step.now))) return;
     if (bucket_ && pending_.anyReady() && live_datagrams_ < kLiveForEachRestated) return;
     std::vector<ItemKey> said;
-    std::vector<RelayDraft> drafts = restating_->next(step.state, &said);
+    std::vector<RelayDraft> drafts = restating_->next(step.state, &said, told_);
     for (RelayDraft& draft : drafts) send(step, draft, true);
     for (const ItemKey& key : said) pending_.said(key);
     pace_.sent(drafts.size());

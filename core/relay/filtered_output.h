@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/relay/device_values.h"
 #include "core/relay/output_header.h"
 #include "core/relay/pending_items.h"
 #include "core/relay/restating_pace.h"
@@ -29,7 +30,8 @@ struct RelayOutputOptions {
 class FilteredOutput {
  public:
   static constexpr std::size_t kDatagramBytes = 1200;
-  static constexpr std::size_t kSlowDatagramBytes = 180;  ///< with bytes_per_second
+  /// With bytes_per_second. A device's values are in one datagram, also where it is longer.
+  static constexpr std::size_t kSlowDatagramBytes = 180;
 
   FilteredOutput(OutputHeader header, RelayOutputOptions options, LogTime now);
 
@@ -70,6 +72,9 @@ class FilteredOutput {
                      RelayDraft& draft);
   void send(const Step& step, RelayDraft& draft, bool restating);
   void sendReady(const Step& step, RelayDraft& draft);
+  void sendUnit(const Step& step, RelayDraft& draft);
+  void forgetOrders(std::string_view device);
+  bool saysOrder(const SessionState& state, const ToldOrders::key_type& device_and_source) const;
   void sendRestating(const Step& step);
   void repeatErases(const Step& step);
   static bool isDrawn(const SessionState& state, const RepeatedErase& erase);
@@ -88,6 +93,7 @@ class FilteredOutput {
   bool forgets_nothing_ = false;  ///< its restatements are too long to have part=
   int live_datagrams_ = 0;        ///< since the last one of a restatement
   std::vector<RepeatedErase> erases_;
+  ToldOrders told_;
 };
 
 }  // namespace rocinante

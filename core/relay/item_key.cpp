@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "core/packet/item_text.h"
+#include "core/packet/joint_order.h"
 
 namespace rocinante {
 namespace {
 
-double rounded(double value, double steps) {
+double roundedTo(double value, double steps) {
   const double whole = std::round(value * steps) / steps;
   return std::isfinite(whole) ? whole : value;
 }
@@ -16,9 +17,7 @@ double rounded(double value, double steps) {
 std::string positionsText(const DeviceState& device, const ItemKey& key, const ItemStyle& style,
                           bool restating) {
   std::vector<double> values = device.joints->value;
-  if (style.rounded) {
-    for (double& value : values) value = rounded(value, 1e4);
-  }
+  for (double& value : values) value = style.value(value);
   std::string text;
   const auto order = device.orders.find(device.joints->owner);
   const bool is_ordered = order != device.orders.end();
@@ -32,7 +31,7 @@ std::string roundedPoseText(const std::string& device, PoseValue value, const It
   if (style.rounded) {
     Vec3& p = value.pose.position;
     Quat& q = value.pose.orientation;
-    for (double* each : {&p.x, &p.y, &p.z, &q.x, &q.y, &q.z, &q.w}) *each = rounded(*each, 1e6);
+    for (double* each : {&p.x, &p.y, &p.z, &q.x, &q.y, &q.z, &q.w}) *each = roundedTo(*each, 1e6);
   }
   return poseText(device, value);
 }
@@ -87,6 +86,13 @@ const std::string* ownerIn(const Map& items, const Name& name) {
 }
 
 }  // namespace
+
+double ItemStyle::value(double joint) const { return rounded ? roundedTo(joint, 1e4) : joint; }
+
+bool isDeviceValue(const ItemKey& key) {
+  return key.kind == ItemKind::positions || key.kind == ItemKind::joint ||
+         key.kind == ItemKind::pose;
+}
 
 bool isOfDevice(const ItemKey& key) {
   if (key.kind == ItemKind::visibility || key.kind == ItemKind::color) return !key.is_layer;
@@ -154,7 +160,7 @@ std::string itemText(const SessionState& state, const ItemKey& key, const ItemSt
       return orderText(key.name, device.orders.find(key.second)->second) + '\n';
     case ItemKind::joint: {
       const double value = device.named_joints.find(key.second)->second.value;
-      return jointText(key.name, key.second, style.rounded ? rounded(value, 1e4) : value) + '\n';
+      return jointText(key.name, key.second, style.value(value)) + '\n';
     }
     default:
       return roundedPoseText(key.name, device.pose->value, style) + '\n';
@@ -204,10 +210,10 @@ void forEachWritten(const SessionState& state, std::string_view source, const St
   switch (statement.kind) {
     case StatementKind::joints: {
       const DeviceState* const device = state.findDevice(statement.name);
-      if (device == nullptr) return;
-      const auto order = device->orders.find(source);
-      if (order == device->orders.end()) return visit(keyOf(ItemKind::positions, statement.name));
-      for (const std::string& joint : order->second) {
+      const JointsMeaning meaning = meaningOfJoints(device, source, statement);
+      if (device == nullptr || meaning.fault) return;
+      if (meaning.names == nullptr) return visit(keyOf(ItemKind::positions, statement.name));
+      for (const std::string& joint : *meaning.names) {
         visit(keyOf(ItemKind::joint, statement.name, joint));
       }
       return;

@@ -37,10 +37,16 @@ struct ItemKey {
 
 /// True for items that belong to the device `name`.
 bool isOfDevice(const ItemKey& key);
+/// True for joints and pose: where a device is.
+bool isDeviceValue(const ItemKey& key);
 
 /// How values are written.
 struct ItemStyle {
-  bool rounded = false;  ///< joints with four decimals, poses with six
+  bool rounded = false;   ///< joints with four decimals, poses with six
+  bool by_order = false;  ///< named joints by position, under an order (core/relay/device_values.h)
+
+  /// As a joint's value is written.
+  double value(double joint) const;
 };
 
 /// The SOURCE that owns the item; null when the state has no such item.

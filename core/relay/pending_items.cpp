@@ -18,11 +18,6 @@ double angle(const Quat& a, const Quat& b) {
 
 }  // namespace
 
-bool PendingItems::isDeviceValue(const ItemKey& key) {
-  return key.kind == ItemKind::positions || key.kind == ItemKind::joint ||
-         key.kind == ItemKind::pose;
-}
-
 ItemKey PendingItems::unitOf(const ItemKey& key) {
   return isDeviceValue(key) ? ItemKey{ItemKind::pose, false, 0, key.name, {}} : key;
 }

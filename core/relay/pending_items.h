@@ -77,7 +77,6 @@ class PendingItems {
     }
   };
 
-  static bool isDeviceValue(const ItemKey& key);
   static ItemKey unitOf(const ItemKey& key);
   bool isLargeChange(const SessionState& state, const ItemKey& key, const Unit& unit) const;
   static void remember(const SessionState& state, const ItemKey& key, Unit& unit);

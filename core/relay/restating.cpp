@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/packet/packet_limits.h"
+#include "core/relay/device_values.h"
 
 namespace rocinante {
 namespace {
@@ -22,8 +23,14 @@ Stage stageOf(const SessionState& state, const ItemKey& key) {
   return value.presence == Presence::removed ? removals : items;
 }
 
+bool isToldWithValues(const SessionState& state, const ItemKey& key, const ItemStyle& style) {
+  return key.kind == ItemKind::order &&
+         !orderOfValues(*state.findDevice(key.name), key.second, style).empty();
+}
+
+/// One item, or the values of one device that one SOURCE owns: they are said together.
 struct Planned {
-  ItemKey key;
+  std::vector<ItemKey> keys;
   std::size_t bytes = 0;
 };
 
@@ -39,17 +46,38 @@ Restating::Restating(const SessionState& state, Options options) : options_(std:
                     [&](const RelayFilter& filter) { return filter.passesSource(source.first); });
     if (passes) plans[source.first];
   }
+  const auto plan = [&](const std::string& owner, std::vector<ItemKey> keys) {
+    ToldOrders ignored;
+    std::size_t bytes = 0;
+    for (const std::string& text : DeviceValues(state, keys, options_.style).texts(true, ignored)) {
+      bytes += text.size();
+    }
+    plans[owner][stageOf(state, keys[0])].push_back({std::move(keys), bytes});
+  };
+  std::string device;
+  std::map<std::string, std::vector<ItemKey>> values;  // of this device, by owner
+  const auto planValues = [&] {
+    for (auto& [owner, keys] : values) plan(owner, std::move(keys));
+    values.clear();
+  };
   forEachItem(state, [&](ItemKey&& key) {
+    if (key.kind == ItemKind::visibility || key.name != device) {
+      planValues();
+      device = key.name;
+    }
     if (!passes(options_.filters, state, key)) return;
     const std::string* const owner = ownerOf(state, key);
     if (isOfDevice(key)) {
       const auto first = owners.emplace(key.name, owner).first;
       by_stage = by_stage || *first->second != *owner;
     }
-    const std::size_t bytes = itemText(state, key, options_.style, true).size();
-    const Stage stage = stageOf(state, key);
-    plans[*owner][stage].push_back({std::move(key), bytes});
+    if (isDeviceValue(key)) {
+      values[*owner].push_back(std::move(key));
+    } else if (!isToldWithValues(state, key, options_.style)) {
+      plan(*owner, {std::move(key)});
+    }
   });
+  planValues();
 
   for (auto& [source, stages] : plans) {
     const std::size_t first = parts_.size();
@@ -64,7 +92,7 @@ Restating::Restating(const SessionState& state, Options options) : options_(std:
           parts_.push_back({source, {}, 1, 1, is_removal});
           filled = 0;
         }
-        parts_.back().items.push_back(std::move(each.key));
+        for (ItemKey& key : each.keys) parts_.back().items.push_back(std::move(key));
         filled += each.bytes;
       }
     }
@@ -86,27 +114,37 @@ Restating::Restating(const SessionState& state, Options options) : options_(std:
                    [&](const Part& a, const Part& b) { return stageOfPart(a) < stageOfPart(b); });
 }
 
-std::vector<RelayDraft> Restating::next(const SessionState& state, std::vector<ItemKey>* said) {
+std::vector<RelayDraft> Restating::next(const SessionState& state, std::vector<ItemKey>* said,
+                                        ToldOrders& told) {
   const Part& part = parts_[next_++];
   std::vector<RelayDraft> drafts(1);
   drafts[0].source = part.source;
-  const ItemKey* before = nullptr;
+  std::vector<ItemKey> together;
+  const auto say = [&] {
+    if (together.empty()) return;
+    for (std::string& lines : DeviceValues(state, together, options_.style).texts(true, told)) {
+      const std::string& text = drafts.back().text;
+      if (!text.empty() && text.size() + lines.size() > options_.text_bytes) {
+        drafts.push_back({part.source, {}, {}});
+      }
+      drafts.back().text += lines;
+    }
+    if (said != nullptr) said->insert(said->end(), together.begin(), together.end());
+    together.clear();
+  };
   for (const ItemKey& key : part.items) {
+    const bool goes_on = !together.empty() && isDeviceValue(key) && isDeviceValue(together[0]) &&
+                         key.name == together[0].name;
+    if (!goes_on) say();
     const std::string* const owner = ownerOf(state, key);
     // What another source has written meanwhile has passed already, and so has a new `remove`.
     if (owner == nullptr || *owner != part.source) continue;
     if (!part.removals && stageOf(state, key) == removals) continue;
     if (!passes(options_.filters, state, key)) continue;
-    std::string line = itemText(state, key, options_.style, true);
-    std::string& text = drafts.back().text;
-    if (!text.empty() && text.size() + line.size() > options_.text_bytes) {
-      drafts.push_back({part.source, {}, {}});
-      before = nullptr;
-    }
-    appendItem(drafts.back().text, before, key, std::move(line));
-    before = &key;
-    if (said != nullptr) said->push_back(key);
+    if (isToldWithValues(state, key, options_.style)) continue;
+    together.push_back(key);
   }
+  say();
   // A part that no longer fits: the rest goes without part=, inside the restatement.
   const bool fits = drafts.size() == 1 || part.count > 1;
   if (!options_.with_parts || !fits) return drafts;

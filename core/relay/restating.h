@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/packet/packet.h"
-#include "core/relay/item_key.h"
+#include "core/relay/device_values.h"
 
 namespace rocinante {
 
@@ -25,8 +25,9 @@ class Restating {
   struct Options {
     std::vector<RelayFilter> filters;
     ItemStyle style;
-    std::string id;              ///< of the restatement; a name
-    std::size_t text_bytes = 0;  ///< statements of one datagram, unless one alone is larger
+    std::string id;  ///< of the restatement; a name
+    std::size_t text_bytes =
+        0;  ///< statements of one datagram, unless what goes together is larger
     bool with_parts = true;
   };
   Restating(const SessionState& state, Options options);
@@ -38,8 +39,10 @@ class Restating {
   const std::string& id() const { return options_.id; }
 
   /// The next part: one datagram, or several when its text has grown beyond text_bytes. Adds the
-  /// items that were said to `said`, if it is not null. Must not have ended.
-  std::vector<RelayDraft> next(const SessionState& state, std::vector<ItemKey>* said);
+  /// items that were said to `said`, if it is not null, and their orders to `told`. Must not have
+  /// ended.
+  std::vector<RelayDraft> next(const SessionState& state, std::vector<ItemKey>* said,
+                               ToldOrders& told);
 
  private:
   struct Part {

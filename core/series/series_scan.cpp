@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 
+#include "core/packet/joint_order.h"
 #include "core/session/keyframe.h"
 
 namespace rocinante {
@@ -188,13 +189,13 @@ void SeriesScan::takeStatement(const Statement& statement, std::string_view sour
 
 void SeriesScan::takeJoints(const Statement& statement, std::string_view source, Device& device,
                             const DeviceState& said, LogTime time) {
-  const auto order = said.orders.find(source);
-  if (order != said.orders.end()) {
-    if (order->second.size() != statement.numbers.size()) return;
+  const JointsMeaning meaning = meaningOfJoints(&said, source, statement);
+  if (meaning.fault) return;
+  if (meaning.names != nullptr) {
     auto known = device.orders.find(source);
     if (known == device.orders.end()) {
       std::vector<SeriesId> ids;
-      for (const std::string& name : order->second) ids.push_back(idOf(device, name));
+      for (const std::string& name : *meaning.names) ids.push_back(idOf(device, name));
       known = device.orders.emplace(std::string(source), std::move(ids)).first;
     }
     for (std::size_t i = 0; i < known->second.size(); ++i) {

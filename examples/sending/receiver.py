@@ -1,6 +1,6 @@
 # Prints the joints of every device whenever they change, by name where the source gave an order.
 # python3 receiver.py 127.0.0.1 19960 [CHANGES]
-import socket, sys
+import socket, sys, zlib
 from urllib.parse import unquote
 
 received = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -33,6 +33,9 @@ while most is None or most > 0:
             continue
         device, values = unquote(fields[0]), fields[1:]
         names = orders.get((source, fields[0])) or [str(i) for i in range(len(values))]
+        if values[0].startswith("@"):  # only for the order of this tag
+            tag = f"@{zlib.crc32(chr(10).join(names).encode()):08x}"
+            values = values[1:] if values[0].lower() == tag else []
         if joints.get(device) != values and len(names) == len(values):
             joints[device] = values
             print(device, *(f"{name}={value}" for name, value in zip(names, values)), flush=True)

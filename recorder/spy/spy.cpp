@@ -251,22 +251,27 @@ void Spy::readFaults(std::span<const FaultAt> faults, ByteView payload, const st
   }
 }
 
-/// Reports joints whose number differs from that of `order`, which only the fold can tell.
+/// Reports joints that do not fit their order, which only the fold can tell.
 void Spy::readMismatches(const Packet& packet, const PacketPlace& place,
                          const std::string& sender) {
   const auto counts = stream_.state().counts().find(packet.header.source);
   const auto source = sources_.find(packet.header.source);
   if (counts == stream_.state().counts().end() || source == sources_.end()) return;
-  constexpr auto kMismatch = static_cast<std::size_t>(PacketFault::order_mismatch);
-  std::uint64_t news = counts->second.faults[kMismatch] - source->second.mismatches;
-  source->second.mismatches += news;
-  for (const Statement& statement : packet.statements) {
-    if (news == 0) return;
-    if (statement.kind != StatementKind::joints) continue;
-    const FaultAt fault{PacketFault::order_mismatch, statement.line, 0};
-    readFaults({&fault, 1}, place.datagram, sender);
-    stream_.takeFaults({&fault, 1}, place);
-    --news;
+  for (std::size_t i = 0; i < kOrderFaults.size(); ++i) {
+    std::uint64_t& known = source->second.mismatches[i];
+    std::uint64_t news = counts->second.faults[static_cast<std::size_t>(kOrderFaults[i])] - known;
+    known += news;
+    for (const Statement& statement : packet.statements) {
+      if (news == 0) break;
+      const bool is_tagged = kOrderFaults[i] == PacketFault::unknown_order;
+      if (statement.kind != StatementKind::joints || statement.order_tag.has_value() != is_tagged) {
+        continue;
+      }
+      const FaultAt fault{kOrderFaults[i], statement.line, 0};
+      readFaults({&fault, 1}, place.datagram, sender);
+      stream_.takeFaults({&fault, 1}, place);
+      --news;
+    }
   }
 }
 

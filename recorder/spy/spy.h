@@ -36,6 +36,8 @@ class Spy {
   SpyReport report(LogTime now);
 
  private:
+  /// Found by the fold, of `joints` alone.
+  static constexpr std::array kOrderFaults{PacketFault::order_mismatch, PacketFault::unknown_order};
   struct Sender {
     SpySender seen;
     RateMeter rate;
@@ -46,7 +48,8 @@ class Spy {
     std::string last_sender;
     std::uint64_t turns = 0;
     std::uint64_t restated = 0;
-    std::uint64_t mismatches = 0;  ///< mismatches of the fold already reported
+    /// Faults of the fold that were reported already.
+    std::array<std::uint64_t, kOrderFaults.size()> mismatches{};
     RateMeter rate;
     LogTime last{};
     std::optional<Nanoseconds> clock_offset;

@@ -34,6 +34,8 @@ constexpr std::array<FaultRule, kPacketFaultCount> kFaultRules = {{
      "docs/packet-format.md lists the limits; what exceeds one is ignored"},
     {"packet.joint-count", "`joints` whose count differs from their order",
      "no value is applied: send as many values as the `order` of the device has names"},
+    {"packet.unknown-order", "`joints @TAG` without the `order` of that TAG",
+     "no value is applied until the order is sent again: was it lost, or is it never restated?"},
 }};
 
 }  // namespace

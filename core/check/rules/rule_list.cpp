@@ -161,6 +161,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"packet.unknown-layer", kWarning, "a layer that the cell does not have"},
     {"packet.unknown-link", kError, "a link that the model does not have"},
     {"packet.unknown-model", kError, "`add` names a model that the cell does not know"},
+    {"packet.unknown-order", kWarning, "values under an order that is not known"},
     {"packet.unknown-protocol", kWarning, "datagrams in an unknown protocol"},
     {"packet.unknown-statement", kNote, "a statement of an unknown kind"},
     {"packet.unnormalised-quaternion", kWarning, "a quaternion is not of unit length"},

@@ -1,7 +1,11 @@
 // docs/packet-format.md, section "The fold": the effect of each statement on the items.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "core/packet/joint_order.h"
 #include "tests/core/packet/fold_text.h"
 
 namespace rocinante {
@@ -62,6 +66,45 @@ TEST_F(FoldItems, JointsThatDoNotFitTheirOrderSayNothing) {
   EXPECT_EQ(arm().last_write, test::atSeconds(1));
   const auto& faults = fold_.counts("a").faults;
   EXPECT_EQ(faults[static_cast<std::size_t>(PacketFault::order_mismatch)], 1U);
+}
+
+TEST_F(FoldItems, JointsThatNameTheirOrderSayNothingUnderAnother) {
+  const std::string tag = fmt::format("@{:08x}", orderTag(std::array<std::string, 2>{"z", "y"}));
+  const auto left_out = [&] {
+    return fold_.counts("a").faults[static_cast<std::size_t>(PacketFault::unknown_order)];
+  };
+  // Without an order, under another, and under one of the same names in another order.
+  say("a", "joints arm " + tag + " 1 2\n");
+  EXPECT_EQ(fold_.state.devices().count("arm"), 0U);
+  say("a", "order arm z x\njoints arm " + tag + " 1 2\n");
+  say("a", "order arm y z\njoints arm " + tag + " 1 2\n");
+  say("a", "order arm z y x\njoints arm " + tag + " 1 2\n");
+  EXPECT_TRUE(arm().named_joints.empty());
+  EXPECT_EQ(left_out(), 4U);
+  // Another source's order is not this one's.
+  say("b", "order arm z y\n");
+  say("a", "joints arm " + tag + " 1 2\n");
+  EXPECT_EQ(left_out(), 5U);
+  say("a", "order arm z y\njoints arm " + tag + " 1 2\n");
+  EXPECT_EQ(left_out(), 5U);
+  EXPECT_EQ(arm().named_joints.at("z").value, 1);
+  EXPECT_EQ(arm().named_joints.at("y").value, 2);
+  // Too few and too many.
+  say("a", "joints arm " + tag + " 5\njoints arm " + tag + " 5 6 7\n");
+  EXPECT_EQ(left_out(), 7U);
+  say("a", "order arm\njoints arm " + tag + " 5 6\n");
+  EXPECT_EQ(left_out(), 8U);
+  EXPECT_FALSE(arm().joints);
+  EXPECT_EQ(arm().named_joints.at("z").value, 1);
+}
+
+TEST(OrderTag, IsTheCrcOfTheNamesAsTheyAreMeant) {
+  EXPECT_EQ(orderTag(std::array<std::string, 2>{"shoulder", "elbow"}), 0x09b0af70U);
+  EXPECT_NE(orderTag(std::array<std::string, 2>{"ab", "c"}),
+            orderTag(std::array<std::string, 2>{"a", "bc"}));
+  // A space belongs to a name, a line feed to none.
+  EXPECT_NE(orderTag(std::array<std::string, 1>{"a b"}),
+            orderTag(std::array<std::string, 2>{"a", "b"}));
 }
 
 TEST_F(FoldItems, TheLastToWriteOwns) {

@@ -85,6 +85,7 @@ void makeStatement(OwnedStatement& owned) {
   switch (s.kind) {
     case StatementKind::joints:
       owned.numbers = numbersOf(some());
+      if (*rc::gen::arbitrary<bool>()) s.order_tag = *rc::gen::arbitrary<std::uint32_t>();
       break;
     case StatementKind::order:
       for (std::size_t i = some() - 1; i > 0; --i) owned.names.push_back(owned.keep(*name()));
@@ -179,6 +180,7 @@ RC_GTEST_PROP(AnyStatement, WrittenAndReadIsTheSame, ()) {
       std::equal(read.numbers.begin(), read.numbers.end(), s.numbers.begin(), s.numbers.end()));
   RC_ASSERT(std::equal(read.names.begin(), read.names.end(), s.names.begin(), s.names.end()));
   RC_ASSERT(read.kinematics == s.kinematics);
+  RC_ASSERT(read.order_tag == s.order_tag);
   RC_ASSERT(read.rgba == s.rgba);
   RC_ASSERT(read.is_default == s.is_default);
   RC_ASSERT(read.size_px == s.size_px);

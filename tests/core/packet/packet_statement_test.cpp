@@ -46,6 +46,20 @@ TEST_F(StatementText, JointsOrderAndJoint) {
   EXPECT_THAT(joint.numbers, ElementsAre(1, -2.25));
 }
 
+TEST_F(StatementText, JointsUnderANamedOrder) {
+  const Statement& joints = read("joints arm @09B0af70 1 -2");
+  EXPECT_EQ(joints.order_tag, 0x09b0af70U);
+  EXPECT_THAT(joints.numbers, ElementsAre(1, -2));
+  EXPECT_EQ(statementText(joints), "joints arm @09b0af70 1 -2");
+  EXPECT_FALSE(read("joints arm 1 -2").order_tag);
+  for (const char* tag : {"@", "@9b0af70", "@009b0af70", "@09b0af7g", "@-9b0af70"}) {
+    EXPECT_EQ(faultsOf("RK1 m - -\njoints arm " + std::string(tag) + " 1\n"), "2 12 bad_number\n");
+  }
+  EXPECT_EQ(faultsOf("RK1 m - -\njoints arm @09b0af70\n"), "2 21 missing_field\n");
+  EXPECT_EQ(faultsOf("RK1 m - -\njoints arm 1 @09b0af70\n"), "2 14 bad_number\n");
+  EXPECT_EQ(faultsOf("RK1 m - -\njoints @09b0af70 1\n"), "2 8 bad_name\n");
+}
+
 TEST_F(StatementText, PoseWithAndWithoutCarrier) {
   const Statement& pose = read("pose part 1 2 3 0 0 0.6 0.8 in arm/tool%2F0");
   EXPECT_EQ(pose.kind, StatementKind::pose);

@@ -1,8 +1,12 @@
 #include "core/relay/filtered_output.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "core/packet/joint_order.h"
 #include "tests/core/relay/relay_support.h"
 
 namespace rocinante {
@@ -129,6 +133,167 @@ TEST(FilteredOutput, HeldPositionsSurviveAnOrderThatCameAfterThem) {
   EXPECT_EQ(itemsAndSources(net.listeners[id].fold.state), itemsAndSources(net.relay.state()));
   EXPECT_THAT(net.listeners[id].heard.back(),
               HasSubstr("order arm\njoints arm 3 4\norder arm a b"));
+}
+
+/// `count` joints of arm, each with the value.
+std::string manyJoints(int count, int value) {
+  std::string text = "joint arm";
+  for (int i = 0; i < count; ++i) text += fmt::format(" a_joint_with_a_name_{:04}={}", i, value);
+  return text + '\n';
+}
+
+/// Whether the joints of arm at the listener are of one moment.
+bool isWhole(const test::TextFold& fold) {
+  const auto& joints = fold.device("arm").named_joints;
+  return std::ranges::all_of(
+      joints, [&](const auto& each) { return each.second.value == joints.begin()->second.value; });
+}
+
+TEST(FilteredOutput, ValuesOfADeviceAreTogetherWhateverTheirSize) {
+  RelayOutputOptions slow;
+  slow.bytes_per_second = 2e6;
+  for (const RelayOutputOptions& options : {atMost(100), slow}) {
+    SCOPED_TRACE(options.bytes_per_second.has_value());
+    RelayedListeners net;
+    const auto id = net.open(options);
+    auto& listener = net.listeners[id];
+    // Restatements and live values: after each datagram.
+    std::size_t seen = 0;
+    for (int i = 0; i < 300; ++i) {
+      net.receive(1 + i * 0.02,
+                  fmt::format("RK1 s {} -\n", i) + manyJoints(200, i) + "pose arm 0 0 0 0 0 0 1\n");
+      ASSERT_TRUE(isWhole(listener.fold)) << i;
+      seen += listener.fold.device("arm").named_joints.size() == 200 ? 1 : 0;
+    }
+    EXPECT_GE(seen, 290U);
+    // Together with the pose.
+    EXPECT_TRUE(std::ranges::any_of(listener.heard, [](const std::string& text) {
+      return text.find("joint") != text.npos && text.find("\npose arm") != text.npos;
+    }));
+  }
+}
+
+TEST(FilteredOutput, OnlyWhatNoDatagramHoldsIsCut) {
+  RelayedListeners net;
+  const auto id = net.open(atMost(100));
+  for (int part = 0; part < 4; ++part) {
+    std::string text = fmt::format("RK1 s {} -\njoint arm", part);
+    for (int i = 0; i < 1000; ++i) {
+      text += fmt::format(" a_joint_with_a_name_of_{}_and_{:04}=1", part, i);
+    }
+    net.receive(1.001 + part * 0.001, text + '\n');
+  }
+  net.passTime(5);
+  EXPECT_EQ(net.listeners[id].fold.device("arm").named_joints.size(), 4000U);
+  for (const std::string& text : net.listeners[id].heard) EXPECT_LT(text.size(), 65'000U);
+  EXPECT_EQ(itemsAndSources(net.listeners[id].fold.state), itemsAndSources(net.relay.state()));
+}
+
+class SlowOutput : public testing::Test {
+ protected:
+  SlowOutput() {
+    RelayOutputOptions slow;
+    slow.bytes_per_second = 1e6;
+    id_ = net_.open(slow);
+  }
+  void receive(const std::string& statements) {
+    net_.receive(net_.now() + 0.05, fmt::format("RK1 s {} -\n{}", ++sequence_, statements));
+  }
+  const std::string& last() { return net_.listeners[id_].heard.back(); }
+  std::string lastStatements() { return last().substr(last().find('\n') + 1); }
+  const DeviceState& arm() { return net_.listeners[id_].fold.device("arm"); }
+  std::uint64_t leftOut() {
+    return net_.listeners[id_].fold.counts("s").faults[static_cast<std::size_t>(
+        PacketFault::unknown_order)];
+  }
+  static std::string tagOf(std::vector<std::string> names) {
+    return fmt::format("@{:08x}", orderTag(names));
+  }
+
+  RelayedListeners net_;
+  Relay::OutputId id_{};
+  int sequence_ = 0;
+};
+
+TEST_F(SlowOutput, NamedJointsGoUnderAnOrderThatIsToldOnce) {
+  const std::string tag = tagOf({"elbow_joint", "shoulder_joint"});
+  receive("joint arm shoulder_joint=1.00004 elbow_joint=2\n");
+  EXPECT_EQ(lastStatements(), "order arm elbow_joint shoulder_joint\njoints arm " + tag + " 2 1\n");
+  receive("joint arm shoulder_joint=3 elbow_joint=4\n");
+  EXPECT_EQ(lastStatements(), "joints arm " + tag + " 4 3\n");
+  // One more joint is another order.
+  receive("joint arm shoulder_joint=3 elbow_joint=4 wrist_joint=5\n");
+  EXPECT_EQ(lastStatements(), "order arm elbow_joint shoulder_joint wrist_joint\njoints arm " +
+                                  tagOf({"elbow_joint", "shoulder_joint", "wrist_joint"}) +
+                                  " 4 3 5\n");
+  // What is shorter by its name has it.
+  receive("joint arm wrist_joint=6\n");
+  EXPECT_EQ(lastStatements(), "joint arm wrist_joint=6\n");
+  EXPECT_EQ(arm().named_joints.at("wrist_joint").value, 6);
+  EXPECT_EQ(leftOut(), 0U);
+}
+
+TEST_F(SlowOutput, TheOrderIsTheSourcesOwnIfItHasAllJoints) {
+  receive("order arm shoulder_joint elbow_joint\njoints arm 1 2\n");
+  EXPECT_EQ(lastStatements(), "order arm shoulder_joint elbow_joint\njoints arm " +
+                                  tagOf({"shoulder_joint", "elbow_joint"}) + " 1 2\n");
+  for (int i = 0; i < 10; ++i) receive("order arm shoulder_joint elbow_joint\njoints arm 3 4\n");
+  EXPECT_EQ(lastStatements(), "joints arm " + tagOf({"shoulder_joint", "elbow_joint"}) + " 3 4\n");
+  net_.passTime(6);
+  EXPECT_EQ(itemsAndSources(net_.listeners[id_].fold.state), itemsAndSources(net_.relay.state()));
+}
+
+TEST_F(SlowOutput, PositionsAreNotReadUnderAnOrderThatWasTold) {
+  receive("joint arm shoulder_joint=1 elbow_joint=2\n");
+  receive("joints arm 7 8\n");
+  EXPECT_EQ(lastStatements(), "order arm\njoints arm 7 8\n");
+  EXPECT_THAT(arm().joints->value, ElementsAre(7, 8));
+  EXPECT_TRUE(arm().named_joints.empty());
+  // Both, of one source: by name.
+  receive("joints arm 7 9\njoint arm shoulder_joint=1 elbow_joint=2\n");
+  EXPECT_EQ(lastStatements(), "joints arm 7 9\njoint arm elbow_joint=2 shoulder_joint=1\n");
+  net_.passTime(net_.now() + 5);
+  EXPECT_EQ(itemsAndSources(net_.listeners[id_].fold.state), itemsAndSources(net_.relay.state()));
+}
+
+TEST_F(SlowOutput, WhoLostTheOrderWaitsForTheRestatement) {
+  auto& listener = net_.listeners[id_];
+  bool loses = true;
+  listener.loses = [&] { return loses; };
+  receive("joint arm shoulder_joint=1 elbow_joint=2\n");
+  loses = false;
+  for (int i = 0; i < 10; ++i) receive("joint arm shoulder_joint=3 elbow_joint=4\n");
+  EXPECT_TRUE(arm().named_joints.empty());
+  EXPECT_FALSE(arm().joints);
+  EXPECT_EQ(leftOut(), 10U);
+  net_.passTime(net_.now() + 4);
+  EXPECT_EQ(arm().named_joints.at("elbow_joint").value, 4);
+  receive("joint arm shoulder_joint=5 elbow_joint=6\n");
+  EXPECT_EQ(arm().named_joints.at("elbow_joint").value, 6);
+  EXPECT_EQ(leftOut(), 10U);
+}
+
+TEST_F(SlowOutput, ARemovedDeviceIsToldItsOrderAgain) {
+  receive("joint arm shoulder_joint=1 elbow_joint=2\n");
+  receive("remove arm\n");
+  receive("add arm ur10\njoint arm shoulder_joint=1 elbow_joint=2\n");
+  EXPECT_EQ(leftOut(), 0U);
+  EXPECT_EQ(arm().named_joints.size(), 2U);
+}
+
+TEST_F(SlowOutput, JointsOfTwoSourcesAreEachUnderTheirOwn) {
+  for (int i = 0; i < 50; ++i) {
+    net_.receive(net_.now() + 0.05,
+                 fmt::format("RK1 s {0} -\njoint arm shoulder_joint={0} elbow_joint={0}\n", i + 1));
+    net_.receive(net_.now() + 0.01, fmt::format("RK1 hand {0} -\njoint arm left_finger_joint={0} "
+                                                "right_finger_joint={0}\n",
+                                                i + 1));
+  }
+  net_.passTime(net_.now() + 5);
+  EXPECT_EQ(leftOut(), 0U);
+  EXPECT_EQ(arm().named_joints.at("right_finger_joint").owner, "hand");
+  EXPECT_EQ(arm().named_joints.at("elbow_joint").value, 50);
+  EXPECT_EQ(arm().orders.size(), 2U);
 }
 
 TEST(FilteredOutput, SmallChangesWaitUntilTheDeviceRests) {

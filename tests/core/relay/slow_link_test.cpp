@@ -1,5 +1,7 @@
 // Two six-joint arms at 60 Hz through a telephone line of 28.8 kbit/s, by a clock of the test: how
 // often each arrives, how old its values are, and what waits for the line.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -24,12 +27,14 @@ constexpr double kBitsPerSecond = 28'800;
 constexpr Nanoseconds kStep = 1ms;
 constexpr LogTime kBegin(1'700'000'000s);
 
-/// A line that sends one bit after the other; the heads of IP and UDP count. What comes too fast
-/// waits, without limit.
+/// A line that sends one bit after the other; the heads of IP and UDP count, and what the line adds
+/// itself. What comes too fast waits, without limit.
 class Line {
  public:
+  explicit Line(std::size_t own_bytes = 0) : head_bytes_(28 + own_bytes) {}
+
   void send(LogTime now, std::string_view text) {
-    const double seconds = static_cast<double>(text.size() + 28) * 8 / kBitsPerSecond;
+    const double seconds = static_cast<double>(text.size() + head_bytes_) * 8 / kBitsPerSecond;
     free_ = std::max(free_, now) + Nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
     under_way_.emplace_back(free_, text);
   }
@@ -44,6 +49,7 @@ class Line {
   Nanoseconds waiting(LogTime now) const { return std::max(free_ - now, Nanoseconds(0)); }
 
  private:
+  std::size_t head_bytes_;
   LogTime free_{};
   std::deque<std::pair<LogTime, std::string>> under_way_;
 };
@@ -149,6 +155,124 @@ TEST(SlowLink, TwoArmsAt60HzArriveTenTimesASecondAndFreshThrough28800Bits) {
   const Nanoseconds one_datagram(static_cast<std::int64_t>(208 * 8 / kBitsPerSecond * 1e9));
   for (std::size_t i = 2; i < most_waiting.size(); ++i) {
     EXPECT_LE(most_waiting[i], one_datagram + 10ms) << "second " << i;
+  }
+}
+
+/// PPP's, of each datagram.
+constexpr std::size_t kPppBytes = 8;
+/// A UR10's.
+constexpr std::array kJointNames = {"shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint",
+                                    "wrist_1_joint",      "wrist_2_joint",       "wrist_3_joint"};
+
+/// What an arm says in its turn `i`: each joint of it has the turn in its value, so that a listener
+/// can tell of which turns it shows the joints.
+std::string posePacket(const std::string& arm, int i, std::string_view form) {
+  const double time_s = secondsOf(kBegin.time_since_epoch()) + i / 60.0;
+  std::string text = fmt::format("RK1 {}@7f3a {} {:.9f}\n", arm, i, time_s);
+  if (form == "order") {
+    text += fmt::format("order {} {}\njoints {}", arm, fmt::join(kJointNames, " "), arm);
+  } else {
+    text += fmt::format("joint {}", arm);
+  }
+  for (std::size_t k = 0; k < kJointNames.size(); ++k) {
+    text += form == "order" ? " " : fmt::format(" {}=", kJointNames[k]);
+    text += fmt::format("{:.6f}", (k % 2 == 0 ? 1 : -1) * (static_cast<int>(k) + i / 10'000.0));
+  }
+  return text + '\n';
+}
+
+/// The turn of which a listener shows all joints; empty: of several.
+std::optional<int> shownTurn(const DeviceState& device) {
+  std::optional<int> shown;
+  for (std::size_t k = 0; k < kJointNames.size(); ++k) {
+    const auto found = device.named_joints.find(kJointNames[k]);
+    if (found == device.named_joints.end()) return std::nullopt;
+    const double part = std::abs(found->second.value) - static_cast<double>(k);
+    const int turn = static_cast<int>(std::lround(part * 10'000));
+    if (shown && *shown != turn) return std::nullopt;
+    shown = turn;
+  }
+  return shown;
+}
+
+struct SeenPoses {
+  int whole = 0, mixed = 0;
+  std::uint64_t without_order = 0;
+  Nanoseconds most_waiting{};
+  bool is_positional = false;
+};
+
+/// Two arms with named joints at 60 Hz through 28.8 kbit/s of a line with PPP.
+SeenPoses posesThroughTheLine(int seconds, std::string_view form, double loss) {
+  Relay relay({"modem", "r"});
+  RelayOutputOptions options;
+  options.bytes_per_second = kBitsPerSecond / 8;
+  options.head_bytes = 28 + kPppBytes;
+  (void)relay.open(std::move(options), kBegin);
+  Line line(kPppBytes);
+  test::TextFold listener;
+  SeenPoses seen;
+  std::map<std::string, int> turns, newest;
+  std::minstd_rand random(5);
+  std::uniform_real_distribution<double> chance(0, 1);
+  for (LogTime now = kBegin; now < kBegin + std::chrono::seconds(seconds); now += kStep) {
+    for (const char* arm : {"arm_left", "arm_right"}) {
+      int& turn = turns[arm];
+      const Nanoseconds phase = arm == std::string_view("arm_left") ? 0ms : 7ms;
+      if (now < kBegin + phase + Nanoseconds(1'000'000'000LL * turn / 60)) continue;
+      relay.receive(bytesOf(posePacket(arm, turn++, form)), now);
+    }
+    if (relay.due() <= now) relay.advance(now);
+    for (const Relay::Outgoing& each : relay.outgoing()) line.send(now, textOf(each.payload));
+    relay.clearOutgoing();
+    if (now > kBegin + 2s) seen.most_waiting = std::max(seen.most_waiting, line.waiting(now));
+    for (std::string text = line.receive(now); !text.empty(); text = line.receive(now)) {
+      if (chance(random) < loss) continue;
+      EXPECT_EQ(listener.fold(secondsOf(now - kBegin), text), Applied::yes) << text;
+      for (const char* arm : {"arm_left", "arm_right"}) {
+        const DeviceState* const device = listener.state.findDevice(arm);
+        if (device == nullptr || text.find(std::string("joint") + "s " + arm) == text.npos) {
+          continue;
+        }
+        if (device->joints) seen.is_positional = true;
+        if (device->named_joints.empty()) continue;
+        const std::optional<int> shown = shownTurn(*device);
+        if (!shown) ++seen.mixed;
+        if (shown.value_or(0) > newest[arm]) ++seen.whole;
+        newest[arm] = shown.value_or(newest[arm]);
+      }
+    }
+  }
+  for (const char* arm : {"arm_left", "arm_right"}) {
+    seen.without_order +=
+        listener.counts(arm).faults[static_cast<std::size_t>(PacketFault::unknown_order)];
+  }
+  return seen;
+}
+
+TEST(SlowLink, TwoArmsWithNamedJointsAreTwentyWholePosesASecond) {
+  for (const char* form : {"names", "order"}) {
+    SCOPED_TRACE(form);
+    constexpr int kSeconds = 60;
+    const SeenPoses seen = posesThroughTheLine(kSeconds, form, 0);
+    EXPECT_GE(seen.whole, 20 * kSeconds);
+    EXPECT_EQ(seen.mixed, 0);
+    EXPECT_FALSE(seen.is_positional);
+    EXPECT_EQ(seen.without_order, 0U);
+    // One datagram of the longest, and what makes up for a late wake-up.
+    EXPECT_LE(seen.most_waiting, 120ms);
+    RecordProperty("whole_a_second", fmt::format("{:.1f}", seen.whole * 1.0 / kSeconds));
+  }
+}
+
+TEST(SlowLink, ALossShowsNoPoseThatNoArmHad) {
+  for (const char* form : {"names", "order"}) {
+    SCOPED_TRACE(form);
+    const SeenPoses seen = posesThroughTheLine(60, form, 0.2);
+    EXPECT_EQ(seen.mixed, 0);
+    EXPECT_FALSE(seen.is_positional);
+    // Only until the order is restated.
+    EXPECT_GE(seen.whole, 60 * 12);
   }
 }
 
