@@ -147,6 +147,13 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
   for (std::string& text : importWarningsOf(log.metadata())) {
     session.addImportWarning(std::move(text));
   }
+  Account missed, notes;
+  const Account imported = accountOfLines(importLeftOutOf(log.metadata()));
+  for (const LeftOut& one : imported.leftOut()) {
+    (one.severity == Severity::note ? notes : missed).leaveOut(one);
+  }
+  if (!missed.empty()) session.addImportWarning(accountSentence(missed));
+  session.addLeftOut(notes);
   if (!log.summary().complete) session.noteIncomplete();
   session.settle();
   CheckReport report = checkSession(cell, session);

@@ -41,6 +41,7 @@ class SessionCheck {
   /// A message on /rocinante/clock.
   void addClockStep(LogTime time, ByteView payload) { log_.takeClockStep(time, payload); }
   /// Call it when the recorder did not close the log.
+  void addLeftOut(const Account& account) { log_.takeLeftOut(account); }
   void addImportWarning(std::string text) { log_.takeImportWarning(std::move(text)); }
   void noteIncomplete() { log_.noteIncomplete(); }
 

@@ -22,4 +22,14 @@ std::vector<std::string> importWarningsOf(const std::vector<LogMetadata>& metada
   return warnings;
 }
 
+std::string importLeftOutOf(const std::vector<LogMetadata>& metadata) {
+  std::string lines;
+  for (const LogMetadata& record : metadata) {
+    if (record.name != kImportRecord) continue;
+    const auto found = record.entries.find(std::string(kImportLeftOutKey));
+    if (found != record.entries.end()) lines += found->second;
+  }
+  return lines;
+}
+
 }  // namespace rocinante

@@ -12,8 +12,12 @@ namespace rocinante {
 /// translated, a line each.
 inline constexpr std::string_view kImportRecord = "rocinante.import";
 inline constexpr std::string_view kImportWarningsKey = "warnings";
+/// What became no packet: accountLines() of core/report/account.h.
+inline constexpr std::string_view kImportLeftOutKey = "left_out";
 
 /// The lines of such a record among `metadata`, as plain text; empty when there is none.
 std::vector<std::string> importWarningsOf(const std::vector<LogMetadata>& metadata);
+/// Those of `left_out`; empty when nothing was, or there is no such record.
+std::string importLeftOutOf(const std::vector<LogMetadata>& metadata);
 
 }  // namespace rocinante

@@ -162,4 +162,10 @@ std::optional<std::uint64_t> zstdFrameBytes(ByteView bytes) {
   return found;
 }
 
+std::optional<std::uint64_t> zstdContentBytes(ByteView bytes) {
+  const unsigned long long found = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (found == ZSTD_CONTENTSIZE_ERROR || found == ZSTD_CONTENTSIZE_UNKNOWN) return std::nullopt;
+  return found;
+}
+
 }  // namespace rocinante::mcap

@@ -99,4 +99,8 @@ inline Error damagedChunk(std::string what) {
 /// not begin one. Expands nothing.
 std::optional<std::uint64_t> zstdFrameBytes(ByteView bytes);
 
+/// The size that the zstd frame at the front claims to expand to: empty when its head is cut or
+/// does not state it. Expands nothing.
+std::optional<std::uint64_t> zstdContentBytes(ByteView bytes);
+
 }  // namespace rocinante::mcap

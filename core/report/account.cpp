@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 #include "core/base/count_text.h"
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 
@@ -75,6 +78,63 @@ std::string accountSentence(const Account& account, std::size_t most_listed) {
                             countText(account.total() - listed, "thing"));
   }
   return sentence;
+}
+
+namespace {
+
+constexpr std::size_t kFieldsOfLine = 6;
+
+std::string oneField(std::string_view text) {
+  std::string field(text);
+  std::ranges::replace_if(
+      field, [](char byte) { return byte == '\t' || byte == '\n'; }, ' ');
+  return field;
+}
+
+}  // namespace
+
+std::string accountLines(const Account& account) {
+  std::string lines;
+  for (const LeftOut& one : account.leftOut()) {
+    lines +=
+        fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", nameOf(one.severity), one.count, oneField(one.kind),
+                    oneField(one.name), oneField(one.reason), oneField(one.first));
+  }
+  if (account.unlisted() > 0) {
+    lines += fmt::format("note\t{}\tthing\t\tof further kinds\t\n", account.unlisted());
+  }
+  return lines;
+}
+
+Account accountOfLines(std::string_view lines) {
+  Account account;
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    std::string_view line = lines.substr(0, end);
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+    std::array<std::string, kFieldsOfLine> fields;
+    std::size_t count = 0;
+    for (; count < fields.size(); ++count) {
+      const std::size_t tab = line.find('\t');
+      fields[count] = plainText(line.substr(0, tab));
+      if (tab == line.npos) break;
+      line.remove_prefix(tab + 1);
+    }
+    LeftOut one;
+    const char* const number_end = fields[1].data() + fields[1].size();
+    const auto read = std::from_chars(fields[1].data(), number_end, one.count);
+    if (count + 1 != fields.size() || read.ptr != number_end || read.ec != std::errc() ||
+        one.count == 0 || fields[2].empty()) {
+      continue;
+    }
+    one.severity = fields[0] == nameOf(Severity::note) ? Severity::note : Severity::warning;
+    one.kind = std::move(fields[2]);
+    one.name = std::move(fields[3]);
+    one.reason = std::move(fields[4]);
+    one.first = std::move(fields[5]);
+    account.leaveOut(std::move(one));
+  }
+  return account;
 }
 
 Json leftOutJson(const Account& account) {

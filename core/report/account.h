@@ -67,6 +67,11 @@ Account accountOf(const Findings& findings);
 /// empty for an empty account.
 std::string accountSentence(const Account& account, std::size_t most_listed = 4);
 
+/// As text, a line for each kind, for a file that another program reads later; and back. A line
+/// that is none is passed over.
+std::string accountLines(const Account& account);
+Account accountOfLines(std::string_view lines);
+
 /// For every program's JSON, under the key `left_out`:
 /// {"total": 20, "unlisted": 0, "items": [{"kind", "name", "reason", "first", "count",
 /// "severity"}]}. `total` counts things; those beyond kMaxListed kinds are in `unlisted` and in no

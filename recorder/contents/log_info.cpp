@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/base/hash.h"
+#include "core/bundle/cell_or_log.h"
 #include "core/log/content_hash.h"
 #include "core/log/log_profile.h"
 #include "core/session/marks.h"
@@ -66,7 +67,15 @@ class Collector {
     if (events.size() > kMaxEvents) events.resize(kMaxEvents);
   }
 
-  void finish() {
+  /// What is at rest is judged by the cell that the log carries.
+  void finish(const LogReader& reader) {
+    const bool has_cell = std::ranges::any_of(
+        reader.metadata(), [](const LogMetadata& each) { return each.name == profile::kCell; });
+    CellOptions options;
+    options.geometry = false;
+    const Result<Cell> cell =
+        has_cell ? loadCellOrLog(reader.name(), options) : Result<Cell>(Error{});
+    info_.account = logAccount(reader, state_, cell ? &*cell : nullptr);
     info_.content_sha256 = hash_.finish();
     info_.decoded_sha256 = hash_.finishDecoded();
     info_.stream_sha256 = hexOf(stream_.finish());
@@ -129,7 +138,7 @@ Result<LogInfo> logInfo(const std::filesystem::path& path,
   Result<std::vector<Event>> marks = readMarks(path);
   if (!marks) return marks.error();
   collector.addMarks(std::move(*marks));
-  collector.finish();
+  collector.finish(*reader);
   info.loss_spans = reader->losses();
   for (const LossSpan& span : info.loss_spans) info.losses += span.counts;
   info.attachments = reader->attachments();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/check/log_account.h"
 #include "core/log/log_reader.h"
 #include "core/packet/session_state.h"
 #include "recorder/contents/activity.h"
@@ -48,6 +49,7 @@ struct LogInfo {
   std::uint64_t source_gap = 0;  ///< SEQUENCE numbers that never came, over all sources
   std::vector<LossSpan> loss_spans;
   std::vector<LogAttachment> attachments;
+  LogAccount account;  ///< with the cell that the log carries
   std::vector<DamageSpan> damage;
   std::string content_sha256;
   std::string decoded_sha256;  ///< empty without decoded packets

@@ -116,6 +116,11 @@ std::string logInfoJson(const LogInfo& info, bool indented) {
   out["complete"] = summary.complete;
   out["end_reason"] = summary.end_reason;
   out["attachments"] = attachmentsJson(info.attachments);
+  std::uint64_t attached_bytes = 0;
+  for (const LogAttachment& each : info.attachments) attached_bytes += each.data_bytes;
+  out["attached_bytes"] = attached_bytes;
+  out["at_rest"] = info.account.at_rest;
+  out["left_out"] = leftOutJson(info.account.left_out);
   out["compression"] = info.storage.compressions;
   out["chunks"] = info.storage.chunks;
   out["file_bytes"] = info.storage.file_bytes;

@@ -156,7 +156,13 @@ std::string logInfoText(const LogInfo& info) {
   }
   out += "\n";
   if (!info.attachments.empty()) {
-    out += fmt::format("  attached    {}\n", counted(info.attachments.size(), "file"));
+    std::uint64_t bytes = 0;
+    for (const LogAttachment& each : info.attachments) bytes += each.data_bytes;
+    out += fmt::format("  attached    {}, {} of the {}\n", counted(info.attachments.size(), "file"),
+                       sizeText(bytes), sizeText(info.storage.file_bytes));
+  }
+  if (!info.account.empty()) {
+    out += fmt::format("  account     {}\n", plainText(info.account.sentence()));
   }
   out += "  complete    " + completeText(summary) + "\n";
   addLosses(out, info);

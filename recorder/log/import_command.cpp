@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "core/bundle/attached_cell.h"
+#include "core/check/log_account.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "core/copy/output_file.h"
+#include "core/foreign/recordings/bag_folder.h"
 #include "core/foreign/recordings/capture_import.h"
 #include "core/foreign/recordings/recording_inputs.h"
 #include "core/foreign/recordings/recording_kind.h"
@@ -85,6 +87,10 @@ Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& m
   if (!session_id) return session_id.error();
   ros::ImportOptions options;
   options.device = my.device;
+  for (const std::string& input : my.inputs) {
+    const std::vector<std::string> lacks = damageOfBagFolder(input);
+    options.damage.insert(options.damage.end(), lacks.begin(), lacks.end());
+  }
   options.search = my.search;
   options.log = make.log;
   options.keyframes = make.keyframes;
@@ -104,6 +110,15 @@ Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& m
   return report;
 }
 
+/// What of the log became no packet, and what of its cell no packet moves.
+std::string accountOf(const std::filesystem::path& log) {
+  CellOptions options;
+  options.geometry = false;
+  const Result<Cell> cell = loadCellOrLog(log, options);
+  const Result<LogAccount> account = logAccount(log, cell ? &*cell : nullptr);
+  return account ? account->sentence() : std::string();
+}
+
 Result<cli::Exit> runImport(const ImportArguments& my) {
   Result<MakeOptions> make = readCopyArguments(my.copy);
   if (!make) return make.error();
@@ -116,6 +131,8 @@ Result<cli::Exit> runImport(const ImportArguments& my) {
                                                     : importReportText(my.copy.output, *report));
   if (!told) return told.error();
   for (const std::string& warning : ros::importWarnings(*report)) cli::warn(warning);
+  const std::string account = accountOf(my.copy.output);
+  if (!account.empty()) cli::warn(account);
   return report->lostNothing() ? cli::Exit::done : cli::Exit::no;
 }
 

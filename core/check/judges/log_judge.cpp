@@ -47,6 +47,10 @@ void LogJudge::report(Findings& findings) const {
   for (const std::string& text : import_warnings_) {
     findings.push_back(makeFinding("log.import", "", text));
   }
+  if (!left_out_.empty()) {
+    findings.push_back(makeFinding("log.left-out", "", accountSentence(left_out_)));
+    findings.back().count = left_out_.total();
+  }
   if (is_incomplete_) {
     findings.push_back(makeFinding("log.incomplete", "",
                                    "the recorder did not close the log: its end may be missing"));

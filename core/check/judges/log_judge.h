@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/log/log_types.h"
+#include "core/report/account.h"
 #include "core/report/finding.h"
 
 namespace rocinante {
@@ -19,6 +20,8 @@ class LogJudge {
   void takeClockStep(LogTime time, ByteView payload);
   /// What an import could not keep or translate: a sentence.
   void takeImportWarning(std::string text) { import_warnings_.push_back(std::move(text)); }
+  /// What an import made no packets of, as notes.
+  void takeLeftOut(const Account& account) { left_out_.add(account); }
   void noteIncomplete() { is_incomplete_ = true; }
 
   void report(Findings& findings) const;
@@ -32,6 +35,7 @@ class LogJudge {
   std::map<std::string, std::vector<LossSpan>, std::less<>> losses_;  ///< by endpoint
   std::vector<DamageSpan> damage_;
   std::vector<std::string> import_warnings_;
+  Account left_out_;
   Finding clock_steps_;
   double worst_step_s_ = 0;
   bool is_incomplete_ = false;

@@ -111,6 +111,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"log.damage", kError, "bytes of the log cannot be used"},
     {"log.import", kWarning, "a recording of another program was not imported whole"},
     {"log.incomplete", kNote, "the recorder did not close the log"},
+    {"log.left-out", kNote, "no packets were made of something that the recording holds"},
     {"log.loss", kWarning, "the recorder lost datagrams"},
     {"mesh.bad-triangle", kError, "a triangle of a mesh has a corner that is not finite"},
     {"mesh.degenerate-triangles", kNote, "many triangles of a mesh have no area"},

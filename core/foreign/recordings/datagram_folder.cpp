@@ -209,17 +209,4 @@ Result<std::string> datagramFolderId(const fs::path& folder) {
   return hexOf(hash.finish()).substr(0, 32);
 }
 
-std::vector<fs::path> filesOfBagFolder(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  if (!fs::is_regular_file(folder / "metadata.yaml", error)) return files;
-  fs::directory_iterator entries(folder, error);
-  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-    const std::string ending = entries->path().extension().string();
-    if (ending == ".db3" || ending == ".mcap") files.push_back(entries->path());
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
 }  // namespace rocinante

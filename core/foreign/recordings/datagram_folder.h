@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "core/base/result.h"
 #include "core/foreign/ros/bag_reader.h"
@@ -15,9 +14,6 @@ namespace rocinante {
 /// most. not_found when there is no file; unsupported when there are more, or when they are
 /// recordings.
 Result<std::unique_ptr<ros::BagReader>> openDatagramFolder(const std::filesystem::path& folder);
-
-/// The files of a ROS 2 bag that is a folder with a metadata.yaml; empty for any other folder.
-std::vector<std::filesystem::path> filesOfBagFolder(const std::filesystem::path& folder);
 
 /// A session id that depends on the folder's datagrams: their names, times and sizes.
 Result<std::string> datagramFolderId(const std::filesystem::path& folder);

@@ -7,6 +7,7 @@
 #include "core/base/unfinished_path.h"
 #include "core/base/version.h"
 #include "core/bundle/cell_or_log.h"
+#include "core/foreign/recordings/bag_folder.h"
 #include "core/foreign/recordings/capture_import.h"
 #include "core/foreign/recordings/datagram_folder.h"
 #include "core/foreign/recordings/file_digest.h"
@@ -25,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be raised whenever the same recording would become another log.
-constexpr std::string_view kImportFormat = "rocinante-import-1";
+constexpr std::string_view kImportFormat = "rocinante-import-2";
 /// Hashing is about a tenth of the work.
 constexpr double kHashedPart = 0.1;
 
@@ -92,6 +93,7 @@ class RecordingOpening {
     add(kind_ == RecordingKind::datagrams ? request_.recording.string()
                                           : request_.recording.filename().string());
     add(request_.device);
+    for (const std::string& sentence : damageOfBagFolder(request_.recording)) add(sentence);
     addNames(add);
     if (Status described = addDescription(add); !described) return described.error();
     if (kind_ == RecordingKind::datagrams) {
@@ -169,6 +171,7 @@ class RecordingOpening {
     options.cell = names_ ? &*names_ : nullptr;
     options.describe = true;
     options.device = request_.device;
+    options.damage = damageOfBagFolder(request_.recording);
     options.search = request_.search;
     options.progress = [&](double part) { return tell(kHashedPart + part * (1 - kHashedPart)); };
     if (kind_ == RecordingKind::capture) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/hash.h"
+#include "core/foreign/recordings/bag_folder.h"
 #include "core/foreign/recordings/datagram_folder.h"
 #include "core/foreign/recordings/recording_kind.h"
 #include "core/foreign/ros/bag_import.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/foreign/recordings/bag_folder.h"
 #include "core/foreign/recordings/datagram_folder.h"
 #include "core/foreign/recordings/json_lines.h"
 #include "core/foreign/recordings/lcm_log.h"

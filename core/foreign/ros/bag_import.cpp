@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/count_text.h"
 #include "core/base/hash.h"
 #include "core/foreign/ros/names.h"
 #include "core/foreign/ros/robot_description.h"
@@ -25,11 +26,43 @@ std::string topicInLog(const std::string& name) {
   return topic;
 }
 
+/// Why a topic has no packets.
+std::string reasonOf(const ImportedTopic& topic) {
+  const std::string messages = countText(topic.messages, "message");
+  if (!topic.translated) {
+    const bool is_ros = topic.encoding == "cdr" || topic.encoding == "ros1";
+    const std::string type = topic.type.empty() ? "an unnamed type" : topic.type;
+    return messages + " of " + type + (is_ros ? "" : " as " + topic.encoding) +
+           ", which do not become packets";
+  }
+  if (topic.malformed == topic.messages) return messages + ", none of the stated type";
+  if (!topic.notes.empty()) return messages + "; " + topic.notes.begin()->first;
+  return messages + " with nothing that a packet says of the cell";
+}
+
+/// What is still there, with the bytes of each message, but moves and shows nothing.
+Account topicsWithoutPackets(const ImportReport& report) {
+  Account account;
+  for (const ImportedTopic& topic : report.topics) {
+    if (topic.packets > 0 || topic.described) continue;
+    // Datagrams are told of as those of any log.
+    if (topic.encoding == "rk1" || topic.encoding == "octets") continue;
+    account.leaveOut({.kind = "topic",
+                      .name = topic.name,
+                      .reason = reasonOf(topic),
+                      .severity = topic.translated ? Severity::warning : Severity::note});
+  }
+  return account;
+}
+
 class Import {
  public:
   Import(std::vector<std::unique_ptr<BagReader>> bags, SessionWriter session,
-         const DeviceFinder& devices, const ImportOptions& options)
-      : session_(std::move(session)), translator_(devices), options_(options) {
+         const DeviceFinder& devices, const ImportOptions& options, std::string described)
+      : session_(std::move(session)),
+        translator_(devices),
+        options_(options),
+        described_(std::move(described)) {
     for (auto& bag : bags) {
       bag->useDevices(devices);
       inputs_.push_back({std::move(bag), {}, {}});
@@ -151,6 +184,8 @@ class Import {
     ImportedTopic& told = report_.topics.emplace_back();
     told.name = name;
     told.type = topic.type;
+    told.encoding = topic.encoding;
+    told.described = !described_.empty() && topic.name == described_;
     told.translated = outlet.decoded || outlet.translation.has_value();
     known = outlet;
     return &*known;
@@ -232,6 +267,9 @@ class Import {
       }
     }
     report_.notes.insert(report_.notes.begin(), notes.begin(), notes.end());
+    report_.damage.insert(report_.damage.begin(), options_.damage.begin(), options_.damage.end());
+    report_.account.add(topicsWithoutPackets(report_));
+    report_.account.add(translator_.account());
     if (Status noted = session_.log().writeMetadata(warningsRecord(report_)); !noted) {
       return noted.error();
     }
@@ -245,6 +283,7 @@ class Import {
   SessionWriter session_;
   RosTranslator translator_;
   const ImportOptions& options_;
+  std::string described_;  ///< the topic of the robot description that is the log's cell
   std::vector<Input> inputs_;
   ImportReport report_;
 };
@@ -276,7 +315,7 @@ Result<ImportReport> importBags(std::vector<std::unique_ptr<BagReader>> bags,
   if (!log) return log.error();
   const DeviceFinder devices(cell, options.device);
   Import import(std::move(bags), SessionWriter(std::move(*log), options.keyframes), devices,
-                options);
+                options, robot ? robot->topic : std::string());
   Result<ImportReport> report = import.run(bundle, notes);
   if (!report) return report;
   if (robot) report->robot = robot->cell.devices.front().name;

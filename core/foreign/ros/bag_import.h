@@ -34,8 +34,9 @@ struct ImportOptions {
   /// With a cell and no bundle: attach the robot that a bag describes, so that the cell can be
   /// compared with it.
   bool describe = false;
-  std::string device;  ///< of what names no other; empty: none
-  ModelSearch search;  ///< for the meshes of a robot description
+  std::string device;               ///< of what names no other; empty: none
+  std::vector<std::string> damage;  ///< known before: of a folder that lacks a file
+  ModelSearch search;               ///< for the meshes of a robot description
   LogWriterOptions log;
   KeyframeOptions keyframes;
   /// Called now and then with the part that is done, 0 to 1; an error ends the import.
@@ -45,10 +46,12 @@ struct ImportOptions {
 struct ImportedTopic {
   std::string name;  ///< in the log
   std::string type;
+  std::string encoding;
   std::uint64_t messages = 0;
   std::uint64_t packets = 0;
   std::uint64_t malformed = 0;  ///< kept, but not of the type that they claim
   bool translated = false;      ///< its type is one that becomes packets
+  bool described = false;       ///< the robot description that is the log's cell
   TranslationNotes notes;
 };
 
@@ -63,7 +66,7 @@ struct ImportReport {
   std::string robot;                ///< whose description is the log's cell; empty: none
   std::vector<std::string> damage;  ///< of the recordings
   std::vector<std::string> notes;
-  Account account;  ///< what became neither a message nor a packet
+  Account account;  ///< what became no packet, or no message either
 
   bool lostNothing() const { return damage.empty() && malformed == 0 && dropped == 0; }
 };
@@ -74,9 +77,10 @@ Result<ImportReport> importBags(std::vector<std::unique_ptr<BagReader>> bags,
                                 std::unique_ptr<ByteSink> sink, std::string session_id,
                                 const ImportOptions& options);
 
-/// What was not kept or not translated, as sentences without a full stop, for a terminal.
+/// What was not kept or not translated, as sentences without a full stop, for a terminal; without
+/// the account.
 std::vector<std::string> importWarnings(const ImportReport& report);
-/// The same as a metadata record of the log: `rocinante.import`.
+/// The same with the account as a metadata record of the log: `rocinante.import`.
 LogMetadata warningsRecord(const ImportReport& report);
 
 /// A session id that depends on the recordings alone: their sizes, first and last bytes.

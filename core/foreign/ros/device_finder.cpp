@@ -89,6 +89,25 @@ std::optional<DeviceFinder::Link> DeviceFinder::linkOfFrame(std::string_view fra
   return std::nullopt;
 }
 
+std::optional<DeviceFinder::PrefixedLink> DeviceFinder::prefixedLinkOf(
+    std::string_view frame) const {
+  const std::size_t slash = frame.rfind('/');
+  if (slash == frame.npos || slash == 0 || slash + 1 == frame.size()) return std::nullopt;
+  const std::string_view link = frame.substr(slash + 1);
+  PrefixedLink found;
+  found.prefix = frame.substr(0, slash);
+  std::optional<std::string> device = deviceOfTopic(found.prefix);
+  found.is_named = device && holds(links_, link, *device);
+  if (!found.is_named) {
+    const std::string* const only = onlyOne(links_, link);
+    if (only == nullptr) return std::nullopt;
+    device = *only;
+  }
+  found.link = {*device, std::string(link)};
+  found.is_root = holds(roots_, link, *device);
+  return found;
+}
+
 std::optional<std::string> DeviceFinder::deviceOfTopic(std::string_view topic) const {
   std::optional<std::string> found;
   for (const std::string_view part : partsOf(topic)) {

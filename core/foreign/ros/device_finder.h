@@ -32,6 +32,15 @@ class DeviceFinder {
   std::optional<std::string> deviceOfFrame(std::string_view frame) const;
   /// The link that the frame is: "arm/link6", or "link6" when one device alone has it.
   std::optional<Link> linkOfFrame(std::string_view frame) const;
+  /// A frame "PREFIX/LINK" whose PREFIX names no device (`frame_prefix` of robot_state_publisher, a
+  /// namespace): LINK of the device that a part of PREFIX is, else of the one device that has it.
+  struct PrefixedLink {
+    Link link;
+    bool is_root = false;
+    bool is_named = false;  ///< PREFIX names the device
+    std::string_view prefix;
+  };
+  std::optional<PrefixedLink> prefixedLinkOf(std::string_view frame) const;
   /// The device that a part of the topic's name is; the last one when there are several.
   std::optional<std::string> deviceOfTopic(std::string_view topic) const;
   /// Without a cell: the topic's namespace, or else `otherwise`.

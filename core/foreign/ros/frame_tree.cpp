@@ -21,11 +21,30 @@ std::optional<std::size_t> FrameTree::frameOf(std::string_view name) {
   const std::size_t frame = frames_.size();
   Frame& made = frames_.emplace_back();
   made.name = name;
-  made.device = devices_.deviceOfFrame(name);
-  made.link = devices_.linkOfFrame(name);
+  findLink(made);
   by_name_.emplace(name, frame);
   if (made.device) device_frames_.push_back(frame);
   return frame;
+}
+
+void FrameTree::findLink(Frame& frame) {
+  frame.device = devices_.deviceOfFrame(frame.name);
+  frame.link = devices_.linkOfFrame(frame.name);
+  if (frame.link && frame.name == frame.link->link) prefixes_.try_emplace(frame.link->device);
+  if (frame.device || frame.link || !devices_.knowsDevices()) return;
+  const std::optional<DeviceFinder::PrefixedLink> found = devices_.prefixedLinkOf(frame.name);
+  if (!found) return;
+  if (!found->is_named) {
+    // Of two robots of one model the first is the device: it cannot be in two places.
+    const auto [known, is_new] =
+        prefixes_.try_emplace(found->link.device, std::string(found->prefix));
+    if (!is_new && known->second != found->prefix) {
+      frame.other_prefix = found->link.device;
+      return;
+    }
+  }
+  frame.link = found->link;
+  if (found->is_root) frame.device = found->link.device;
 }
 
 FrameTree::Taken FrameTree::place(std::string_view parent, std::string_view child, const Pose& pose,
@@ -44,6 +63,7 @@ FrameTree::Taken FrameTree::place(std::string_view parent, std::string_view chil
   frame.parent = above;
   frame.pose = {pose.position, *turn};
   frame.origin = origin;
+  ++frame.transforms;
   if (!frame.moved) moved_.push_back(*below);
   frame.moved = true;
   return Taken::yes;
@@ -55,6 +75,7 @@ std::optional<FrameTree::Place> FrameTree::placeOf(std::size_t frame, std::strin
   std::size_t at = frame;
   for (std::size_t depth = 0; depth < kMaxFrameDepth; ++depth) {
     const Frame& here = frames_[at];
+    here.used = true;
     // A link moves with its device's joints, whatever tf says of it.
     if (here.link && here.link->device != own) {
       place.device = here.link->device;
@@ -69,32 +90,20 @@ std::optional<FrameTree::Place> FrameTree::placeOf(std::size_t frame, std::strin
   return std::nullopt;
 }
 
-std::optional<FrameTree::Place> FrameTree::placeOf(std::string_view frame) const {
-  const auto known = by_name_.find(frame);
+std::optional<FrameTree::Place> FrameTree::placeOf(std::string_view frame) {
   bool moved = false;
-  if (known != by_name_.end()) return placeOf(known->second, {}, moved);
-  Place place;
-  if (const std::optional<DeviceFinder::Link> link = devices_.linkOfFrame(frame)) {
-    place.device = link->device;
-    place.link = link->link;
-  }
-  return place;
+  const std::optional<std::size_t> known = frameOf(frame);
+  return known ? placeOf(*known, {}, moved) : Place{};
 }
 
 std::optional<FrameTree::Place> FrameTree::placeIn(std::string_view frame, const Pose& pose,
-                                                   std::string_view own) const {
+                                                   std::string_view own) {
   const std::optional<Quat> turn = normalized(pose.orientation);
   if (!turn || !isFinite(pose.position)) return std::nullopt;
   const Pose inner{pose.position, *turn};
-  const auto known = by_name_.find(frame);
   bool moved = false;
-  std::optional<Place> place;
-  if (known != by_name_.end()) {
-    place = placeOf(known->second, own, moved);
-  } else {
-    place = placeOf(frame);
-    if (place && place->device == own) place = Place{};
-  }
+  const std::optional<std::size_t> known = frameOf(frame);
+  std::optional<Place> place = known ? placeOf(*known, own, moved) : Place{};
   if (place) place->pose = composed(place->pose, inner);
   return place;
 }
@@ -110,6 +119,32 @@ std::vector<FrameTree::Moved> FrameTree::takeMoved() {
   for (const std::size_t frame : moved_) frames_[frame].moved = false;
   moved_.clear();
   return all;
+}
+
+Account FrameTree::account() const {
+  Account account;
+  for (const Frame& frame : frames_) {
+    // Those of a link are never asked for: whatever hangs on it is carried by it.
+    const bool is_inner = frame.link && !frame.device;
+    if (frame.transforms == 0 || (frame.used && !is_inner)) continue;
+    LeftOut left_out{.kind = "transform", .count = frame.transforms};
+    if (is_inner) {
+      left_out.name = frame.link->device;
+      left_out.reason = "of links within the device, which its joints move";
+      left_out.first = frame.name;
+    } else if (!frame.other_prefix.empty()) {
+      left_out.name = frame.name;
+      left_out.reason = "the frame has another prefix than the first frame of " +
+                        frame.other_prefix + ", `" + prefixes_.find(frame.other_prefix)->second +
+                        "`";
+      left_out.severity = Severity::warning;
+    } else {
+      left_out.name = frame.name;
+      left_out.reason = "no device's root, and nothing hangs on the frame";
+    }
+    account.leaveOut(std::move(left_out));
+  }
+  return account;
 }
 
 }  // namespace rocinante::ros

@@ -9,6 +9,7 @@
 
 #include "core/foreign/ros/device_finder.h"
 #include "core/math/vector.h"
+#include "core/report/account.h"
 
 namespace rocinante::ros {
 
@@ -40,11 +41,10 @@ class FrameTree {
   };
   /// Of a frame, in the world or in the link that it is or hangs on; a frame that nothing placed is
   /// the world itself. Empty for a loop.
-  std::optional<Place> placeOf(std::string_view frame) const;
+  std::optional<Place> placeOf(std::string_view frame);
   /// Of a pose in a frame, for the device `own`, whose links do not carry it. Empty also when the
   /// pose is not a finite one.
-  std::optional<Place> placeIn(std::string_view frame, const Pose& pose,
-                               std::string_view own) const;
+  std::optional<Place> placeIn(std::string_view frame, const Pose& pose, std::string_view own);
 
   /// A device that was moved since the last call.
   struct Moved {
@@ -54,9 +54,16 @@ class FrameTree {
   /// Each once, in the order in which their frames came.
   std::vector<Moved> takeMoved();
 
+  /// Transforms that moved nothing, by their frames: those of links that joints move, and frames
+  /// that no device, and nothing that was drawn, hangs on.
+  Account account() const;
+
  private:
   struct Frame {
     std::string name;
+    std::string other_prefix;      ///< not empty: a link of this device, but with another prefix
+    std::uint64_t transforms = 0;  ///< that placed it
+    mutable bool used = false;     ///< something was placed in it
     std::optional<std::string> device;       ///< whose root it is
     std::optional<DeviceFinder::Link> link;  ///< that it is
     std::optional<std::size_t> parent;
@@ -66,6 +73,7 @@ class FrameTree {
   };
 
   std::optional<std::size_t> frameOf(std::string_view name);
+  void findLink(Frame& frame);
   /// Links of `own` do not carry it. `moved`: whether the frame or one on the way was moved.
   std::optional<Place> placeOf(std::size_t frame, std::string_view own, bool& moved) const;
 
@@ -74,6 +82,8 @@ class FrameTree {
   std::map<std::string, std::size_t, std::less<>> by_name_;
   std::vector<std::size_t> device_frames_;  ///< those that are roots of devices
   std::vector<std::size_t> moved_;
+  /// What stands before the links of a device in the names of frames, by the first that came.
+  std::map<std::string, std::string, std::less<>> prefixes_;
 };
 
 }  // namespace rocinante::ros

@@ -22,7 +22,6 @@ std::vector<std::string> importWarnings(const ImportReport& report) {
     }
   }
   warnings.insert(warnings.end(), report.notes.begin(), report.notes.end());
-  if (!report.account.empty()) warnings.push_back(accountSentence(report.account));
   for (std::string& warning : warnings) warning = plainText(warning);
   return warnings;
 }
@@ -30,7 +29,12 @@ std::vector<std::string> importWarnings(const ImportReport& report) {
 LogMetadata warningsRecord(const ImportReport& report) {
   std::string lines;
   for (const std::string& warning : importWarnings(report)) lines += warning + "\n";
-  return {std::string(kImportRecord), {{std::string(kImportWarningsKey), std::move(lines)}}};
+  LogMetadata record{std::string(kImportRecord),
+                     {{std::string(kImportWarningsKey), std::move(lines)}}};
+  if (!report.account.empty()) {
+    record.entries.emplace(kImportLeftOutKey, accountLines(report.account));
+  }
+  return record;
 }
 
 }  // namespace rocinante::ros

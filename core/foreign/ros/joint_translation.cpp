@@ -38,6 +38,9 @@ class JointTranslation final : public TopicTranslation {
     const auto efforts = cursor.count(sizeof(double));
     cursor.skip(efforts, sizeof(double));
     if (!cursor.atEnd()) return Outcome::malformed;
+    velocities_ += velocities;
+    efforts_ += efforts;
+    passive_ += passive_names_;
     for (const std::string& sentence : left_out_) note(sentence);
     if (positions_.empty()) {
       if (names_ > 0) note("joint states without positions");
@@ -49,6 +52,12 @@ class JointTranslation final : public TopicTranslation {
     if (packet_.statements.empty()) return Outcome::nothing;
     out = {text_, &packet_};
     return Outcome::packet;
+  }
+
+  void addLeftOut(Account& account) const override {
+    addValues(account, "velocity", "packets have no speeds of joints", velocities_);
+    addValues(account, "effort", "packets have no efforts", efforts_);
+    addValues(account, "position", "of fixed and mimic joints, which the model moves", passive_);
   }
 
  private:
@@ -76,6 +85,7 @@ class JointTranslation final : public TopicTranslation {
   void makePlan(const std::vector<std::string_view>& names) {
     plans_.clear();
     left_out_.clear();
+    passive_names_ = 0;
     const std::vector<DeviceFinder::JointHome> homes = devices_.homesOf(topic_, names);
     for (std::size_t i = 0; i < homes.size(); ++i) {
       const DeviceFinder::JointHome& home = homes[i];
@@ -83,7 +93,9 @@ class JointTranslation final : public TopicTranslation {
         add(home, i);
       } else if (home.fate == DeviceFinder::Fate::ambiguous) {
         leaveOut("joint states with joints of several devices; name the device in the topic");
-      } else if (home.fate != DeviceFinder::Fate::passive) {
+      } else if (home.fate == DeviceFinder::Fate::passive) {
+        ++passive_names_;
+      } else {
         leaveOut("joint states with joints of no device; --device names one");
       }
     }
@@ -158,6 +170,8 @@ class JointTranslation final : public TopicTranslation {
   std::size_t names_ = 0;
   std::vector<DevicePlan> plans_;
   std::vector<std::string> left_out_;  ///< sentences for every message with these names
+  std::size_t passive_names_ = 0;      ///< of fixed and mimic joints
+  std::uint64_t velocities_ = 0, efforts_ = 0, passive_ = 0;
   std::vector<double> positions_, numbers_;
   std::vector<std::string_view> said_names_;
   std::vector<Statement> statements_;

@@ -44,6 +44,10 @@ class MarkerTranslation final : public TopicTranslation {
     return end(out);
   }
 
+  void addLeftOut(Account& account) const override {
+    addValues(account, "scale", "drawings have sizes in pixels", sizes_);
+  }
+
  private:
   struct Drawn {
     std::size_t parts = 0;  ///< drawings ID, ID/2, ID/3 ...
@@ -94,6 +98,7 @@ class MarkerTranslation final : public TopicTranslation {
     const std::size_t parts = draw(marker, id, *place);
     eraseFrom(id, parts);
     if (parts == 0) return;
+    if (marker.has_size) ++sizes_;
     Drawn& drawn = drawn_[id];
     drawn.parts = parts;
     drawn.until = marker.lifetime_ns > 0 && marker.lifetime_ns < (LogTime::max() - time).count()
@@ -221,6 +226,7 @@ class MarkerTranslation final : public TopicTranslation {
   bool textured_ = true;
   std::vector<Marker> markers_;
   std::map<std::string, Drawn> drawn_;
+  std::uint64_t sizes_ = 0;
   std::size_t mortal_ = 0;  ///< of `drawn_`: those with a lifetime
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/foreign/ros/bag_reader.h"
+#include "core/foreign/ros/expanded_messages.h"
 #include "core/log/log_profile.h"
 #include "core/log/log_reader.h"
 
@@ -104,7 +105,8 @@ Result<std::unique_ptr<BagReader>> bagOf(Result<LogReader> reader) {
     return Error{ErrorKind::bad_argument, "it is a log already; `rocinante log merge` joins logs",
                  reader->name()};
   }
-  return std::unique_ptr<BagReader>(std::make_unique<McapBag>(std::move(*reader)));
+  const std::uint64_t file_bytes = reader->storage().file_bytes;
+  return withExpandedMessages(std::make_unique<McapBag>(std::move(*reader)), file_bytes);
 }
 
 }  // namespace

@@ -91,6 +91,7 @@ Result<std::optional<DescribedRobot>> describedRobot(BagReader& bag, const Model
     }
     Result<DescribedRobot> robot = robotOf(urdf, search);
     if (!robot) return robot.error();
+    robot->topic = topic.name;
     return std::optional(std::move(*robot));
   }
   return std::optional<DescribedRobot>();

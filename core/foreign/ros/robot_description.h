@@ -12,6 +12,7 @@ namespace rocinante::ros {
 
 /// The robot that a bag describes, as a cell of one device, named as the robot is.
 struct DescribedRobot {
+  std::string topic;                 ///< that it was on
   Cell cell;                         ///< without geometry
   std::optional<CellBundle> bundle;  ///< empty when it cannot be attached
   std::vector<std::string> notes;    ///< why not, and which of its files are missing

@@ -137,10 +137,16 @@ Transform readPoseStamped(FieldCursor& cursor) {
   return transform;
 }
 
-Transform readOdometry(FieldCursor& cursor) {
-  Transform odometry = readTransform(cursor);
-  // The covariances of pose and twist, and the twist.
-  cursor.skip(36 + 6 + 36, sizeof(double));
+Odometry readOdometry(FieldCursor& cursor) {
+  Odometry odometry{readTransform(cursor)};
+  const auto anyOf = [&](int count) {
+    bool any = false;
+    for (int i = 0; i < count; ++i) any = cursor.number<double>() != 0 || any;
+    return any;
+  };
+  const bool pose_covariance = anyOf(36);
+  odometry.has_speed = anyOf(6);
+  odometry.has_covariance = anyOf(36) || pose_covariance;
   return odometry;
 }
 
@@ -154,9 +160,10 @@ LogText readLog(FieldCursor& cursor, bool ros1_fields) {
   log.level = levelName(cursor.number<std::uint8_t>(), ros1_fields);
   log.node = cursor.string();
   log.text = cursor.string();
-  cursor.string();  // file
-  cursor.string();  // function
-  cursor.number<std::uint32_t>();
+  const bool in_file = !cursor.string().empty();
+  const bool in_function = !cursor.string().empty();
+  const bool on_line = cursor.number<std::uint32_t>() != 0;
+  log.has_place = in_file || in_function || on_line;
   if (ros1_fields) {
     const std::uint32_t topics = cursor.count(4);
     for (std::uint32_t i = 0; i < topics && cursor.ok(); ++i) cursor.string();
@@ -171,7 +178,7 @@ void readMarker(FieldCursor& cursor, bool textured, Marker& out) {
   out.type = cursor.number<std::int32_t>();
   out.action = cursor.number<std::int32_t>();
   out.pose = readPose(cursor);
-  readVector(cursor);  // scale
+  out.has_size = readVector(cursor) != Vec3{};
   out.rgba = readColor(cursor);
   // Its seconds are signed, in ROS 1 too.
   out.lifetime_ns = std::int64_t{cursor.number<std::int32_t>()} * kNanoseconds;

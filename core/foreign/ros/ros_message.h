@@ -46,14 +46,21 @@ Transform readTransform(FieldCursor& cursor);
 /// The fewest bytes of a TransformStamped: bounds a sequence's count.
 inline constexpr std::size_t kLeastTransformBytes = 7 * 8 + 16;
 
-/// geometry_msgs/PoseStamped, with an empty `child`; nav_msgs/Odometry.
+/// geometry_msgs/PoseStamped, with an empty `child`.
 Transform readPoseStamped(FieldCursor& cursor);
-Transform readOdometry(FieldCursor& cursor);
+
+struct Odometry : Transform {
+  bool has_speed = false;       ///< a twist that is not zero
+  bool has_covariance = false;  ///< one that is not zero, of pose or twist
+};
+/// nav_msgs/Odometry.
+Odometry readOdometry(FieldCursor& cursor);
 
 struct LogText {
   Header header;
   std::string_view level;  ///< "WARN"
   std::string_view node, text;
+  bool has_place = false;  ///< a file, a function or a line
 };
 /// rosgraph_msgs/Log and rcl_interfaces/Log.
 LogText readLog(FieldCursor& cursor, bool ros1_fields);
@@ -68,6 +75,7 @@ struct Marker {
   std::int32_t type = 0;
   std::int32_t action = 0;
   Pose pose;
+  bool has_size = false;
   std::uint32_t rgba = 0;  ///< that of its first point when the points have colours
   std::int64_t lifetime_ns = 0;
   std::vector<Vec3> points_m;

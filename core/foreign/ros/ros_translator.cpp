@@ -34,6 +34,13 @@ RosTranslator::Outcome RosTranslator::translate(std::size_t topic, LogTime time,
   return mine.translation->translate(message, mine.layout, time, out);
 }
 
+Account RosTranslator::account() const {
+  Account account;
+  for (const State::Topic& topic : state_->topics) topic.translation->addLeftOut(account);
+  account.add(state_->frames.account());
+  return account;
+}
+
 const TranslationNotes& RosTranslator::notes(std::size_t topic) const {
   return state_->topics[topic].translation->notes();
 }

@@ -12,6 +12,7 @@
 #include "core/foreign/ros/ros_message.h"
 #include "core/foreign/ros/translation_notes.h"
 #include "core/packet/packet.h"
+#include "core/report/account.h"
 
 namespace rocinante::ros {
 
@@ -45,6 +46,8 @@ class RosTranslator {
   Outcome translate(std::size_t topic, LogTime time, ByteView message, Translated& out);
 
   const TranslationNotes& notes(std::size_t topic) const;
+  /// The fields and transforms of all messages that no packet says.
+  Account account() const;
 
  private:
   struct State;

@@ -6,6 +6,7 @@
 
 #include "core/base/plain_text.h"
 #include "core/foreign/ros/bag_reader.h"
+#include "core/foreign/ros/expanded_messages.h"
 
 namespace rocinante::ros {
 namespace {
@@ -123,8 +124,8 @@ class SqliteBag final : public BagReader {
   }
 
   Result<std::optional<Bytes>> lastOf(std::size_t topic) override {
-    Result<Query> query =
-        prepare("SELECT data FROM messages WHERE topic_id = ? ORDER BY timestamp DESC LIMIT 1");
+    Result<Query> query = prepare(
+        "SELECT data FROM messages WHERE topic_id = ? ORDER BY timestamp DESC, rowid DESC LIMIT 1");
     if (!query) return query.error();
     for (const auto& [id, number] : by_id_) {
       if (number == topic) sqlite3_bind_int64(query->get(), 1, id);
@@ -275,7 +276,9 @@ Result<std::unique_ptr<BagReader>> openSqliteBag(const std::filesystem::path& pa
   }
   auto bag = std::make_unique<SqliteBag>(std::move(database), path.string());
   if (Status begun = bag->begin(); !begun) return begun.error();
-  return std::unique_ptr<BagReader>(std::move(bag));
+  std::error_code none;
+  const std::uint64_t file_bytes = std::filesystem::file_size(path, none);
+  return withExpandedMessages(std::move(bag), none ? 0 : file_bytes);
 }
 
 }  // namespace rocinante::ros

@@ -46,8 +46,10 @@ class OdometryTranslation final : public TopicTranslation {
   Outcome translate(ByteView message, FieldCursor::Layout layout, LogTime,
                     Translated& out) override {
     FieldCursor cursor(message, layout);
-    const Transform odometry = readOdometry(cursor);
+    const Odometry odometry = readOdometry(cursor);
     if (!cursor.atEnd()) return Outcome::malformed;
+    speeds_ += odometry.has_speed ? 1 : 0;
+    covariances_ += odometry.has_covariance ? 1 : 0;
     switch (frames_.place(odometry.header.frame, odometry.child, odometry.pose,
                           FrameTree::Origin::odometry)) {
       case FrameTree::Taken::yes:
@@ -63,6 +65,14 @@ class OdometryTranslation final : public TopicTranslation {
     for (const FrameTree::Moved& each : frames_.takeMoved()) addPose(*each.device, each.place);
     return end(out);
   }
+
+  void addLeftOut(Account& account) const override {
+    addValues(account, "twist", "packets have no speeds", speeds_);
+    addValues(account, "covariance", "packets have no covariances", covariances_);
+  }
+
+ private:
+  std::uint64_t speeds_ = 0, covariances_ = 0;
 };
 
 class PoseTranslation final : public TopicTranslation {
@@ -125,6 +135,7 @@ class LogTranslation final : public TopicTranslation {
       text.resize(end);
       note("log texts that were cut at 4096 bytes");
     }
+    if (log.has_place) ++places_;
     begin(log.header.stamp_ns);
     Statement event;
     event.kind = StatementKind::event;
@@ -133,8 +144,13 @@ class LogTranslation final : public TopicTranslation {
     return end(out);
   }
 
+  void addLeftOut(Account& account) const override {
+    addValues(account, "file, function, line", "events have a text alone", places_);
+  }
+
  private:
   bool ros1_fields_;
+  std::uint64_t places_ = 0;
 };
 
 }  // namespace
@@ -178,6 +194,13 @@ Outcome TopicTranslation::end(Translated& out) {
   if (text_.size() == header_bytes_) return Outcome::nothing;
   out = {text_, nullptr};
   return Outcome::packet;
+}
+
+void TopicTranslation::addValues(Account& account, const char* name, const char* reason,
+                                 std::uint64_t count) const {
+  if (count == 0) return;
+  account.leaveOut(
+      {.kind = "value", .name = name, .reason = reason, .first = topic_, .count = count});
 }
 
 void TopicTranslation::note(std::string_view sentence) {

@@ -23,6 +23,8 @@ class TopicTranslation {
   virtual RosTranslator::Outcome translate(ByteView message, FieldCursor::Layout layout,
                                            LogTime time, Translated& out) = 0;
   const TranslationNotes& notes() const { return notes_; }
+  /// Adds the fields of messages that no packet says.
+  virtual void addLeftOut(Account&) const {}
 
  protected:
   /// Begins a packet with its header line; TIME is `-` when the stamp is 0 or before 1970.
@@ -32,6 +34,8 @@ class TopicTranslation {
   /// Ends the packet: nothing when it has no statement.
   RosTranslator::Outcome end(Translated& out);
   void note(std::string_view sentence);
+  /// Values of this topic: nothing when there are none.
+  void addValues(Account& account, const char* name, const char* reason, std::uint64_t count) const;
 
   std::string topic_;
   const DeviceFinder& devices_;

@@ -15,6 +15,7 @@
 #include "core/log/log_writer.h"
 #include "core/packet/decoder.h"
 #include "core/recording/session_writer.h"
+#include "core/report/account.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {
@@ -131,6 +132,15 @@ class SessionText {
       std::getline(words >> std::ws, sentence);
       return writer_.log().writeMetadata(
           {std::string(kImportRecord), {{std::string(kImportWarningsKey), sentence + "\n"}}});
+    }
+    if (order == "left-out") {
+      Account account;
+      LeftOut one;
+      words >> one.kind >> one.name;
+      std::getline(words >> std::ws, one.reason);
+      account.leaveOut(std::move(one));
+      return writer_.log().writeMetadata(
+          {std::string(kImportRecord), {{std::string(kImportLeftOutKey), accountLines(account)}}});
     }
     if (order == "damage") {
       words >> damage_at_;

@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "core/foreign/recordings/bag_folder.h"
 #include "core/foreign/recordings/datagram_times.h"
 #include "core/foreign/ros/bag_import.h"
 #include "tests/core/log/log_support.h"
@@ -141,6 +142,36 @@ TEST_F(DatagramFolderTest, FindsTheFilesOfABag) {
   put("metadata.yaml", "");
   EXPECT_THAT(filesOfBagFolder(folder_.path()),
               ElementsAre(folder_ / "bag_0.db3", folder_ / "bag_1.db3"));
+}
+
+TEST_F(DatagramFolderTest, NamesTheFilesThatABagLacks) {
+  put("bag_0.mcap", "");
+  const auto lacks = [&](const std::string& metadata) {
+    put("metadata.yaml", metadata);
+    std::vector<std::string> sentences = damageOfBagFolder(folder_.path());
+    for (std::string& each : sentences) each = each.substr(0, each.find(" ("));
+    return sentences;
+  };
+  const std::string head = "rosbag2_bagfile_information:\n  version: 5\n";
+  EXPECT_THAT(lacks(head + "  relative_file_paths:\n    - bag_0.mcap\n"), IsEmpty());
+  EXPECT_THAT(lacks(head + "  relative_file_paths:\n    - 'bag/bag_0.mcap'\n    - \"bag_1.mcap\"\n"
+                           "  files:\n    - path: bag_2.mcap\n"),
+              ElementsAre("the bag's file bag_1.mcap is missing: its messages are not there"));
+  EXPECT_THAT(lacks(head + "  relative_file_paths: [bag_0.mcap, bag_7.mcap]\n"),
+              ElementsAre("the bag's file bag_7.mcap is missing: its messages are not there"));
+  // Unpacked beside the name that is listed; and one that is not unpacked.
+  put("bag_1.mcap.zstd", "");
+  EXPECT_THAT(lacks(head + "  relative_file_paths:\n  - bag_0.mcap.zstd\n  - bag_1.mcap.zstd\n"),
+              ElementsAre("the bag's file bag_1.mcap.zstd is compressed; `zstd -d` unpacks it"));
+  EXPECT_THAT(lacks(head + "  compression_format: lz4\n  compression_mode: MESSAGE\n"),
+              ElementsAre("the messages are compressed with lz4, which is not read; `ros2 bag "
+                          "convert` makes a bag without compression"));
+  std::string many = head + "  relative_file_paths:\n";
+  for (int i = 0; i < 100'000; ++i) many += "    - gone_" + std::to_string(i) + ".mcap\n";
+  EXPECT_EQ(lacks(many).size(), 21U);
+  for (const char* const odd : {"relative_file_paths:\n- \n-\n- ..\n", "[", ":\n:::\n", "- - -"}) {
+    EXPECT_THAT(lacks(odd), testing::SizeIs(testing::Le(1)));
+  }
 }
 
 }  // namespace

@@ -1,0 +1,106 @@
+#include "core/check/log_account.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/log/import_record.h"
+#include "core/log/log_profile.h"
+
+namespace rocinante {
+namespace {
+
+/// Most devices that the sentence names.
+constexpr std::size_t kMostNamed = 3;
+
+bool isDriven(const Joint& joint) { return joint.type != JointType::fixed && !joint.mimic; }
+
+bool isMoved(const Model& model, const DeviceState* stated) {
+  if (stated == nullptr) return false;
+  if (stated->pose || stated->joints) return true;
+  return std::ranges::any_of(stated->named_joints, [&](const auto& named) {
+    // A joint of several values is stated as NAME.x and so on.
+    const std::string_view name = named.first;
+    return std::ranges::any_of(model.joints, [&](const Joint& joint) {
+      return isDriven(joint) && name.starts_with(joint.name) &&
+             (name.size() == joint.name.size() ||
+              (valueCount(joint.type) > 1 && name[joint.name.size()] == '.'));
+    });
+  });
+}
+
+/// Of a recorder's log: topics of octets that no decoder made packets of. Of an import: its record.
+Account leftOutOf(const LogReader& log) {
+  Account account = accountOfLines(importLeftOutOf(log.metadata()));
+  // Another program's file is no log yet: an import would make packets.
+  if (log.summary().profile != profile::kName) return account;
+  std::set<std::string, std::less<>> decoded;
+  for (const LogChannel& channel : log.channels()) {
+    if (channel.decoded()) decoded.emplace(profile::capturedTopic(channel.topic));
+  }
+  for (const LogChannel& channel : log.channels()) {
+    if (!channel.captured() || channel.imported() || channel.encoding == "rk1") continue;
+    if (decoded.contains(channel.topic)) continue;
+    const bool is_octets = channel.encoding == "octets";
+    account.leaveOut({.kind = "topic",
+                      .name = channel.topic,
+                      .reason = is_octets ? "octets, and no decoder made packets of them"
+                                          : channel.encoding + ", which does not become packets"});
+  }
+  return account;
+}
+
+}  // namespace
+
+std::string LogAccount::sentence() const {
+  std::string text;
+  if (no_packets) {
+    text = "no message of the log is a packet: nothing moves";
+  } else if (!at_rest.empty()) {
+    text = "no packet of the log moves ";
+    for (std::size_t i = 0; i < std::min(at_rest.size(), kMostNamed); ++i) {
+      if (i > 0) text += i + 1 == at_rest.size() ? " and " : ", ";
+      text += at_rest[i];
+    }
+    if (at_rest.size() > kMostNamed) {
+      text += " and " + std::to_string(at_rest.size() - kMostNamed) + " more";
+    }
+    if (movable > at_rest.size()) {
+      text += " (" + std::to_string(at_rest.size()) + " of " + std::to_string(movable) +
+              " devices with joints)";
+    }
+  }
+  if (!text.empty() && !left_out.empty()) text += "; ";
+  return text + accountSentence(left_out);
+}
+
+LogAccount logAccount(const LogReader& log, const SessionState& last, const Cell* cell) {
+  LogAccount account;
+  account.left_out = leftOutOf(log);
+  account.imported = std::ranges::any_of(log.channels(), &LogChannel::imported);
+  account.no_packets = log.summary().profile == profile::kName && log.summary().messages > 0 &&
+                       last.sources().empty() && last.devices().empty();
+  if (cell == nullptr) return account;
+  for (const CellDevice& device : cell->devices) {
+    const Model* const model = cell->modelOf(device);
+    if (model == nullptr || std::ranges::none_of(model->joints, isDriven)) continue;
+    ++account.movable;
+    const DeviceState* const stated = last.findDevice(device.name);
+    const bool is_there = !device.optional || (stated != nullptr && stated->presence);
+    if (is_there && !isMoved(*model, stated)) account.at_rest.push_back(device.name);
+  }
+  return account;
+}
+
+LogAccount logAccount(Timeline& session, const Cell* cell) {
+  StateDamage damage;
+  const auto last = session.stateAt(session.end(), &damage);
+  return logAccount(session.log(), last ? **last : SessionState(), cell);
+}
+
+Result<LogAccount> logAccount(const std::filesystem::path& log, const Cell* cell) {
+  auto session = Timeline::open(log);
+  if (!session) return session.error();
+  return logAccount(*session, cell);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,122 @@
+#include "core/check/log_account.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "core/bundle/cell_or_log.h"
+#include "core/log/import_record.h"
+#include "core/log/log_writer.h"
+#include "core/recording/session_writer.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr const char* kArm = R"(<robot name="arm"><link name="base"/><link name="tool"/>
+  <joint name="j" type="continuous"><parent link="base"/><child link="tool"/></joint></robot>)";
+constexpr const char* kTable = R"(<robot name="table"><link name="top"/></robot>)";
+constexpr const char* kCell = R"(format = 1
+[[device]]
+name = "left"
+model = "arm.urdf"
+[[device]]
+name = "right"
+model = "arm.urdf"
+[[device]]
+name = "spare"
+model = "arm.urdf"
+optional = true
+[[device]]
+name = "table"
+model = "table.urdf"
+)";
+
+class LogAccountTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_ / "arm.urdf") << kArm;
+    std::ofstream(folder_ / "table.urdf") << kTable;
+    std::ofstream(folder_ / "c.cell.toml") << kCell;
+    Result<Cell> cell = loadCell(folder_ / "c.cell.toml", {});
+    ASSERT_TRUE(cell.ok());
+    cell_ = std::move(*cell);
+  }
+
+  LogAccount of(const std::vector<std::pair<std::string, std::string>>& said,
+                const std::string& left_out = {}) {
+    LogWriterOptions options;
+    options.overwrite = true;
+    auto log = LogWriter::create(folder_ / "s.mcap", options, "session-1");
+    EXPECT_TRUE(log.ok());
+    SessionWriter session(std::move(*log), {});
+    std::int64_t time = 1'000'000'000;
+    for (const auto& [encoding, text] : said) {
+      const auto channel = session.addChannel("/udp/" + encoding, encoding, {});
+      EXPECT_TRUE(channel.ok());
+      EXPECT_TRUE(
+          session.write(*channel, 0, LogTime(Nanoseconds(++time)), time, bytesOf(text)).ok());
+    }
+    if (!left_out.empty()) {
+      EXPECT_TRUE(session.log()
+                      .writeMetadata({std::string(kImportRecord),
+                                      {{std::string(kImportLeftOutKey), left_out}}})
+                      .ok());
+    }
+    EXPECT_TRUE(session.log().close("done").ok());
+    const auto account = logAccount(folder_ / "s.mcap", &cell_);
+    EXPECT_TRUE(account.ok());
+    return account ? *account : LogAccount();
+  }
+
+  TemporaryFolder folder_;
+  Cell cell_;
+};
+
+TEST_F(LogAccountTest, NamesWhatNoPacketMoves) {
+  const LogAccount one = of({{"rk1", "RK1 s 0 -\njoint left j=1\n"}});
+  EXPECT_THAT(one.at_rest, ElementsAre("right"));
+  EXPECT_EQ(one.sentence(), "no packet of the log moves right (1 of 3 devices with joints)");
+  // A pose moves it, a name that the model lacks does not, and what `add` brought is there.
+  EXPECT_THAT(
+      of({{"rk1", "RK1 s 0 -\npose left 0 0 1 0 0 0 1\njoint right k=1\nadd spare\n"}}).at_rest,
+      ElementsAre("right", "spare"));
+  const LogAccount all = of({{"rk1", "RK1 s 0 -\njoint left j=1\njoint right j=0\n"}});
+  EXPECT_TRUE(all.empty());
+  EXPECT_EQ(all.sentence(), "");
+}
+
+TEST_F(LogAccountTest, OfALogWithoutPacketsNamesItsTopics) {
+  const LogAccount account = of({{"octets", "what is this"}});
+  EXPECT_TRUE(account.no_packets);
+  EXPECT_EQ(account.sentence(),
+            "no message of the log is a packet: nothing moves; left out: 1 topic `/udp/octets` "
+            "(octets, and no decoder made packets of them)");
+}
+
+TEST_F(LogAccountTest, ReadsWhatAnImportLeftOut) {
+  const LogAccount account = of({{"rk1", "RK1 s 0 -\njoint left j=1\njoint right j=1\n"}},
+                                "note\t3\ttopic\t/camera\tpictures\t\nnot a line\n"
+                                "warning\t-1\ttopic\t/x\ty\tz\nwarning\t1\ttopic\t/y\t\t\n");
+  EXPECT_EQ(account.sentence(), "left out: 3 topics `/camera` (pictures), 1 topic `/y`");
+  EXPECT_EQ(account.left_out.leftOut()[1].severity, Severity::warning);
+}
+
+TEST_F(LogAccountTest, LinesOfHostileFilesAreBounded) {
+  std::string lines;
+  for (int i = 0; i < 2000; ++i) {
+    lines += "note\t1\ttopic\t/" + std::to_string(i) + "\t\x1b[31m\t\n";
+  }
+  const Account account = accountOfLines(lines);
+  EXPECT_EQ(account.leftOut().size(), Account::kMaxListed);
+  EXPECT_EQ(account.total(), 2000U);
+  EXPECT_EQ(account.leftOut()[0].reason, "\\x1b[31m");
+  EXPECT_EQ(accountOfLines(accountLines(account)).total(), 2000U);
+  EXPECT_THAT(accountOfLines("\t\t\t\t\t\n\n1\t2\n").leftOut(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace rocinante::test
