@@ -18,10 +18,14 @@ target_link_options(rocinante_build INTERFACE LINKER:--as-needed)
 
 find_program(ROCINANTE_CCACHE ccache)
 if(ROCINANTE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Precompiled headers (of the tests) are cached too, given these allowances.
+  # Precompiled headers (of the tests) are cached too, given these allowances. What g++ makes of a
+  # piece in one checkout is what it would make in another; clang's precompiled headers name folders.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-    ${ROCINANTE_CCACHE})
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    list(APPEND CMAKE_CXX_COMPILER_LAUNCHER CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1)
+  endif()
+  list(APPEND CMAKE_CXX_COMPILER_LAUNCHER ${ROCINANTE_CCACHE})
 endif()
 
 # Many files at once cost two fifths of what they cost one by one, and most of a build is headers;
