@@ -10,7 +10,7 @@
 
 namespace rocinante {
 
-// How users name a moment of a session, the same for every program (docs/concepts.md, "Time"): by
+// How users name a moment of a session, the same for every program (docs/concepts.md, "Moments"): by
 // a session time (parseSessionTime()), or by the text of an event or mark, which may be a pattern
 // (core/base/pattern.h). `--at TEXT` takes both, the time first; `--event TEXT` an event alone.
 
