@@ -45,7 +45,7 @@ rocinante_web_sources(core/session keyframe keyframe_finder log_fold log_pieces 
   moment_walk session_time state_cache state_damage timeline)
 rocinante_web_sources(core/report json_text)
 rocinante_web_sources(core/series series_key series_scan value_bins)
-rocinante_web_sources(core/mesh mesh mesh_builder polygon shapes smooth_normals)
+rocinante_web_sources(core/mesh map_placing mesh mesh_builder polygon shapes smooth_normals)
 rocinante_web_sources(core/kinematics model joint_values kinematics mesh_scale)
 rocinante_web_sources(core/cell cell cell_names device_appearance layer_index posed_scene view_path)
 rocinante_web_sources(core/bundle baked_file)
@@ -60,7 +60,7 @@ rocinante_web_sources(viewer/cull coplanar_items coplanar_surfaces cull_sphere d
   scene_catalog scene_detail translucent_order)
 rocinante_web_sources(viewer/overlay embedded_font inspection_marks label_layout overlay overlay_panel
   scale_bar session_drawings text_atlas)
-rocinante_web_sources(viewer/passes backdrop_pass background_pass contact_map contact_shaders draw_passes draw_triangles
+rocinante_web_sources(viewer/passes backdrop_pass background_pass caster_draw contact_map contact_shaders draw_passes draw_triangles
   edge_pass ghost_pass grid_pass identity_pass item_batch item_matrices look_shaders mesh_buffers
   mesh_edges outline_pass overlay_buffer overlay_pass plain_shader scene_pass shader_source
   shadow_fit shadow_map texture_store)

@@ -44,10 +44,26 @@ std::uint64_t triangleCount(const DrawItem& item, const MeshPart& part) {
   return (item.coarse->two_sided_count + item.coarse->one_sided_count) / 3;
 }
 
+/// Makes of the material's opacity what its alpha mode means.
+void applyAlphaMode(DrawItem& item) {
+  const Material& material = *item.material;
+  if (material.alpha_mode == AlphaMode::blend) return;
+  const float opacity = material.diffuse.a;
+  item.diffuse.a = 1.0F;
+  if (material.alpha_mode == AlphaMode::opaque) return;
+  if (!(opacity >= material.alpha_cutoff)) {
+    item.diffuse.a = 0.0F;  // no alpha of a texture is enough
+  } else if (item.texture >= 0) {
+    item.is_cut = true;
+    item.cutoff = opacity > 0.0F ? material.alpha_cutoff / opacity : 0.0F;
+  }
+}
+
 void applyLook(const PartLook& look, DrawItem& item) {
   if (look.tone) {
     item.diffuse = glm::vec4(glm::vec3(*look.tone), look.tone->a * item.diffuse.a);
     item.texture = -1;
+    item.is_cut = false;
     item.tinted = false;
   }
   item.diffuse.a *= look.opacity;
@@ -219,6 +235,8 @@ void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& c
             // A colour that was set replaces the material, including its texture.
             item.diffuse = colorOf(*color);
             item.texture = -1;
+          } else {
+            applyAlphaMode(item);
           }
           PartLook look;
           if (looks.any()) {
@@ -226,7 +244,7 @@ void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& c
             applyLook(look, item);
           }
           item.outlined = looks.anyOutlined() && looks.outlined(device, l, run.group);
-          const bool holes = item.texture >= 0 &&
+          const bool holes = item.texture >= 0 && !item.is_cut &&
                              static_cast<std::size_t>(item.texture) < translucent_textures.size() &&
                              translucent_textures[static_cast<std::size_t>(item.texture)] != 0;
           item.translucent = item.diffuse.a < kOpaqueAlpha || holes;

@@ -25,6 +25,9 @@ struct DrawItem {
   float lift_units = 0;                ///< of depth, added to the rank (liftCoplanarItems)
   const CoarsePart* coarse = nullptr;  ///< drawn instead of the part; null: the part
   const Material* material = nullptr;
+  /// Drawn whole where the texture's alpha is at least `cutoff`, else not at all (AlphaMode::mask).
+  bool is_cut = false;
+  float cutoff = 0;
   glm::vec4 diffuse{};    ///< display values and opacity, with overrides
   Mat4 world{1.0};        ///< of the mesh's vertices
   double distance = 0;    ///< from the eye to the part's centre

@@ -87,13 +87,21 @@ void SceneCatalog::addModel(const Model& model, DrawnGeometry geometry) {
   }
 }
 
+SceneCatalog::TextureUse SceneCatalog::useOf(const Material& material) {
+  return {material.diffuse_map, material.alpha_mode == AlphaMode::opaque, material.wrap_u,
+          material.wrap_v};
+}
+
 void SceneCatalog::addTexture(const Material& material) {
   if (material.diffuse_map.empty()) return;
+  has_cutouts_ = has_cutouts_ || material.alpha_mode == AlphaMode::mask;
   const auto number = static_cast<std::uint32_t>(textures_.size());
-  if (texture_numbers_.emplace(material.diffuse_map, number).second) {
+  if (texture_numbers_.emplace(useOf(material), number).second) {
     const auto at_hand = at_hand_->find(material.diffuse_map);
     textures_.push_back({material.diffuse_map, material.diffuse_bytes,
-                         at_hand == at_hand_->end() ? ByteView() : at_hand->second});
+                         at_hand == at_hand_->end() ? ByteView() : at_hand->second,
+                         material.alpha_mode == AlphaMode::opaque, material.wrap_u,
+                         material.wrap_v});
   }
 }
 
@@ -161,7 +169,7 @@ const LinkReaches* SceneCatalog::reaches(const Model& model) const {
 }
 
 std::optional<std::uint32_t> SceneCatalog::textureNumber(const Material& material) const {
-  const auto found = texture_numbers_.find(material.diffuse_map);
+  const auto found = texture_numbers_.find(useOf(material));
   if (found == texture_numbers_.end()) return std::nullopt;
   return found->second;
 }

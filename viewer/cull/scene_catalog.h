@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "core/cell/cell.h"
@@ -50,7 +51,9 @@ struct CatalogMesh {
 struct CatalogTexture {
   std::filesystem::path file;
   std::shared_ptr<const Bytes> bytes;
-  ByteView at_hand{};  ///< of Cell::pictures
+  ByteView at_hand{};          ///< of Cell::pictures
+  bool ignores_alpha = false;  ///< of materials with AlphaMode::opaque
+  TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
 };
 
 /// Every mesh and texture of a cell's models, numbered. Numbers depend only on the cell (models by
@@ -69,8 +72,11 @@ class SceneCatalog {
   void setDetail(std::size_t mesh_number, const MeshDetail& detail);
   /// The reaches of a model's links; null for a model that is not in the cell.
   const LinkReaches* reaches(const Model& model) const;
-  /// Empty for a material without a texture.
+  /// Empty for a material without a texture. One picture has a number for each way in which
+  /// materials use it.
   std::optional<std::uint32_t> textureNumber(const Material& material) const;
+  /// Whether a material cuts holes by a texture (AlphaMode::mask).
+  bool hasCutouts() const { return has_cutouts_; }
 
  private:
   void addModel(const Model& model, DrawnGeometry geometry);
@@ -80,7 +86,11 @@ class SceneCatalog {
   std::vector<CatalogMesh> meshes_;
   std::map<const Mesh*, std::uint32_t> mesh_numbers_;  // lookup only, never iterated
   std::vector<CatalogTexture> textures_;
-  std::map<std::filesystem::path, std::uint32_t> texture_numbers_;
+  /// File, ignores_alpha, wrap_u, wrap_v.
+  using TextureUse = std::tuple<std::filesystem::path, bool, TextureWrap, TextureWrap>;
+  static TextureUse useOf(const Material& material);
+  std::map<TextureUse, std::uint32_t> texture_numbers_;
+  bool has_cutouts_ = false;
   std::map<const Model*, LinkReaches> reaches_;  // lookup only, never iterated
   const std::map<std::filesystem::path, ByteView>* at_hand_ = nullptr;  // while it is made
 };

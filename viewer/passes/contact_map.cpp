@@ -5,9 +5,7 @@
 #include <utility>
 
 #include "viewer/passes/contact_shaders.h"
-#include "viewer/passes/draw_triangles.h"
 #include "viewer/passes/look_shaders.h"
-#include "viewer/passes/shadow_map.h"
 
 namespace rocinante {
 namespace {
@@ -39,7 +37,7 @@ void bindContact(const GlTable& gl, const ShaderProgram& program, const ContactL
 
 Result<ContactMap> ContactMap::create(const GlTable& gl) {
   using namespace shader;
-  auto items = ShaderProgram::link(gl, "contact", kFlatVertex, kFlatFragment);
+  auto items = CasterDraw::create(gl);
   if (!items) return items.error();
   auto ground = ShaderProgram::link(gl, "contact with the ground", kGroundVertex, kFlatFragment);
   if (!ground) return ground.error();
@@ -51,7 +49,7 @@ Result<ContactMap> ContactMap::create(const GlTable& gl) {
                     std::move(*evened));
 }
 
-ContactMap::ContactMap(const GlTable& gl, ShaderProgram items, ShaderProgram ground,
+ContactMap::ContactMap(const GlTable& gl, CasterDraw items, ShaderProgram ground,
                        ShaderProgram openness, ShaderProgram evened)
     : gl_(gl),
       items_(std::move(items)),
@@ -131,19 +129,7 @@ void ContactMap::drawDepths(const Target& target, std::span<const DrawnSet> sets
   gl_.DepthMask(GL_TRUE);
   gl_.ClearDepth(0);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
-  items_.use();
-  const GLint clip = items_.uniform("clip_from_model");
-  for (const DrawnSet& set : sets) {
-    for (const auto* list : {&set.list->opaque, &set.list->translucent}) {
-      for (const DrawItem& item : *list) {
-        if (!keepsLight(item)) continue;
-        const glm::mat4 clip_from_model(camera.clipFromRelative() * camera.relative(item.world));
-        gl_.UniformMatrix4fv(clip, 1, GL_FALSE, glm::value_ptr(clip_from_model));
-        set.meshes->bind(item.mesh);
-        drawTriangles(gl_, item, *set.catalog);
-      }
-    }
-  }
+  items_.draw(sets, camera);
   gl_.BindVertexArray(empty_array_);
   // From below it hides nothing.
   if (!(ground_m > 0) || !(camera.eye().z > 0)) return;

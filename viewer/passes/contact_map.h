@@ -4,7 +4,7 @@
 #include <span>
 
 #include "viewer/gl/shader_program.h"
-#include "viewer/passes/drawn_set.h"
+#include "viewer/passes/caster_draw.h"
 #include "viewer/picture/pixel_rectangle.h"
 #include "viewer/view/camera.h"
 
@@ -45,7 +45,7 @@ class ContactMap {
     GLuint depth = 0, first = 0, second = 0;
     GLuint depth_frame = 0, first_frame = 0, second_frame = 0;
   };
-  ContactMap(const GlTable& gl, ShaderProgram items, ShaderProgram ground, ShaderProgram openness,
+  ContactMap(const GlTable& gl, CasterDraw items, ShaderProgram ground, ShaderProgram openness,
              ShaderProgram evened);
   Result<const Target*> targetOf(std::size_t view, int width, int height);
   void release(const Target& target) const;
@@ -55,7 +55,8 @@ class ContactMap {
   void even(const Target& target) const;
 
   const GlTable& gl_;
-  ShaderProgram items_, ground_, openness_, evened_;
+  CasterDraw items_;
+  ShaderProgram ground_, openness_, evened_;
   GLuint empty_array_ = 0;
   std::map<std::size_t, Target> targets_;
 };

@@ -2,6 +2,7 @@
 
 #include "viewer/cull/draw_list.h"
 #include "viewer/passes/mesh_buffers.h"
+#include "viewer/passes/texture_store.h"
 
 namespace rocinante {
 
@@ -10,6 +11,7 @@ struct DrawnSet {
   const DrawList* list = nullptr;
   const SceneCatalog* catalog = nullptr;
   const MeshBuffers* meshes = nullptr;
+  const TextureStore* textures = nullptr;  ///< null: its items have none (collisions)
 };
 
 }  // namespace rocinante

@@ -7,35 +7,27 @@
 #include <limits>
 #include <utility>
 
+#include "core/mesh/map_placing.h"
 #include "viewer/gl/depth_lift.h"
 #include "viewer/gl/viewport.h"
 #include "viewer/passes/draw_triangles.h"
+#include "viewer/passes/shader_source.h"
 
 namespace rocinante {
 namespace {
 
-// Computes the position like the scene's shader, so that depths are equal.
-constexpr std::string_view kSurfaceVertex = R"(#version 330 core
-layout(location = 0) in vec3 position;
-layout(location = 2) in vec2 texture_place;
-uniform mat4 clip_from_model;
-uniform vec2 map_scale;
-uniform vec2 map_offset;
-out vec2 map_place;
-void main() {
-  gl_Position = clip_from_model * vec4(position, 1.0);
-  map_place = texture_place * map_scale + map_offset;
-}
-)";
+/// A blended picture's pixel belongs to it where it is more opaque than not.
+constexpr float kOwnsFrom = 0.5F;
 
 constexpr std::string_view kSurfaceFragment = R"(#version 330 core
 in vec2 map_place;
 uniform vec4 number;
 uniform bool has_holes;
 uniform sampler2D map;
+uniform float cutoff;
 out vec4 color;
 void main() {
-  if (has_holes && texture(map, map_place).a < 0.5) discard;
+  if (has_holes && texture(map, map_place).a < cutoff) discard;
   color = number;
 }
 )";
@@ -71,7 +63,7 @@ void main() {
 }  // namespace
 
 Result<IdentityPass> IdentityPass::create(const GlTable& gl) {
-  auto surface = ShaderProgram::link(gl, "identity", kSurfaceVertex, kSurfaceFragment);
+  auto surface = ShaderProgram::link(gl, "identity", shader::kMappedVertex, kSurfaceFragment);
   if (!surface) return surface.error();
   auto flat = ShaderProgram::link(gl, "identity overlay", kFlatVertex, kFlatFragment);
   if (!flat) return flat.error();
@@ -83,9 +75,10 @@ IdentityPass::IdentityPass(const GlTable& gl, ShaderProgram surface, ShaderProgr
       surface_(std::move(surface)),
       flat_(std::move(flat)),
       clip_from_model_(surface_.uniform("clip_from_model")),
-      map_scale_(surface_.uniform("map_scale")),
+      map_along_(surface_.uniform("map_along")),
       map_offset_(surface_.uniform("map_offset")),
       has_holes_(surface_.uniform("has_holes")),
+      cutoff_(surface_.uniform("cutoff")),
       number_(surface_.uniform("number")),
       buffer_(gl) {}
 
@@ -94,9 +87,10 @@ IdentityPass::IdentityPass(IdentityPass&& other) noexcept
       surface_(std::move(other.surface_)),
       flat_(std::move(other.flat_)),
       clip_from_model_(other.clip_from_model_),
-      map_scale_(other.map_scale_),
+      map_along_(other.map_along_),
       map_offset_(other.map_offset_),
       has_holes_(other.has_holes_),
+      cutoff_(other.cutoff_),
       number_(other.number_),
       buffer_(std::move(other.buffer_)) {}
 
@@ -134,14 +128,16 @@ void IdentityPass::drawItem(const DrawItem& item, float depth_ranks, const Drawn
   const glm::vec4 color = colorOf(number);
   gl_.Uniform4f(number_, color.r, color.g, color.b, color.a);
   const auto texture = static_cast<std::size_t>(std::max(item.texture, 0));
-  const bool has_holes =
-      item.texture >= 0 && textures.name(texture) != 0 && textures.translucent()[texture] != 0;
+  const bool has_holes = item.texture >= 0 && textures.name(texture) != 0 &&
+                         (item.is_cut || textures.translucent()[texture] != 0);
   gl_.Uniform1i(has_holes_, has_holes ? 1 : 0);
   if (has_holes) {
-    const Material& material = *item.material;
-    gl_.BindTexture(GL_TEXTURE_2D, textures.name(texture));
-    gl_.Uniform2f(map_scale_, material.map_scale.x, material.map_scale.y);
-    gl_.Uniform2f(map_offset_, material.map_offset.x, material.map_offset.y);
+    const MapPlacing placing(*item.material);
+    textures.bind(texture);
+    gl_.Uniform1f(cutoff_, item.is_cut ? item.cutoff : kOwnsFrom);
+    gl_.Uniform4f(map_along_, placing.along_u.x, placing.along_u.y, placing.along_v.x,
+                  placing.along_v.y);
+    gl_.Uniform2f(map_offset_, placing.offset.x, placing.offset.y);
   }
   if (depth_ranks != 0) {
     gl_.Enable(GL_POLYGON_OFFSET_FILL);

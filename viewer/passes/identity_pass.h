@@ -70,7 +70,7 @@ class IdentityPass {
 
   const GlTable& gl_;
   ShaderProgram surface_, flat_;
-  GLint clip_from_model_, map_scale_, map_offset_, has_holes_, number_;
+  GLint clip_from_model_, map_along_, map_offset_, has_holes_, cutoff_, number_;
   OverlayBuffer buffer_;
 };
 

@@ -9,7 +9,7 @@ layout(location = 2) in vec2 texture_place;
 layout(location = 3) in vec3 point_color;
 uniform mat4 clip_from_model;
 uniform mat3 normal_from_model;
-uniform vec2 map_scale;
+uniform vec4 map_along;  // u, v: MapPlacing
 uniform vec2 map_offset;
 uniform vec4 diffuse;
 uniform vec3 emission;
@@ -19,7 +19,7 @@ out vec3 shade;
 out vec2 map_place;
 void main() {
   gl_Position = clip_from_model * vec4(position, 1.0);
-  map_place = texture_place * map_scale + map_offset;
+  map_place = texture_place.x * map_along.xy + texture_place.y * map_along.zw + map_offset;
   vec3 n = normal_from_model * normal;
   float length2 = dot(n, n);
   float key = 1.0;
@@ -58,8 +58,18 @@ in vec3 shade;
 in vec2 map_place;
 uniform vec4 diffuse;
 uniform sampler2D map;
+#ifdef CUTOUT
+uniform float cutoff;
+#endif
 out vec4 color;
-void main() { color = vec4(shade, diffuse.a) * texture(map, map_place); }
+void main() {
+  vec4 texel = texture(map, map_place);
+#ifdef CUTOUT
+  if (texel.a < cutoff) discard;
+  texel.a = 1.0;
+#endif
+  color = vec4(shade, diffuse.a) * texel;
+}
 )";
 
 }  // namespace rocinante::shader

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/math/transform.h"
+#include "core/mesh/map_placing.h"
 #include "viewer/gl/depth_lift.h"
 #include "viewer/passes/contact_shaders.h"
 #include "viewer/passes/draw_triangles.h"
 #include "viewer/passes/item_matrices.h"
+#include "viewer/passes/latest_value.h"
 #include "viewer/passes/look_shaders.h"
 #include "viewer/passes/plain_shader.h"
 #include "viewer/passes/shader_source.h"
@@ -21,14 +22,11 @@
 namespace rocinante {
 namespace {
 
+/// Where a blended picture is less opaque than this, its depth is that of what lies behind.
+constexpr float kHolesBelow = 0.1F;
+
 /// A white light of strength 1 is as bright as the key light of kSceneFragment at its brightest.
 constexpr double kWhiteLight = 0.54;
-
-/// Bitwise, so that NaN equals itself and is not set repeatedly.
-template <class T>
-bool sameBits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
 
 }  // namespace
 
@@ -49,7 +47,12 @@ class ScenePass::Items {
         surfaces_(surfaces),
         plain_(surfaces.shading == Shading::plain),
         variant_(variantOf(surfaces, look)),
-        standard_(pass.standardIn(variant_)) {}
+        standard_(pass.standardIn(variant_)) {
+    if (!surfaces.cutouts || plain_) return;
+    Variant with_cutout = variant_;
+    with_cutout.cutout = true;
+    standard_cutout_ = pass.standardIn(with_cutout);
+  }
 
   /// Whether its texture has transparent pixels.
   bool hasHoles(const DrawItem& item) const {
@@ -62,15 +65,18 @@ class ScenePass::Items {
   void set(const DrawItem& item, bool depth_alone = false) {
     const GLuint texture =
         item.texture >= 0 ? textures_.name(static_cast<std::size_t>(item.texture)) : 0;
-    const Program& program = depth_alone && hasHoles(item) ? *pass_.holes_
-                             : !plain_                     ? *standard_
-                             : texture == 0                ? *pass_.plain_
-                                                           : *pass_.plain_mapped_;
+    const bool cuts = item.is_cut && texture != 0;
+    const Program& program = depth_alone && (cuts || hasHoles(item)) ? *pass_.holes_
+                             : !plain_      ? *(cuts ? standard_cutout_ : standard_)
+                             : texture == 0 ? *pass_.plain_
+                                            : *(cuts ? pass_.plain_cutout_ : pass_.plain_mapped_);
     if (&program != program_) use(program);
     if (mesh_.changesTo(item.mesh)) meshes_.bind(item.mesh);
     if (world_.changesTo(item.world)) setWorld(item.world);
     setMaterial(item, texture);
-    if (texture != 0 && texture_.changesTo(texture)) gl_.BindTexture(GL_TEXTURE_2D, texture);
+    if (texture != 0 && texture_.changesTo(texture)) {
+      textures_.bind(static_cast<std::size_t>(item.texture));
+    }
     if (lift_.changesTo({item.coplanar_rank, item.lift_units})) setLift(item);
   }
 
@@ -101,8 +107,9 @@ class ScenePass::Items {
     diffuse_ = {};
     has_map_ = {};
     has_tint_ = {};
+    cutoff_ = {};
     program.shader.use();
-    if (&program == standard_) {
+    if (&program == standard_ || &program == standard_cutout_) {
       if (variant_.shadows) bindShadows(gl_, program.shader, *surfaces_.shadows);
       if (variant_.contact) bindContact(gl_, program.shader, *surfaces_.contact);
       for (std::size_t i = 0; i < variant_.lights; ++i) setLight(program.shader, i);
@@ -159,10 +166,16 @@ class ScenePass::Items {
     if (has_tint_.changesTo(item.tinted ? 1 : 0)) {
       gl_.Uniform1i(program.has_tint, item.tinted ? 1 : 0);
     }
+    if (program.cutoff >= 0) {
+      const float cutoff = item.is_cut ? item.cutoff : kHolesBelow;
+      if (cutoff_.changesTo(cutoff)) gl_.Uniform1f(program.cutoff, cutoff);
+    }
     if (!material_.changesTo(item.material)) return;
     const Material& material = *item.material;
-    gl_.Uniform2f(program.map_scale, material.map_scale.x, material.map_scale.y);
-    gl_.Uniform2f(program.map_offset, material.map_offset.x, material.map_offset.y);
+    const MapPlacing placing(material);
+    gl_.Uniform4f(program.map_along, placing.along_u.x, placing.along_u.y, placing.along_v.x,
+                  placing.along_v.y);
+    gl_.Uniform2f(program.map_offset, placing.offset.x, placing.offset.y);
     const glm::vec3& specular = material.specular;
     gl_.Uniform3f(program.specular, specular.r, specular.g, specular.b);
     const glm::vec3& emission = material.emission;
@@ -183,22 +196,6 @@ class ScenePass::Items {
     setDepthLift(gl_, ranks, item.lift_units);
   }
 
-  /// A value that is set only when it changes; the first value always is.
-  template <class T>
-  class Latest {
-   public:
-    bool changesTo(const T& value) {
-      if (known_ && sameBits(value_, value)) return false;
-      known_ = true;
-      value_ = value;
-      return true;
-    }
-
-   private:
-    bool known_ = false;
-    T value_{};
-  };
-
   const ScenePass& pass_;
   const GlTable& gl_;
   const SceneCatalog& catalog_;
@@ -211,16 +208,18 @@ class ScenePass::Items {
   bool plain_;
   Variant variant_;
   const Program* standard_;
+  const Program* standard_cutout_ = nullptr;
   const Program* program_ = nullptr;
   // Of the program.
-  Latest<Mat4> world_;
-  Latest<const Material*> material_;
-  Latest<glm::vec4> diffuse_;
-  Latest<int> has_map_, has_tint_;
+  LatestValue<Mat4> world_;
+  LatestValue<const Material*> material_;
+  LatestValue<glm::vec4> diffuse_;
+  LatestValue<int> has_map_, has_tint_;
+  LatestValue<float> cutoff_;
   // Of the context.
-  Latest<std::uint32_t> mesh_;
-  Latest<std::pair<std::uint32_t, float>> lift_;
-  Latest<GLuint> texture_;
+  LatestValue<std::uint32_t> mesh_;
+  LatestValue<std::pair<std::uint32_t, float>> lift_;
+  LatestValue<GLuint> texture_;
 };
 
 Status ScenePass::finish(ShaderProgram begun, std::optional<Program>& program) {
@@ -230,7 +229,7 @@ Status ScenePass::finish(ShaderProgram begun, std::optional<Program>& program) {
   of.clip_from_model = shader.uniform("clip_from_model");
   of.relative_from_model = shader.uniform("relative_from_model");
   of.normal_from_model = shader.uniform("normal_from_model");
-  of.map_scale = shader.uniform("map_scale");
+  of.map_along = shader.uniform("map_along");
   of.map_offset = shader.uniform("map_offset");
   of.diffuse = shader.uniform("diffuse");
   of.specular = shader.uniform("specular");
@@ -238,6 +237,7 @@ Status ScenePass::finish(ShaderProgram begun, std::optional<Program>& program) {
   of.shininess = shader.uniform("shininess");
   of.has_map = shader.uniform("has_map");
   of.has_tint = shader.uniform("has_tint");
+  of.cutoff = shader.uniform("cutoff");
   of.orthographic = shader.uniform("orthographic");
   of.view_direction = shader.uniform("view_direction");
   of.key_direction = shader.uniform("key_direction");
@@ -284,9 +284,17 @@ Status ScenePass::prepareHoles() {
   return finish(begin("depth of pictures with holes", kSceneVertex, kHolesFragment), holes_);
 }
 
+Status ScenePass::preparePlainCutout() {
+  if (plain_cutout_) return {};
+  using namespace shader;
+  return finish(
+      begin("plain scene with cut pictures", kPlainVertex, withCutout(kPlainMappedFragment)),
+      plain_cutout_);
+}
+
 ScenePass::Variant ScenePass::variantOf(const SurfaceLook& surfaces, const CellScene& look) {
   if (surfaces.shading == Shading::plain) return {};
-  return {surfaces.shadows != nullptr, surfaces.contact != nullptr, look.lights.size()};
+  return {surfaces.shadows != nullptr, surfaces.contact != nullptr, look.lights.size(), false};
 }
 
 const ScenePass::Program* ScenePass::standardIn(const Variant& variant) const {
@@ -297,16 +305,28 @@ const ScenePass::Program* ScenePass::standardIn(const Variant& variant) const {
 }
 
 Status ScenePass::prepare(const SurfaceLook& surfaces, const CellScene& look) {
-  if (surfaces.holes) {
+  if (surfaces.holes || surfaces.cutouts) {
     if (Status ready = prepareHoles(); !ready) return ready;
   }
+  Variant variant = variantOf(surfaces, look);
+  if (surfaces.cutouts) {
+    variant.cutout = true;
+    const bool is_plain = surfaces.shading == Shading::plain;
+    Status ready = is_plain ? preparePlainCutout() : prepareVariant(variant);
+    if (!ready) return ready;
+    variant.cutout = false;
+  }
   if (surfaces.shading == Shading::plain) return preparePlain();
-  const Variant variant = variantOf(surfaces, look);
   if (variant == Variant()) return prepareStandard();
+  return prepareVariant(variant);
+}
+
+Status ScenePass::prepareVariant(const Variant& variant) {
   if (variants_.contains(variant)) return {};
   std::string fragment = shader::withLights(shader::kSceneFragment, variant.lights);
   if (variant.contact) fragment = shader::withContact(fragment, true);
   if (variant.shadows) fragment = shader::withShadows(fragment, true);
+  if (variant.cutout) fragment = shader::withCutout(fragment);
   std::optional<Program> made;
   if (Status linked = finish(begin("scene with looks", shader::kSceneVertex, fragment), made);
       !linked)

@@ -27,6 +27,7 @@ struct SurfaceLook {
   float depth_ranks = 0;                   ///< lift of all surfaces (setDepthLift)
   bool depth_only = false;                 ///< surfaces write only depth
   bool holes = false;                      ///< some picture has transparent pixels
+  bool cutouts = false;                    ///< some material cuts holes (AlphaMode::mask)
 };
 
 /// Draws the geometry of a draw list into the bound framebuffer, between DrawPasses::begin() and
@@ -52,9 +53,9 @@ class ScenePass {
  private:
   struct Program {
     ShaderProgram shader;
-    GLint clip_from_model = -1, relative_from_model = -1, normal_from_model = -1, map_scale = -1;
+    GLint clip_from_model = -1, relative_from_model = -1, normal_from_model = -1, map_along = -1;
     GLint map_offset = -1, diffuse = -1, specular = -1, emission = -1;
-    GLint shininess = -1, has_map = -1, has_tint = -1, orthographic = -1;
+    GLint shininess = -1, has_map = -1, has_tint = -1, cutoff = -1, orthographic = -1;
     GLint view_direction = -1, key_direction = -1, fill_direction = -1;
   };
   /// The standard shading with shadows and contact, and with a number of lights of the cell.
@@ -62,6 +63,7 @@ class ScenePass {
     bool shadows = false;
     bool contact = false;
     std::size_t lights = 0;
+    bool cutout = false;
     auto operator<=>(const Variant&) const = default;
   };
   static Variant variantOf(const SurfaceLook& surfaces, const CellScene& look);
@@ -74,6 +76,8 @@ class ScenePass {
   Status preparePlain();
   Status prepareStandard();
   Status prepareHoles();
+  Status preparePlainCutout();
+  Status prepareVariant(const Variant& variant);
 
   const GlTable& gl_;
   /// Of plain shading, until it is prepared.
@@ -82,7 +86,7 @@ class ScenePass {
   };
   std::optional<Begun> begun_;
   // Empty until they are prepared.
-  std::optional<Program> standard_, plain_, plain_mapped_;
+  std::optional<Program> standard_, plain_, plain_mapped_, plain_cutout_;
   std::optional<Program> holes_;                        // depth only, for pictures with holes
   std::optional<Program> batched_, batched_plain_;      // of standard and plain, for batch_
   mutable ItemBatch batch_;                             // memory reused by every frame

@@ -10,7 +10,7 @@ layout(location = 3) in vec3 point_color;
 uniform mat4 clip_from_model;
 uniform mat4 relative_from_model;  // world axes, origin at the eye
 uniform mat3 normal_from_model;
-uniform vec2 map_scale;
+uniform vec4 map_along;  // u, v: MapPlacing
 uniform vec2 map_offset;
 out vec3 from_eye;
 out vec3 world_normal;
@@ -21,7 +21,7 @@ void main() {
   gl_Position = clip_from_model * vec4(position, 1.0);
   from_eye = (relative_from_model * vec4(position, 1.0)).xyz;
   world_normal = normal_from_model * normal;
-  map_place = texture_place * map_scale + map_offset;
+  map_place = texture_place.x * map_along.xy + texture_place.y * map_along.zw + map_offset;
 }
 )";
 
@@ -58,6 +58,9 @@ uniform vec3 view_direction;
 uniform vec3 key_direction;   // towards the light
 uniform vec3 fill_direction;
 uniform sampler2D map;
+#ifdef CUTOUT
+uniform float cutoff;  // of the texture's alpha
+#endif
 #ifdef LIGHTS
 uniform vec3 light_direction[LIGHTS];  // towards them; of the first the same as key_direction
 uniform vec3 light_color[LIGHTS];
@@ -89,6 +92,10 @@ void main() {
   if (has_tint) base.rgb *= lightOf(tint);
   if (has_map) {
     vec4 texel = texture(map, map_place);
+#ifdef CUTOUT
+    if (texel.a < cutoff) discard;
+    texel.a = 1.0;
+#endif
     base *= vec4(lightOf(texel.rgb), texel.a);
   }
   // Sky above, ground below, a key light, and a soft one that moves with the camera, from its upper
@@ -138,15 +145,34 @@ void main() {
 }
 )";
 
+const std::string_view kMappedVertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec2 texture_place;
+uniform mat4 clip_from_model;
+uniform vec4 map_along;
+uniform vec2 map_offset;
+out vec2 map_place;
+void main() {
+  gl_Position = clip_from_model * vec4(position, 1.0);
+  map_place = texture_place.x * map_along.xy + texture_place.y * map_along.zw + map_offset;
+}
+)";
+
 const std::string_view kHolesFragment = R"(#version 330 core
 in vec2 map_place;
 uniform sampler2D map;
+uniform float cutoff;
 out vec4 color;
 void main() {
-  if (texture(map, map_place).a < 0.1) discard;
+  if (texture(map, map_place).a < cutoff) discard;
   color = vec4(0.0);
 }
 )";
+
+std::string withCutout(std::string_view source) {
+  constexpr std::string_view kFirst = "#version 330 core\n";
+  return std::string(kFirst).append("#define CUTOUT\n").append(source.substr(kFirst.size()));
+}
 
 const std::string_view kBackgroundVertex = R"(#version 330 core
 out float height;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace rocinante::shader {
@@ -12,9 +13,13 @@ extern const std::string_view kSceneVertex;
 extern const std::string_view kSceneFragment;
 /// Replaces kSceneVertex for ItemBatch: points and normals are already transformed.
 extern const std::string_view kBatchedVertex;
-/// For kSceneVertex, depth only: discards where the texture is nearly transparent. A separate
-/// shader, because a shader with discard tests depth late.
+/// Positions as kSceneVertex has them, and places in the texture, for passes without light.
+extern const std::string_view kMappedVertex;
+/// For kSceneVertex and kMappedVertex, depth only: discards where the texture's alpha is below
+/// `cutoff`. A separate shader, because a shader with discard tests depth late.
 extern const std::string_view kHolesFragment;
+/// A fragment shader of surfaces for those with AlphaMode::mask: discards below `cutoff`.
+std::string withCutout(std::string_view source);
 extern const std::string_view kBackgroundVertex;
 extern const std::string_view kBackgroundFragment;
 extern const std::string_view kGridVertex;

@@ -4,14 +4,9 @@
 #include <utility>
 
 #include "core/math/transform.h"
-#include "viewer/passes/draw_triangles.h"
 #include "viewer/passes/look_shaders.h"
 
 namespace rocinante {
-
-bool keepsLight(const DrawItem& item) {
-  return !item.translucent || (item.texture < 0 && item.diffuse.a >= 0.5F);
-}
 
 void bindShadows(const GlTable& gl, const ShaderProgram& program, const ShadowLookup& shadows) {
   gl.UniformMatrix4fv(program.uniform("map_from_relative"), 1, GL_FALSE,
@@ -24,9 +19,9 @@ void bindShadows(const GlTable& gl, const ShaderProgram& program, const ShadowLo
 }
 
 Result<ShadowMap> ShadowMap::create(const GlTable& gl) {
-  auto program = ShaderProgram::link(gl, "shadow", shader::kFlatVertex, shader::kFlatFragment);
-  if (!program) return program.error();
-  ShadowMap map(gl, std::move(*program));
+  auto drawn = CasterDraw::create(gl);
+  if (!drawn) return drawn.error();
+  ShadowMap map(gl, std::move(*drawn));
   GLint bound = 0;
   gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   gl.GenTextures(1, &map.depth_);
@@ -49,12 +44,12 @@ Result<ShadowMap> ShadowMap::create(const GlTable& gl) {
   return map;
 }
 
-ShadowMap::ShadowMap(const GlTable& gl, ShaderProgram program)
-    : gl_(gl), program_(std::move(program)) {}
+ShadowMap::ShadowMap(const GlTable& gl, CasterDraw casters)
+    : gl_(gl), casters_(std::move(casters)) {}
 
 ShadowMap::ShadowMap(ShadowMap&& other) noexcept
     : gl_(other.gl_),
-      program_(std::move(other.program_)),
+      casters_(std::move(other.casters_)),
       frame_(std::exchange(other.frame_, 0)),
       depth_(std::exchange(other.depth_, 0)) {}
 
@@ -86,19 +81,7 @@ void ShadowMap::draw(std::span<const DrawnSet> casters, const Camera& light) con
   // against self-shadowing. kSceneFragment's offset covers the rest.
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(-1.5F, -8.0F);
-  program_.use();
-  const GLint clip = program_.uniform("clip_from_model");
-  for (const DrawnSet& set : casters) {
-    for (const auto* items : {&set.list->opaque, &set.list->translucent}) {
-      for (const DrawItem& item : *items) {
-        if (!keepsLight(item)) continue;
-        const glm::mat4 clip_from_model(light.clipFromRelative() * light.relative(item.world));
-        gl_.UniformMatrix4fv(clip, 1, GL_FALSE, glm::value_ptr(clip_from_model));
-        set.meshes->bind(item.mesh);
-        drawTriangles(gl_, item, *set.catalog);
-      }
-    }
-  }
+  casters_.draw(casters, light);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
 }

@@ -3,14 +3,11 @@
 #include <span>
 
 #include "viewer/gl/shader_program.h"
-#include "viewer/passes/drawn_set.h"
+#include "viewer/passes/caster_draw.h"
 #include "viewer/passes/shadow_fit.h"
 #include "viewer/view/camera.h"
 
 namespace rocinante {
-
-/// Items that are more opaque than not keep light from others. Pictures with holes do not.
-bool keepsLight(const DrawItem& item);
 
 /// Data for a shader that reads a shadow map.
 struct ShadowLookup {
@@ -44,10 +41,10 @@ class ShadowMap {
   ShadowLookup lookup(const Camera& light, const ShadowFit& fit, const Camera& camera) const;
 
  private:
-  ShadowMap(const GlTable& gl, ShaderProgram program);
+  ShadowMap(const GlTable& gl, CasterDraw casters);
 
   const GlTable& gl_;
-  ShaderProgram program_;
+  CasterDraw casters_;
   GLuint frame_ = 0, depth_ = 0;
 };
 

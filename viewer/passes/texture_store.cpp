@@ -14,6 +14,17 @@ namespace {
 /// Nearly opaque pixels count as opaque: scaled or compressed pictures have some.
 constexpr std::uint8_t kOpaque = 250;
 
+GLint glWrap(TextureWrap wrap) {
+  switch (wrap) {
+    case TextureWrap::mirrored_repeat:
+      return GL_MIRRORED_REPEAT;
+    case TextureWrap::clamp_to_edge:
+      return GL_CLAMP_TO_EDGE;
+    default:
+      return GL_REPEAT;
+  }
+}
+
 bool isTranslucent(const Picture& picture) {
   for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
     if (picture.rgba[i] < kOpaque) return true;
@@ -39,12 +50,20 @@ TextureStore::TextureStore(const GlTable& gl, const std::vector<CatalogTexture>&
       inputs_(inputs),
       names_(files.size()),
       translucent_(files.size()) {
-  gl_.GenSamplers(1, &plain_sampler_);
-  gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-  gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  plainSampler(TextureWrap::repeat, TextureWrap::repeat);
   if (!gl_.is_embedded) finish();
+}
+
+GLuint& TextureStore::plainSampler(TextureWrap wrap_u, TextureWrap wrap_v) {
+  GLuint& sampler =
+      plain_samplers_[static_cast<std::size_t>(wrap_u) * kWraps + static_cast<std::size_t>(wrap_v)];
+  if (sampler != 0) return sampler;
+  gl_.GenSamplers(1, &sampler);
+  gl_.SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  gl_.SamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl_.SamplerParameteri(sampler, GL_TEXTURE_WRAP_S, glWrap(wrap_u));
+  gl_.SamplerParameteri(sampler, GL_TEXTURE_WRAP_T, glWrap(wrap_v));
+  return sampler;
 }
 
 bool TextureStore::readNext() {
@@ -54,10 +73,10 @@ bool TextureStore::readNext() {
 }
 
 void TextureStore::read(const CatalogTexture& texture, std::size_t number) {
-  const auto& [file, bytes, at_hand] = texture;
-  Result<Picture> picture = !at_hand.empty() ? decodePicture(at_hand, file.string())
-                            : bytes          ? decodePicture(*bytes, file.string())
-                                             : readPicture(file);
+  const std::filesystem::path& file = texture.file;
+  Result<Picture> picture = !texture.at_hand.empty() ? decodePicture(texture.at_hand, file.string())
+                            : texture.bytes          ? decodePicture(*texture.bytes, file.string())
+                                                     : readPicture(file);
   inputs_.add(std::uint64_t{0x74657874});  // "text"
   if (!picture || picture->width < 1 || picture->height < 1) {
     warnings_.push_back(picture ? "an empty picture (" + file.string() + ")"
@@ -67,21 +86,39 @@ void TextureStore::read(const CatalogTexture& texture, std::size_t number) {
   inputs_.add(static_cast<std::uint64_t>(picture->width));
   inputs_.add(static_cast<std::uint64_t>(picture->height));
   inputs_.add(picture->bytes());
+  if (texture.ignores_alpha) {
+    // Before the mipmaps, which weigh colours by opacity.
+    for (std::size_t i = 3; i < picture->rgba.size(); i += 4) picture->rgba[i] = 255;
+  }
   translucent_[number] = isTranslucent(*picture) ? 1 : 0;
-  names_[number] = upload(std::move(*picture));
+  names_[number] = upload(std::move(*picture), texture);
 }
 
 TextureStore::~TextureStore() {
-  gl_.DeleteSamplers(1, &plain_sampler_);
+  for (const GLuint sampler : plain_samplers_) {
+    if (sampler != 0) gl_.DeleteSamplers(1, &sampler);
+  }
   for (const GLuint name : names_) {
     if (name != 0) gl_.DeleteTextures(1, &name);
   }
 }
 
-void TextureStore::beginPlainFiltering() const { gl_.BindSampler(0, plain_sampler_); }
-void TextureStore::endPlainFiltering() const { gl_.BindSampler(0, 0); }
+void TextureStore::bind(std::size_t number) const {
+  gl_.BindTexture(GL_TEXTURE_2D, names_[number]);
+  if (!is_plain_) return;
+  const auto u = static_cast<std::size_t>(files_[number].wrap_u);
+  const auto v = static_cast<std::size_t>(files_[number].wrap_v);
+  gl_.BindSampler(0, plain_samplers_[u * kWraps + v]);
+}
 
-GLuint TextureStore::upload(Picture picture) {
+void TextureStore::beginPlainFiltering() const { is_plain_ = true; }
+
+void TextureStore::endPlainFiltering() const {
+  is_plain_ = false;
+  gl_.BindSampler(0, 0);
+}
+
+GLuint TextureStore::upload(Picture picture, const CatalogTexture& use) {
   GLint max_side = 0;
   gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_side);
   while (picture.width > max_side || picture.height > max_side) picture = halved(picture);
@@ -102,8 +139,9 @@ GLuint TextureStore::upload(Picture picture) {
   for (const Picture& smaller : mipmapsOf(picture)) uploadLevel(++level, smaller);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, glWrap(use.wrap_u));
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, glWrap(use.wrap_v));
+  plainSampler(use.wrap_u, use.wrap_v);
   // Browsers' renderers differ most in this filter: without it a page looks as the reproducible
   // profile does. llvmpipe's takes seconds for one frame at some views, or never ends.
   if (profile_ == Profile::fast && !gl_.is_embedded && !gl_.is_software &&

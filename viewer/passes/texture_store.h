@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -36,8 +37,10 @@ class TextureStore {
 
   /// 0 when the picture could not be read.
   GLuint name(std::size_t number) const { return names_[number]; }
+  /// Binds a picture that could be read at the active texture unit, with its wrap.
+  void bind(std::size_t number) const;
   /// Until endPlainFiltering(), texture unit 0 uses the cheapest filter with mipmaps; only textures
-  /// of this store may be bound there.
+  /// of this store may be bound there, by bind().
   void beginPlainFiltering() const;
   void endPlainFiltering() const;
   /// Non-zero by number: some pixel is not opaque.
@@ -46,14 +49,18 @@ class TextureStore {
 
  private:
   void read(const CatalogTexture& file, std::size_t number);
-  GLuint upload(Picture picture);
+  GLuint upload(Picture picture, const CatalogTexture& use);
+  /// The sampler of plain filtering with that wrap, made on first use.
+  GLuint& plainSampler(TextureWrap wrap_u, TextureWrap wrap_v);
 
   const GlTable& gl_;
   const std::vector<CatalogTexture>& files_;
   Profile profile_;
   InputsHash& inputs_;
   std::size_t read_ = 0;  // how many
-  GLuint plain_sampler_ = 0;
+  static constexpr std::size_t kWraps = 3;
+  std::array<GLuint, kWraps * kWraps> plain_samplers_{};  // by wrap_u and wrap_v; 0: not made
+  mutable bool is_plain_ = false;
   std::vector<GLuint> names_;
   std::vector<std::uint8_t> translucent_;
   std::vector<std::string> warnings_;

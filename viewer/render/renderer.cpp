@@ -87,11 +87,11 @@ std::vector<DrawnSet> Renderer::Impl::setsOf(const SceneFrame& frame, const Link
                                              DrawList& collisions) const {
   makeDrawList(list, *frame.scene, catalog, *frame.choice, camera, textures.translucent(), looks,
                DrawnGeometry::visuals, frame.detail);
-  std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
+  std::vector<DrawnSet> sets{{&list, &catalog, &meshes, &textures}};
   std::vector<LiftedList> lifted{{&list, &catalog}};
   if (looks.anyCollision()) {
     collisions = collisionListOf(frame, camera, looks);
-    sets.push_back({&collisions, &collision->catalog, &collision->meshes});
+    sets.push_back({&collisions, &collision->catalog, &collision->meshes, nullptr});
     lifted.push_back({&collisions, &collision->catalog});
   }
   liftCoplanarItems(lifted, *frame.scene, camera);
@@ -214,6 +214,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
                              : 0;
   surfaces.depth_only = style.edges == EdgeStyle::only;
   surfaces.holes = std::ranges::any_of(textures.translucent(), [](auto each) { return each != 0; });
+  surfaces.cutouts = catalog.hasCutouts();
   if (Status ready = passes.prepare(surfaces, look); !ready) return ready.error();
 
   const bool plain_filtering = frame.detail.plain_filtering || style.shading == Shading::plain;

@@ -14,11 +14,11 @@ Result<ShadowLookup> Renderer::Impl::drawShadows(const SceneFrame& frame, const 
   const Camera light = (*map)->lightCamera(fit);
   if (lights.empty()) {
     const DrawList list = listOf(frame, light, looks);
-    std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
+    std::vector<DrawnSet> sets{{&list, &catalog, &meshes, &textures}};
     DrawList collisions;
     if (looks.anyCollision()) {
       collisions = collisionListOf(frame, light, looks);
-      sets.push_back({&collisions, &collision->catalog, &collision->meshes});
+      sets.push_back({&collisions, &collision->catalog, &collision->meshes, nullptr});
     }
     (*map)->draw(sets, light);
   }

@@ -20,7 +20,7 @@ glm::vec3 unitOf(const Vec3& direction) { return glm::vec3(direction / lengthOf(
 
 struct BareLoop::Scene {
   struct Places {
-    GLint clip, relative, normal, scale, offset, diffuse, specular, emission, shininess, map, tint;
+    GLint clip, relative, normal, along, offset, diffuse, specular, emission, shininess, map, tint;
   };
   Scene(const GlTable& gl, const Cell& cell, BackgroundPass pass)
       : catalog(cell),
@@ -57,7 +57,7 @@ Result<BareLoop> BareLoop::create(const GlTable& gl, const Cell& cell, const Pos
     if (!program) return program.error();
     const ShaderProgram& p = *program;
     made->places.push_back({p.uniform("clip_from_model"), p.uniform("relative_from_model"),
-                            p.uniform("normal_from_model"), p.uniform("map_scale"),
+                            p.uniform("normal_from_model"), p.uniform("map_along"),
                             p.uniform("map_offset"), p.uniform("diffuse"), p.uniform("specular"),
                             p.uniform("emission"), p.uniform("shininess"), p.uniform("has_map"),
                             p.uniform("has_tint")});
@@ -91,8 +91,7 @@ Result<BareLoop> BareLoop::create(const GlTable& gl, const Cell& cell, const Pos
       const Material& material = *item.material;
       command.specular = material.specular;
       command.emission = material.emission;
-      command.map_scale = material.map_scale;
-      command.map_offset = material.map_offset;
+      command.placing = MapPlacing(material);
       const bool shines = material.specular != glm::vec3(0.0F);
       const float exponent =
           material.shininess > 0 ? std::clamp(material.shininess, 4.0F, 512.0F) : 16;
@@ -152,8 +151,9 @@ void BareLoop::set(const Command& c) const {
   if (c.sets_material) {
     gl_.Uniform4f(at.diffuse, c.diffuse.r, c.diffuse.g, c.diffuse.b, c.diffuse.a);
     gl_.Uniform3f(at.emission, c.emission.r, c.emission.g, c.emission.b);
-    gl_.Uniform2f(at.scale, c.map_scale.x, c.map_scale.y);
-    gl_.Uniform2f(at.offset, c.map_offset.x, c.map_offset.y);
+    gl_.Uniform4f(at.along, c.placing.along_u.x, c.placing.along_u.y, c.placing.along_v.x,
+                  c.placing.along_v.y);
+    gl_.Uniform2f(at.offset, c.placing.offset.x, c.placing.offset.y);
     gl_.Uniform1i(at.tint, c.tinted ? 1 : 0);
     if (c.program == 0) {
       gl_.Uniform3f(at.specular, c.specular.r, c.specular.g, c.specular.b);

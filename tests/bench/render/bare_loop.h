@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/mesh/map_placing.h"
 #include "viewer/cull/draw_list.h"
 #include "viewer/gl/frame_buffer.h"
 #include "viewer/gl/inputs_hash.h"
@@ -44,7 +45,7 @@ class BareLoop {
     glm::mat3 normal{};
     glm::vec4 diffuse{};
     glm::vec3 specular{}, emission{};
-    glm::vec2 map_scale{}, map_offset{};
+    MapPlacing placing{Material{}};
     float shininess = 0;
     GLuint texture = 0;
     bool tinted = false;

@@ -26,6 +26,11 @@ inline std::shared_ptr<const Mesh> triangleMesh() {
   painted.diffuse_bytes = std::make_shared<const Bytes>(Bytes{std::byte{1}, std::byte{2}});
   painted.map_scale = {2, 3};
   painted.map_offset = {4, 5};
+  painted.map_rotation = 0.5F;
+  painted.wrap_u = TextureWrap::mirrored_repeat;
+  painted.wrap_v = TextureWrap::clamp_to_edge;
+  painted.alpha_mode = AlphaMode::mask;
+  painted.alpha_cutoff = 0.25F;
   mesh.materials = {painted, Material{}};
   for (const Vertex& vertex : mesh.vertices) mesh.bounds.add(Vec3(vertex.position));
   mesh.shape = ShapeSize{ShapeSize::Kind::capsule, {0.1, 0.1, 0.3}};
