@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "core/base/pattern.h"
+#include "core/math/trigonometry.h"
 
 namespace rocinante {
 namespace {
@@ -16,6 +19,29 @@ bool isLike(const std::string& pattern, std::string_view name) {
   return pattern.empty() || patternMatches(pattern, name);
 }
 
+/// One of `words`, as the value at its place; a fault for others.
+template <class Value, std::size_t N>
+std::optional<Value> readWord(TomlTable& table, std::string_view key,
+                              const std::array<std::pair<std::string_view, Value>, N>& words) {
+  const auto text = table.text(key);
+  if (!text) return std::nullopt;
+  std::string known;
+  for (const auto& [word, value] : words) {
+    if (*text == word) return value;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", word);
+  }
+  table.error("cell.unknown-word", key,
+              fmt::format("{} is not one of {}", quotedInFault(*text), known));
+  return std::nullopt;
+}
+
+constexpr auto kAlphaWords = std::to_array<std::pair<std::string_view, AlphaMode>>(
+    {{"blend", AlphaMode::blend}, {"opaque", AlphaMode::opaque}, {"mask", AlphaMode::mask}});
+constexpr auto kWrapWords = std::to_array<std::pair<std::string_view, TextureWrap>>(
+    {{"repeat", TextureWrap::repeat},
+     {"mirror", TextureWrap::mirrored_repeat},
+     {"clamp", TextureWrap::clamp_to_edge}});
+
 std::optional<glm::vec2> readPair(TomlTable& table, std::string_view key) {
   const auto pair = table.pair(key);
   if (!pair) return std::nullopt;
@@ -25,14 +51,17 @@ std::optional<glm::vec2> readPair(TomlTable& table, std::string_view key) {
 void change(const MaterialChange& by, Material& material) {
   if (by.color) {
     material.diffuse = *by.color;
+    material.alpha_mode = AlphaMode::blend;
     // As everywhere, a colour replaces the texture.
     if (!by.texture) {
       material.diffuse_map.clear();
+      material.diffuse_bytes.reset();
       material.missing_map.clear();
     }
   }
   if (by.texture) {
     material.diffuse_map = *by.texture;
+    material.diffuse_bytes.reset();
     material.missing_map.clear();
     // Without a colour of its own, the texture is drawn unmodified.
     if (!by.color && !by.texture->empty()) {
@@ -44,6 +73,11 @@ void change(const MaterialChange& by, Material& material) {
   material.shininess = by.shininess.value_or(material.shininess);
   material.map_scale = by.texture_scale.value_or(material.map_scale);
   material.map_offset = by.texture_offset.value_or(material.map_offset);
+  material.map_rotation = by.texture_rotation.value_or(material.map_rotation);
+  material.wrap_u = by.texture_wrap.value_or(material.wrap_u);
+  material.wrap_v = by.texture_wrap.value_or(material.wrap_v);
+  material.alpha_mode = by.alpha.value_or(material.alpha_mode);
+  material.alpha_cutoff = by.alpha_cutoff.value_or(material.alpha_cutoff);
 }
 
 std::optional<glm::vec3> readColor(TomlTable& table, std::string_view key) {
@@ -99,10 +133,24 @@ void CellMaterials::read(TomlTable& root, const std::filesystem::path& folder, M
     }
     what.texture_scale = readPair(table, "texture_scale");
     what.texture_offset = readPair(table, "texture_offset");
+    if (const auto degrees = table.number("texture_rotation_deg")) {
+      what.texture_rotation = static_cast<float>(radiansOf(*degrees));
+    }
+    what.texture_wrap = readWord(table, "texture_wrap", kWrapWords);
+    what.alpha = readWord(table, "alpha", kAlphaWords);
+    if (const auto cutoff = table.number("alpha_cutoff")) {
+      if (*cutoff >= 0.0 && *cutoff <= 1.0) {
+        what.alpha_cutoff = static_cast<float>(*cutoff);
+      } else {
+        table.error("cell.bad-number", "alpha_cutoff", "`alpha_cutoff` is between 0 and 1");
+      }
+    }
     table.finish();
     const bool says = table.has("color") || table.has("specular") || table.has("emission") ||
                       table.has("shininess") || table.has("texture") ||
-                      table.has("texture_scale") || table.has("texture_offset");
+                      table.has("texture_scale") || table.has("texture_offset") ||
+                      table.has("texture_rotation_deg") || table.has("texture_wrap") ||
+                      table.has("alpha") || table.has("alpha_cutoff");
     if (!says) {
       table.faults().error("cell.missing-key", table.place(), "[[material]] changes nothing",
                            "give it a color, texture, specular, emission or shininess");

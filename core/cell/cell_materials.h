@@ -19,6 +19,10 @@ struct MaterialChange {
   std::optional<float> shininess;
   std::optional<std::filesystem::path> texture;  ///< an empty one removes the texture
   std::optional<glm::vec2> texture_scale, texture_offset;
+  std::optional<float> texture_rotation;  ///< radians
+  std::optional<TextureWrap> texture_wrap;
+  std::optional<AlphaMode> alpha;
+  std::optional<float> alpha_cutoff;
 };
 
 /// The `[[material]]` tables of a cell (docs/cell-format.md, section "Materials"). Models whose

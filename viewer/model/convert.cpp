@@ -112,7 +112,10 @@ class Conversion {
                   scene.devices.size() == 1 || !job_.pose.device.empty() ? "" : device.name + ".",
                   true);
       } else {
-        forEachPart(device, true, [&](const PosedPart& part) { stl.add(part); });
+        forEachPart(device, true, [&](const PosedPart& part) {
+          stl.add(part);
+          nameLossesOfStl(part);
+        });
       }
     }
     if (form == Form::obj) return addObj(job_.output);
@@ -148,8 +151,10 @@ class Conversion {
     const std::vector<std::string> groups = addGroups(modelAlone(*device, model), "", false);
     for (const Link& link : model.links) {
       if (link.collisions.empty()) continue;
-      report_.warnings.push_back("collision shapes are left out: a cell has only visual shapes");
-      break;
+      report_.left_out.leaveOut({.kind = "collision",
+                                 .reason = "a cell has only visual shapes",
+                                 .count = link.collisions.size(),
+                                 .severity = Severity::warning});
     }
     const std::string obj_name = plain(stem_) + ".obj";
     if (Status added = addObj(folder_ / obj_name); !added) return added;
@@ -162,6 +167,18 @@ class Conversion {
     }
     files_.push_back({job_.output, std::move(text)});
     return Status{};
+  }
+
+  void nameLossesOfStl(const PosedPart& part) {
+    const bool is_pictured = !part.material.diffuse_map.empty();
+    if (is_pictured) loseInStl("texture");
+    if (part.tinted) loseInStl("vertex colour");
+    if (!is_pictured && !part.tinted && part.material.diffuse != Material().diffuse) {
+      loseInStl("colour");
+    }
+  }
+  void loseInStl(std::string_view kind) {
+    report_.left_out.leaveOut({.kind = std::string(kind), .reason = "STL has only triangles"});
   }
 
   // The group of each link, empty without geometry.
@@ -182,10 +199,15 @@ class Conversion {
   Status addObj(const fs::path& path) {
     if (obj_.triangles() == 0) return nothing();
     report_.triangles = obj_.triangles();
-    for (const auto& [file, name] : obj_.textures()) {
-      auto bytes = readFile(file, kMaxTextureBytes);
+    report_.left_out.add(obj_.leftOut());
+    for (const ObjWriter::Picture& picture : obj_.textures()) {
+      if (picture.bytes) {
+        files_.push_back({folder_ / picture.name, std::string(textOf(*picture.bytes))});
+        continue;
+      }
+      auto bytes = readFile(picture.file, kMaxTextureBytes);
       if (!bytes.ok()) return bytes.error();
-      files_.push_back({folder_ / name, std::move(*bytes)});
+      files_.push_back({folder_ / picture.name, std::move(*bytes)});
     }
     files_.push_back({folder_ / (plain(stem_) + ".mtl"), obj_.mtlText()});
     files_.push_back({path, obj_.objText()});

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/report/account.h"
 #include "viewer/model/pose_request.h"
 
 namespace rocinante {
@@ -20,7 +21,7 @@ struct ConvertJob {
 struct ConvertReport {
   std::vector<std::filesystem::path> files;  ///< in the order written, `output` last
   std::uint64_t triangles = 0;
-  std::vector<std::string> warnings;  ///< losses of the format
+  Account left_out;  ///< losses of the format
 };
 
 /// Writes the geometry of a cell, or the model of one device with its kinematics, in another format

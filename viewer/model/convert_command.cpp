@@ -26,7 +26,7 @@ Result<cli::Exit> runConvert(const ConvertOptions& options) {
   warnOfFaults(*cell);
   const auto report = convertModel(*cell, {options.output, options.overwrite, *request});
   if (!report) return report.error();
-  for (const std::string& warning : report->warnings) cli::warn(warning);
+  if (!report->left_out.empty()) cli::warn(accountSentence(report->left_out));
   std::string text;
   for (const auto& file : report->files) text += plainText(file.string()) + "\n";
   text += fmt::format("{}\n", cli::counted(report->triangles, "triangle"));

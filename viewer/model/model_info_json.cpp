@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/report/account.h"
 #include "core/report/json_text.h"
 
 namespace rocinante {
@@ -136,6 +137,7 @@ std::string modelInfoJson(const ModelInfo& info) {
   out["cameras"] = std::move(cameras);
   out["layers"] = std::move(layers);
   out["faults"] = faultsJson(info);
+  out["left_out"] = leftOutJson(accountOf(info.cell->faults));
   return jsonText(out);
 }
 

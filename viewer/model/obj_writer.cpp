@@ -6,14 +6,32 @@
 #include <array>
 #include <iterator>
 
+#include "core/mesh/map_placing.h"
+
 namespace rocinante {
 namespace {
 
 constexpr std::uint32_t kUnused = 0xFFFFFFFF;
 
-void addLine(std::string& text, std::string_view word, const Vec3& v) {
-  fmt::format_to(std::back_inserter(text), "{} {} {} {}\n", word, static_cast<float>(v.x) + 0.0F,
-                 static_cast<float>(v.y) + 0.0F, static_cast<float>(v.z) + 0.0F);
+void addLine(std::string& text, std::string_view word, const Vec3& v, std::string_view rest = "") {
+  fmt::format_to(std::back_inserter(text), "{} {} {} {}{}\n", word, static_cast<float>(v.x) + 0.0F,
+                 static_cast<float>(v.y) + 0.0F, static_cast<float>(v.z) + 0.0F, rest);
+}
+
+/// " r g b" of 0xRRGGBBAA.
+std::string colorWords(std::uint32_t color) {
+  const auto shade = [&](unsigned shift) {
+    return static_cast<float>(color >> shift & 0xFFU) / 255.0F;
+  };
+  return fmt::format(" {} {} {}", shade(24), shade(16), shade(8));
+}
+
+/// The ending of a picture's bytes, for one that is not a file.
+std::string_view endingOf(ByteView picture) {
+  const std::string_view text = textOf(picture);
+  if (text.starts_with("\x89PNG")) return ".png";
+  if (text.starts_with("\xFF\xD8\xFF")) return ".jpg";
+  return text.starts_with("RIFF") ? ".webp" : "";
 }
 
 }  // namespace
@@ -53,15 +71,18 @@ void ObjWriter::add(const PosedPart& part) {
   const bool pictured = !part.material.diffuse_map.empty();
   std::uint32_t used = 0;
   std::string coordinates, normals;
+  const MapPlacing placing(part.material);
+  const bool turned = part.material.map_rotation != 0.0F;  // MTL has only -s and -o
   for (const std::uint32_t index : indices) {
     if (number[index - low] != kUnused) continue;
     number[index - low] = used++;
     const Vertex& vertex = mesh.vertices[index];
-    addLine(obj_, "v", worldPoint(part, vertex.position));
+    addLine(obj_, "v", worldPoint(part, vertex.position),
+            part.tinted ? colorWords(mesh.colors[index]) : std::string());
     addLine(normals, "vn", worldNormal(part, vertex.normal));
     if (pictured) {
-      fmt::format_to(std::back_inserter(coordinates), "vt {} {}\n", vertex.texture.x,
-                     vertex.texture.y);
+      const glm::vec2 at = turned ? placing.of(vertex.texture) : vertex.texture;
+      fmt::format_to(std::back_inserter(coordinates), "vt {} {}\n", at.x, at.y);
     }
   }
   obj_ += coordinates;
@@ -93,7 +114,8 @@ std::string ObjWriter::materialName(const Material& material) {
   const auto out = std::back_inserter(look);
   const auto& d = material.diffuse;
   fmt::format_to(out, "Kd {} {} {}\n", d.r, d.g, d.b);
-  if (d.a != 1.0F) fmt::format_to(out, "d {}\n", d.a);
+  const float opacity = material.alpha_mode == AlphaMode::opaque ? 1.0F : d.a;
+  if (opacity != 1.0F) fmt::format_to(out, "d {}\n", opacity);
   const auto color = [&](std::string_view key, const glm::vec3& c) {
     if (c != glm::vec3(0.0F)) fmt::format_to(out, "{} {} {} {}\n", key, c.r, c.g, c.b);
   };
@@ -102,14 +124,20 @@ std::string ObjWriter::materialName(const Material& material) {
   if (material.shininess != 0.0F) fmt::format_to(out, "Ns {}\n", material.shininess);
   if (!material.diffuse_map.empty()) {
     look += "map_Kd";
-    if (material.map_scale != glm::vec2(1.0F)) {
+    const bool turned = material.map_rotation != 0.0F;
+    if (!turned && material.map_scale != glm::vec2(1.0F)) {
       fmt::format_to(out, " -s {} {} 1", material.map_scale.x, material.map_scale.y);
     }
-    if (material.map_offset != glm::vec2(0.0F)) {
+    if (!turned && material.map_offset != glm::vec2(0.0F)) {
       fmt::format_to(out, " -o {} {} 0", material.map_offset.x, material.map_offset.y);
     }
-    fmt::format_to(out, " {}\n", textureName(material.diffuse_map));
+    fmt::format_to(out, " {}\n", textureName(material));
   }
+  // Materials that only lost what makes them different become one.
+  const std::string whole = fmt::format(
+      "{}\n{}{} {} {} {}", material.name, look, static_cast<int>(material.alpha_mode),
+      material.alpha_cutoff, static_cast<int>(material.wrap_u), static_cast<int>(material.wrap_v));
+  if (judged_.insert(whole).second) nameLosses(material);
   const auto [known, is_new] = materials_.try_emplace(material.name + '\n' + look);
   if (is_new) {
     known->second = material_names_.of(material.name.empty() ? "material" : material.name);
@@ -118,11 +146,36 @@ std::string ObjWriter::materialName(const Material& material) {
   return known->second;
 }
 
-std::string ObjWriter::textureName(const std::filesystem::path& file) {
+void ObjWriter::nameLosses(const Material& material) {
+  const auto lose = [&](std::string_view kind, std::string_view what, std::string_view reason) {
+    left_out_.leaveOut({.kind = std::string(kind),
+                        .name = std::string(what),
+                        .reason = std::string(reason),
+                        .severity = Severity::warning});
+  };
+  const bool is_cut = material.alpha_mode == AlphaMode::mask;
+  const bool is_pictured = !material.diffuse_map.empty();
+  if (is_cut && (is_pictured || material.diffuse.a < 1.0F)) {
+    lose("alpha mode", "mask", "MTL has only opacity: holes are blended");
+  } else if (material.alpha_mode == AlphaMode::opaque && is_pictured) {
+    lose("alpha mode", "opaque", "MTL has only opacity: the alpha of a texture is blended");
+  }
+  if (!is_pictured) return;
+  for (const TextureWrap wrap : {material.wrap_u, material.wrap_v}) {
+    if (wrap == TextureWrap::repeat) continue;
+    lose("texture wrap", wrap == TextureWrap::clamp_to_edge ? "clamp" : "mirror",
+         "textures of MTL repeat");
+  }
+}
+
+std::string ObjWriter::textureName(const Material& material) {
+  const std::filesystem::path& file = material.diffuse_map;
   const auto [known, is_new] = texture_names_.try_emplace(file);
   if (is_new) {
-    known->second = texture_folder_ + "/" + picture_names_.of(file.filename().string());
-    textures_.emplace_back(file, known->second);
+    std::string name = file.filename().string();
+    if (material.diffuse_bytes) name += endingOf(*material.diffuse_bytes);
+    known->second = texture_folder_ + "/" + picture_names_.of(name);
+    textures_.push_back({file, material.diffuse_bytes, known->second});
   }
   return known->second;
 }

@@ -19,6 +19,8 @@ Material materialOf(const PosedDevice& device, std::size_t link, const Visual& v
       material.diffuse[i] = static_cast<float>(*rgba >> (24 - 8 * i) & 0xFFU) / 255.0F;
     }
     material.diffuse_map.clear();
+    material.diffuse_bytes.reset();
+    material.alpha_mode = AlphaMode::blend;
   }
   return material;
 }
@@ -42,6 +44,8 @@ void forEachPart(const PosedDevice& device, bool shown_only,
         if (part.index_count == 0) return;
         posed.part = &part;
         posed.material = materialOf(device, link, visual, part);
+        posed.tinted = !visual.mesh->colors.empty() && !visual.material &&
+                       !device.link_color[link].has_value();
         each(posed);
       };
       if (visual.mesh_parts.empty()) {

@@ -13,6 +13,7 @@ struct PosedPart {
   const Mesh* mesh = nullptr;
   const MeshPart* part = nullptr;
   Material material;      ///< with overrides of cell or session
+  bool tinted = false;    ///< by the mesh's vertex colours
   Mat4 to_world{1.0};     ///< with the visual's scale
   bool mirrored = false;  ///< to_world flips the winding
 };

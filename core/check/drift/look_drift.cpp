@@ -58,16 +58,34 @@ std::vector<const Material*> materialsOf(const Visual& visual) {
   return materials;
 }
 
+/// Its opacity only where it is drawn.
+glm::vec4 drawnColor(const Material& material) {
+  glm::vec4 color = material.diffuse;
+  if (material.alpha_mode == AlphaMode::opaque) color.a = 1.0F;
+  return color;
+}
+
 bool isSameColor(const Material& a, const Material& b) {
-  return a.diffuse == b.diffuse && a.specular == b.specular && a.emission == b.emission &&
+  return drawnColor(a) == drawnColor(b) && a.specular == b.specular && a.emission == b.emission &&
          a.shininess == b.shininess;
+}
+
+std::string alphaText(const Material& material) {
+  if (material.alpha_mode == AlphaMode::opaque) return "opaque";
+  if (material.alpha_mode == AlphaMode::blend) return "blended";
+  return fmt::format("cut out below {:.6g}", material.alpha_cutoff);
+}
+
+bool isMappedAlike(const Material& a, const Material& b) {
+  return a.map_scale == b.map_scale && a.map_offset == b.map_offset &&
+         a.map_rotation == b.map_rotation && a.wrap_u == b.wrap_u && a.wrap_v == b.wrap_v;
 }
 
 std::string colorText(const Material& material) {
   const auto byte = [](float value) {
     return static_cast<int>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
   };
-  const glm::vec4& c = material.diffuse;
+  const glm::vec4 c = drawnColor(material);
   return fmt::format("#{:02x}{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b), byte(c.a));
 }
 
@@ -158,8 +176,16 @@ void LookDrift::compareMaterials(const Visual& was, const Visual& is, const std:
                 fmt::format("the material of {} has changed, its colour from {} to {}", name,
                             colorText(a), colorText(b)));
     }
+    // Without texture and opacity no alpha mode shows.
+    const bool has_alpha = !a.diffuse_map.empty() || !b.diffuse_map.empty() || a.diffuse.a < 1.0F ||
+                           b.diffuse.a < 1.0F;
+    if (!color_told && has_alpha && alphaText(a) != alphaText(b)) {
+      color_told = true;
+      drift.add("drift.material", fmt::format("the opacity of {} was {}, and is {}", name,
+                                              alphaText(a), alphaText(b)));
+    }
     const bool same_texture =
-        textureOf(a) == textureOf(b) && a.map_scale == b.map_scale && a.map_offset == b.map_offset;
+        textureOf(a) == textureOf(b) && (a.diffuse_map.empty() || isMappedAlike(a, b));
     if (!texture_told && !same_texture) {
       texture_told = true;
       drift.add("drift.texture",

@@ -30,6 +30,17 @@ bool pngHasAlpha(ByteView image) {
   return text.substr(0, pixels).find("tRNS") != std::string_view::npos;
 }
 
+int numberOfWrap(TextureWrap wrap) {
+  switch (wrap) {
+    case TextureWrap::mirrored_repeat:
+      return 33648;
+    case TextureWrap::clamp_to_edge:
+      return 33071;
+    default:
+      return 10497;
+  }
+}
+
 /// Beckmann's roughness of Phong's exponent, as glTF squares it.
 double roughnessOf(const Material& material) {
   const glm::vec3& specular = material.specular;
@@ -85,23 +96,50 @@ const GltfMaterials::Image* GltfMaterials::imageOf(const Material& material) {
   image["mimeType"] = type;
   image["bufferView"] = view;
   images_.push_back(std::move(image));
-  Json texture;
-  texture["sampler"] = 0;
-  texture["source"] = images_.size() - 1;
-  textures_.push_back(std::move(texture));
-  known->second = std::make_unique<Image>(Image{textures_.size() - 1, pngHasAlpha(*bytes)});
+  known->second = std::make_unique<Image>(Image{images_.size() - 1, pngHasAlpha(*bytes)});
   return known->second.get();
+}
+
+std::size_t GltfMaterials::textureOf(std::size_t image, const Material& material) {
+  const std::size_t sampler = samplerOf({material.wrap_u, material.wrap_v});
+  const auto [known, is_new] =
+      textures_by_use_.try_emplace({image, sampler}, textures_by_use_.size());
+  if (is_new) {
+    Json texture;
+    texture["sampler"] = sampler;
+    texture["source"] = image;
+    textures_.push_back(std::move(texture));
+  }
+  return known->second;
+}
+
+std::size_t GltfMaterials::samplerOf(const Wrap& wrap) {
+  const auto [known, is_new] = samplers_by_wrap_.try_emplace(wrap, samplers_by_wrap_.size());
+  if (is_new) {
+    // Linear, with mipmaps.
+    Json sampler;
+    sampler["magFilter"] = 9729;
+    sampler["minFilter"] = 9987;
+    sampler["wrapS"] = numberOfWrap(wrap.first);
+    sampler["wrapT"] = numberOfWrap(wrap.second);
+    samplers_.push_back(std::move(sampler));
+  }
+  return known->second;
 }
 
 std::size_t GltfMaterials::add(const Material& material) {
   const auto known = std::find(known_.begin(), known_.end(), material);
   if (known != known_.end()) return static_cast<std::size_t>(known - known_.begin());
   const Image* const image = material.diffuse_map.empty() ? nullptr : imageOf(material);
-  const double opacity = std::clamp(static_cast<double>(material.diffuse.a), 0.0, 1.0);
+  const bool is_opaque = material.alpha_mode == AlphaMode::opaque;
+  const double opacity =
+      is_opaque ? 1.0 : std::clamp(static_cast<double>(material.diffuse.a), 0.0, 1.0);
   Json surface;
   surface["baseColorFactor"] = linearColor(glm::vec3(material.diffuse));
   surface["baseColorFactor"].push_back(opacity);
-  if (image != nullptr) surface["baseColorTexture"]["index"] = image->texture;
+  if (image != nullptr) {
+    surface["baseColorTexture"]["index"] = textureOf(image->number, material);
+  }
   surface["metallicFactor"] = 0;
   surface["roughnessFactor"] = roughnessOf(material);
   Json made;
@@ -110,7 +148,12 @@ std::size_t GltfMaterials::add(const Material& material) {
   if (material.emission != glm::vec3(0.0F)) {
     made["emissiveFactor"] = linearColor(material.emission);
   }
-  if (opacity < 1 || (image != nullptr && image->has_alpha)) made["alphaMode"] = "BLEND";
+  if (material.alpha_mode == AlphaMode::mask) {
+    made["alphaMode"] = "MASK";
+    made["alphaCutoff"] = std::max(static_cast<double>(material.alpha_cutoff), 0.0);
+  } else if (opacity < 1 || (!is_opaque && image != nullptr && image->has_alpha)) {
+    made["alphaMode"] = "BLEND";
+  }
   made["doubleSided"] = true;
   materials_.push_back(std::move(made));
   known_.push_back(material);
@@ -123,14 +166,7 @@ void GltfMaterials::describe(Json& document) const {
   if (images_.empty()) return;
   document["textures"] = textures_;
   document["images"] = images_;
-  // Linear, with mipmaps, repeating.
-  Json sampler;
-  sampler["magFilter"] = 9729;
-  sampler["minFilter"] = 9987;
-  sampler["wrapS"] = 10497;
-  sampler["wrapT"] = 10497;
-  document["samplers"] = Json::array();
-  document["samplers"].push_back(std::move(sampler));
+  document["samplers"] = samplers_;
 }
 
 }  // namespace rocinante

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/foreign/gltf/gltf_binary.h"
@@ -30,17 +31,24 @@ class GltfMaterials {
 
  private:
   struct Image {
-    std::size_t texture = 0;
+    std::size_t number = 0;
     bool has_alpha = false;
   };
+  using Wrap = std::pair<TextureWrap, TextureWrap>;
   /// Null when it is left out.
   const Image* imageOf(const Material& material);
+  /// The number of the texture that shows the image with the material's wrap.
+  std::size_t textureOf(std::size_t image, const Material& material);
+  std::size_t samplerOf(const Wrap& wrap);
 
   GltfBinary& binary_;
   std::vector<Material> known_;
   std::vector<bool> has_image_;
   std::map<std::string, std::unique_ptr<Image>> image_by_name_;
   Json materials_ = Json::array();
+  std::map<Wrap, std::size_t> samplers_by_wrap_;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> textures_by_use_;  // image, sampler
+  Json samplers_ = Json::array();
   Json textures_ = Json::array();
   Json images_ = Json::array();
   std::vector<std::string> gaps_;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/mesh/map_placing.h"
+
 namespace rocinante {
 namespace {
 
@@ -55,10 +57,14 @@ Material materialOf(const PosedDevice& device, std::size_t link, const Visual& v
     }
     material.diffuse_map.clear();
     material.diffuse_bytes.reset();
+    material.alpha_mode = AlphaMode::blend;
   }
-  if (!device.link_look.empty()) {
-    material.diffuse.a *= device.partLook(link, part.group).opacity.value_or(1.0F);
-  }
+  if (device.link_look.empty()) return material;
+  const float opacity = device.partLook(link, part.group).opacity.value_or(1.0F);
+  if (opacity >= 1.0F) return material;
+  if (material.alpha_mode != AlphaMode::blend) material.diffuse.a = 1.0F;
+  material.alpha_mode = AlphaMode::blend;
+  material.diffuse.a *= opacity;
   return material;
 }
 
@@ -112,20 +118,20 @@ void GltfMeshes::addColors(const Mesh& mesh, Geometry& geometry) {
 }
 
 std::size_t GltfMeshes::placesOf(const Mesh& mesh, Geometry& geometry, const Material& material) {
-  const glm::vec2 scale = material.map_scale, offset = material.map_offset;
+  const MapPlacing placing(material);
+  const glm::vec2 u = placing.along_u, v = placing.along_v, offset = placing.offset;
   const auto [known, is_new] =
-      geometry.places.try_emplace({scale.x, scale.y, offset.x, offset.y}, 0);
+      geometry.places.try_emplace({u.x, u.y, v.x, v.y, offset.x, offset.y}, 0);
   if (!is_new) return known->second;
   const std::size_t count = mesh.vertices.size();
-  const std::size_t view = binary_.addView(count * 8, GltfBinary::Target::vertices, 0,
-                                           [&mesh, count, scale, offset](const UseBytes& use) {
-                                             return giveFloats<2>(count, use, [&](std::size_t i) {
-                                               const glm::vec2 at =
-                                                   mesh.vertices[i].texture * scale + offset;
-                                               // Ours has v up, glTF has v down.
-                                               return std::array<float, 2>{at.x, 1.0F - at.y};
-                                             });
-                                           });
+  const std::size_t view = binary_.addView(
+      count * 8, GltfBinary::Target::vertices, 0, [&mesh, count, placing](const UseBytes& use) {
+        return giveFloats<2>(count, use, [&](std::size_t i) {
+          const glm::vec2 at = placing.of(mesh.vertices[i].texture);
+          // Ours has v up, glTF has v down.
+          return std::array<float, 2>{at.x, 1.0F - at.y};
+        });
+      });
   known->second = binary_.addAccessor(view, 0, kGltfFloat, "VEC2", count);
   return known->second;
 }

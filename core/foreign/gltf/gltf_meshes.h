@@ -27,8 +27,8 @@ class GltfMeshes {
   std::uint64_t triangles() const { return triangles_; }  ///< of all visuals that were added
 
  private:
-  /// Scale and offset of a map, baked into texture coordinates.
-  using MapPlace = std::tuple<float, float, float, float>;
+  /// Scale, turn and offset of a map, baked into texture coordinates.
+  using MapPlace = std::tuple<float, float, float, float, float, float>;
   struct Geometry {
     std::size_t positions = 0, normals = 0;  ///< accessors
     std::size_t indices = 0;                 ///< a bufferView

@@ -111,6 +111,31 @@ color = "#00ff0080"
   EXPECT_TRUE(in_files(folder_ / "skins/new.png"));
 }
 
+TEST_F(CellMaterials, OpacityAndWrapCanBeChosen) {
+  const auto cell = loadWith(R"([[material]]
+link = "door"
+texture = "skins/new.png"
+texture_rotation_deg = 90
+texture_wrap = "clamp"
+alpha = "mask"
+alpha_cutoff = 0.25
+)");
+  ASSERT_TRUE(cell.ok());
+  EXPECT_EQ(test::printed(cell->faults), "");
+  const Material door = looks(*cell->modelOf(cell->devices[0]), 1)[0];
+  EXPECT_NEAR(door.map_rotation, 1.5707963F, 1e-6F);
+  EXPECT_EQ(door.wrap_u, TextureWrap::clamp_to_edge);
+  EXPECT_EQ(door.wrap_v, TextureWrap::clamp_to_edge);
+  EXPECT_EQ(door.alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(door.alpha_cutoff, 0.25F);
+  const auto wrong = loadWith("[[material]]\nalpha = 'glass'\n[[material]]\nalpha_cutoff = 2\n");
+  ASSERT_TRUE(wrong.ok());
+  EXPECT_NE(test::printed(wrong->faults).find("`glass` is not one of blend, opaque, mask"),
+            std::string::npos);
+  EXPECT_NE(test::printed(wrong->faults).find("`alpha_cutoff` is between 0 and 1"),
+            std::string::npos);
+}
+
 TEST_F(CellMaterials, ADeviceThatIsAddedByItsOwnModelKeepsItsLooks) {
   const auto cell = loadWith("[[material]]\ndevice = 'box_1'\ncolor = '#0000ff'\n");
   ASSERT_TRUE(cell.ok());

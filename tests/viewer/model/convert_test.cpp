@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/kinematics/kinematics.h"
+#include "core/mesh/map_placing.h"
 #include "tests/core/cell/cell_fixture.h"
 #include "tests/support/shared_data.h"
 #include "viewer/model/forward_kinematics.h"
@@ -175,6 +176,64 @@ TEST_F(ConvertTest, TexturesComeAlongAndSoDoesHowTheyLie) {
   EXPECT_EQ(mesh.materials[mesh.parts[0].material], expected);
   EXPECT_EQ(expected.diffuse_map.filename(), "a_picture.png");
   EXPECT_EQ(mesh.vertices[mesh.indices[0]].texture, glm::vec2(0.25F, 0.5F));
+}
+
+TEST_F(ConvertTest, ColoursByVertexComeAlong) {
+  test::writeFile(folder_ / "scan.obj",
+                  "v 0 0 0 1 0 0\nv 1 0 0 0 0.2 0.4\nv 0 0 1 0 0 1\nf 1 2 3\n");
+  const auto cell = loadCell(folder_ / "scan.obj", {});
+  ASSERT_TRUE(cell.ok());
+  const auto written = convert(*cell, "again.obj");
+  ASSERT_TRUE(written.ok()) << written.error().text();
+  EXPECT_TRUE(written->left_out.empty());
+  const auto again = loadCell(out_ / "again.obj", {});
+  ASSERT_TRUE(again.ok());
+  const auto colorsOf = [](const Cell& of) {
+    return of.modelOf(of.devices[0])->links[0].visuals[0].mesh->colors;
+  };
+  EXPECT_EQ(colorsOf(*again), colorsOf(*cell));
+  EXPECT_EQ(colorsOf(*again).at(1), 0x003366FFU);
+
+  const auto as_stl = convert(*cell, "again.stl");
+  ASSERT_TRUE(as_stl.ok());
+  EXPECT_EQ(accountSentence(as_stl->left_out),
+            "left out: 1 vertex colour (STL has only triangles)");
+}
+
+TEST_F(ConvertTest, WhatAnObjCannotSayIsNamed) {
+  const fs::path models = fs::path(ROCINANTE_MODELS_DIR) / "gltf";
+  const auto masked = loadCell(models / "alpha-modes.gltf", {});
+  ASSERT_TRUE(masked.ok());
+  const auto written = convert(*masked, "masked.obj");
+  ASSERT_TRUE(written.ok()) << written.error().text();
+  EXPECT_EQ(accountSentence(written->left_out),
+            "left out: 1 alpha mode `opaque` (MTL has only opacity: the alpha of a texture is "
+            "blended), 8 texture wraps `clamp` (textures of MTL repeat), 4 alpha modes `mask` (MTL "
+            "has only opacity: holes are blended)");
+  // The picture inside the file becomes one beside it.
+  EXPECT_TRUE(contentOf(out_ / "masked.textures/alpha-modes.gltf_1.png").starts_with("\x89PNG"));
+
+  const auto turned = loadCell(models / "transforms.gltf", {});
+  ASSERT_TRUE(turned.ok() && convert(*turned, "turned.obj").ok());
+  const auto again = loadCell(out_ / "turned.obj", {});
+  ASSERT_TRUE(again.ok());
+  const auto placesOf = [](const Cell& of) {
+    const Mesh& mesh = *of.modelOf(of.devices[0])->links[0].visuals[0].mesh;
+    std::vector<glm::vec2> places;
+    for (const MeshPart& part : mesh.parts) {
+      for (std::uint32_t i = 0; i < part.index_count; ++i) {
+        places.push_back(MapPlacing(mesh.materials[part.material])
+                             .of(mesh.vertices[mesh.indices[part.first_index + i]].texture));
+      }
+    }
+    return places;
+  };
+  const auto before = placesOf(*turned), after = placesOf(*again);
+  ASSERT_EQ(before.size(), after.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_NEAR(before[i].x, after[i].x, 1e-6);
+    EXPECT_NEAR(before[i].y, after[i].y, 1e-6);
+  }
 }
 
 TEST_F(ConvertTest, TheSameInputGivesTheSameBytes) {

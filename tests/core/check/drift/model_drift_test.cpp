@@ -357,6 +357,26 @@ TEST(ModelDrift, FindsEachSmallChangeAndNothingElse) {
   }
 }
 
+TEST(ModelDrift, SeesWhatOpacityMeansAndHowATextureLies) {
+  Files painted = soundFiles();
+  const std::string plain =
+      "[[material]]\ndevice = \"arm\"\nlink = \"base\"\ntexture = \"a.png\"\n";
+  painted.at("cell.toml") += plain;
+  painted["a.png"] = "no picture, but a file";
+  for (const auto& [more, rule, says] :
+       {std::tuple{"alpha = \"opaque\"\n", "drift.material", "was blended, and is opaque"},
+        {"alpha = \"mask\"\nalpha_cutoff = 0.25\n", "drift.material", "is cut out below 0.25"},
+        {"texture_wrap = \"clamp\"\n", "drift.texture", "is mapped differently"},
+        {"texture_rotation_deg = 90\n", "drift.texture", "is mapped differently"}}) {
+    Files changed = painted;
+    changed.at("cell.toml") += more;
+    const Findings found = driftBetween(painted, changed);
+    ASSERT_EQ(found.size(), 1U) << more;
+    EXPECT_EQ(found[0].rule, rule);
+    EXPECT_THAT(found[0].text, HasSubstr(says));
+  }
+}
+
 TEST(ModelDrift, SeesColoursAtPointsThatHaveChangedOrGone) {
   const auto colored = [](const std::string& with) {
     Files files = soundFiles();

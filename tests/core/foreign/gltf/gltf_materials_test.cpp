@@ -69,6 +69,34 @@ TEST(GltfMaterials, ImagesAreTakenAsTheyAre) {
   EXPECT_THAT(materials.gaps(), IsEmpty());
 }
 
+TEST(GltfMaterials, AlphaModesAndWrapsAreWritten) {
+  GltfBinary binary;
+  GltfMaterials materials(binary);
+  Material opaque;
+  opaque.diffuse = {1, 1, 1, 0.25F};
+  opaque.diffuse_map = "arm.glb#1";
+  opaque.diffuse_bytes =
+      bytesPtr(std::string_view("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\x06\0\0\0", 29));
+  opaque.alpha_mode = AlphaMode::opaque;
+  Material mask = opaque;
+  mask.alpha_mode = AlphaMode::mask;
+  mask.alpha_cutoff = 0.25F;
+  mask.wrap_u = TextureWrap::clamp_to_edge;
+  mask.wrap_v = TextureWrap::mirrored_repeat;
+  materials.add(opaque);
+  materials.add(mask);
+  const Json document = materialsOf(materials);
+  EXPECT_FALSE(document["materials"][0].contains("alphaMode"));
+  EXPECT_EQ(document["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"][3], 1.0);
+  EXPECT_EQ(document["materials"][1]["alphaMode"], "MASK");
+  EXPECT_EQ(document["materials"][1]["alphaCutoff"], 0.25);
+  EXPECT_EQ(document["images"].size(), 1U);
+  ASSERT_EQ(document["textures"].size(), 2U);
+  const Json& sampler = document["samplers"][document["textures"][1]["sampler"].get<std::size_t>()];
+  EXPECT_EQ(sampler["wrapS"], 33071);
+  EXPECT_EQ(sampler["wrapT"], 33648);
+}
+
 TEST(GltfMaterials, OtherImagesAreNamedOnce) {
   GltfBinary binary;
   GltfMaterials materials(binary);
