@@ -76,6 +76,7 @@ DeviceJudge* SessionCheck::deviceNamed(std::string_view name) {
 }
 
 void SessionCheck::add(LogTime time, std::string_view encoding, bool captured, ByteView datagram) {
+  log_.takeTime(time);
   StreamJudge::Judged judged = stream_.add(time, encoding, captured, datagram);
   stream_.takeEvents();
   if (judged.source == nullptr) return;

@@ -32,6 +32,7 @@ class SessionCheck {
   /// Octets that the decoders of the session may have understood; when they did, their packet
   /// follows by add() as not captured.
   void addOctets(LogTime time, std::string_view encoding, bool decoded) {
+    log_.takeTime(time);
     stream_.addOctets(time, encoding, decoded);
   }
 

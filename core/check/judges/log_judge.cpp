@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "core/base/count_text.h"
+#include "core/base/duration_text.h"
+#include "core/base/rough_duration.h"
 #include "core/check/judges/tally.h"
 #include "core/log/clock_message.h"
 
@@ -23,6 +25,22 @@ void LogJudge::takeClockStep(LogTime time, ByteView payload) {
   clock_steps_.when.hit(time);
 }
 
+void LogJudge::noteJump(LogTime from, LogTime to) {
+  if (!jumps_.first) {
+    jumps_ = makeFinding(
+        "log.clock-set", "",
+        fmt::format(
+            "the times jump by {}, from {} to {}: the clock was set while this was recorded",
+            roughDuration(to - from), rfc3339Text(WallTime(from.time_since_epoch())),
+            rfc3339Text(WallTime(to.time_since_epoch()))));
+    jumps_.count = 0;
+    jumps_.first = to;
+  }
+  ++jumps_.count;
+  jumps_.last = to;
+  jumps_.when.hit(to);
+}
+
 void LogJudge::report(Findings& findings) const {
   for (const auto& [endpoint, spans] : losses_) reportLoss(endpoint, spans, findings);
   if (clock_steps_.first) {
@@ -37,6 +55,7 @@ void LogJudge::report(Findings& findings) const {
     finding.when = clock_steps_.when;
     findings.push_back(std::move(finding));
   }
+  if (jumps_.first) findings.push_back(jumps_);
   for (const DamageSpan& span : damage_) {
     std::string text =
         fmt::format("bytes {} to {} of the log cannot be used: {}", span.from, span.to, span.cause);

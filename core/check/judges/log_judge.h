@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +24,11 @@ class LogJudge {
   void takeImportWarning(std::string text) { import_warnings_.push_back(std::move(text)); }
   /// What an import made no packets of, as notes.
   void takeLeftOut(const Account& account) { left_out_.add(account); }
+  /// Of each datagram, in order.
+  void takeTime(LogTime time) {
+    if (latest_ && time - *latest_ > kLongestSilence) noteJump(*latest_, time);
+    latest_ = std::max(latest_.value_or(time), time);
+  }
   void noteIncomplete() { is_incomplete_ = true; }
 
   void report(Findings& findings) const;
@@ -29,6 +36,10 @@ class LogJudge {
   void dropFindings() { *this = {}; }
 
  private:
+  /// Nobody records so long a silence: the clock was set.
+  static constexpr Nanoseconds kLongestSilence = std::chrono::hours(30 * 24);
+
+  void noteJump(LogTime from, LogTime to);
   void reportLoss(const std::string& endpoint, const std::vector<LossSpan>& spans,
                   Findings& findings) const;
 
@@ -36,7 +47,8 @@ class LogJudge {
   std::vector<DamageSpan> damage_;
   std::vector<std::string> import_warnings_;
   Account left_out_;
-  Finding clock_steps_;
+  Finding clock_steps_, jumps_;
+  std::optional<LogTime> latest_;
   double worst_step_s_ = 0;
   bool is_incomplete_ = false;
 };

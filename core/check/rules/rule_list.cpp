@@ -107,6 +107,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"joint.undriven", kNote, "a driven device has joints that never get a value"},
     {"joint.unnormalised", kWarning, "the quaternion of a floating joint is not of unit length"},
     {"joint.velocity", kWarning, "a joint moves faster than the model allows", {"factor", 1.1}},
+    {"log.clock-set", kWarning, "the log's times jump by more than 30 days"},
     {"log.clock-step", kNote, "the recorder's wall clock was set during the recording"},
     {"log.damage", kError, "bytes of the log cannot be used"},
     {"log.import", kWarning, "a recording of another program was not imported whole"},
