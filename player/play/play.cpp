@@ -144,8 +144,12 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
 
   PlayReport report;
   PlayJournal journal(span->from, span->until);
-  const PlayheadRules rules{options.stays, logs->origin(), logs->end(), options.ack_timeout,
-                            signer ? &*signer : nullptr};
+  const PlayheadRules rules{options.stays,
+                            logs->origin(),
+                            logs->end(),
+                            options.ack_timeout,
+                            signer ? &*signer : nullptr,
+                            surroundings.told};
   Result<SendEnd> end = SendEnd::finished;
   {
     PlayStatus status;

@@ -1,7 +1,11 @@
 #include "player/playhead/playhead_sender.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/base/duration_text.h"
+#include "core/base/rough_duration.h"
 #include "player/send/pacing.h"
 #include "player/send/send_batch.h"
 
@@ -79,6 +83,29 @@ class AckWatch {
   SteadyTime since_{};
 };
 
+/// Who waits should know for how long, and how not to.
+class SilenceTeller {
+ public:
+  explicit SilenceTeller(const PlayheadRules& rules) : rules_(rules) {}
+
+  void look(const Playhead& playhead, const std::optional<Playhead::Next>& next, SteadyTime now) {
+    constexpr Nanoseconds kLongSilence = std::chrono::minutes(1);
+    if (!rules_.told || !next || !playhead.isPlaying() || next->immediate) return;
+    if (next->deadline - now <= kLongSilence) return;
+    const TapePosition place = next->due.place;
+    if (told_ == place) return;
+    told_ = place;
+    const std::string behind = secondsText(place.time - rules_.origin, 3);
+    rules_.told(fmt::format(
+        "silent for {}, until {} s: --gap-limit 2s shortens silences, --from {}s begins behind it",
+        roughDuration(next->deadline - now), behind, behind));
+  }
+
+ private:
+  const PlayheadRules& rules_;
+  std::optional<TapePosition> told_;
+};
+
 void publish(Playhead& playhead, const std::optional<Playhead::Next>& next, SteadyTime now,
              PlayStatus& status) {
   constexpr auto kRelaxed = std::memory_order_relaxed;
@@ -100,6 +127,7 @@ Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, Sen
   SendBatch batch;
   PendingCommand asking(commands, rules);
   AckWatch ack_watch(commands, rules.ack_timeout);
+  SilenceTeller silence(rules);
   SteadyTime publish_at{};
   SteadyTime looked_at = edge.now();
   while (!edge.stopRequested()) {
@@ -115,6 +143,7 @@ Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, Sen
     asking.settle(playhead, now, !*next || !(*next)->immediate);
     if (playhead.hasQuit()) return SendEnd::stopped;
     if (const Status judged = ack_watch.judge(playhead, now); !judged) return judged.error();
+    silence.look(playhead, *next, now);
     if (now >= publish_at) {
       publish(playhead, *next, now, status);
       publish_at = now + kPublishEach;

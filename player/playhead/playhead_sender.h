@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,8 @@ struct PlayheadRules {
   LogTime origin{}, end{};
   Nanoseconds ack_timeout = std::chrono::seconds(1);
   DatagramSigner* signer = nullptr;  ///< if set, signs the player's own restatements
+  /// Gets a line about each silence of more than a minute; may be empty.
+  std::function<void(std::string_view line)> told = {};
 };
 
 /// Sends what the playhead says when it says so, and passes it the commands. Nothing is sent early,

@@ -54,11 +54,13 @@ class SendPlayheadTest : public testing::Test {
     options.end = tape.end();
     options.read_ahead = false;
     auto playhead = Playhead::open(tape, finder, routes, options, edge.now()).value();
-    const PlayheadRules rules{stays, tape.origin(), tape.end(), 1s};
+    const PlayheadRules rules{stays, tape.origin(), tape.end(),
+                              1s,    nullptr,       [&](auto line) { told_.emplace_back(line); }};
     return sendPlayhead(*playhead, rules, edge, journal, commands, status_);
   }
   test::TemporaryFolder folder_;
   PlayStatus status_;
+  std::vector<std::string> told_;
 };
 
 const std::vector<test::WrittenMessage> kThree{{1s, "a"}, {2s, "b"}, {3s, "c"}};
@@ -73,6 +75,24 @@ TEST_F(SendPlayheadTest, SendsEverythingInOrderAndNothingEarly) {
     EXPECT_GE(line.sent_at, line.deadline);
     EXPECT_LT(line.sent_at - line.deadline, 20us);
   }
+}
+
+TEST_F(SendPlayheadTest, SaysHowLongALongSilenceLastsAndHowToPassIt) {
+  FakeSendPort edge;
+  FakeJournal journal;
+  ASSERT_TRUE(send({{1s, "a"}, {61s, "b"}, {7'361s, "c"}}, {}, edge, journal).ok());
+  EXPECT_THAT(
+      told_, testing::ElementsAre("silent for 2.0 hours, until 7360.000 s: --gap-limit 2s shortens "
+                                  "silences, --from 7360.000s begins behind it"));
+}
+
+TEST_F(SendPlayheadTest, SaysNothingOfASilenceThatIsShortened) {
+  FakeSendPort edge;
+  FakeJournal journal;
+  PlayheadOptions options;
+  options.gap_limit = 2s;
+  ASSERT_TRUE(send({{1s, "a"}, {1'700'000'000s, "c"}}, options, edge, journal).ok());
+  EXPECT_THAT(told_, testing::IsEmpty());
 }
 
 TEST_F(SendPlayheadTest, RestatementsLeaveByASocketOfTheirOwn) {
