@@ -9,11 +9,19 @@
 
 #include "core/foreign/table/csv_line.h"
 #include "core/foreign/table/table_column.h"
+#include "core/foreign/table/table_fields.h"
+#include "core/foreign/table/table_header.h"
 #include "core/packet/packet_limits.h"
 #include "core/packet/text_number.h"
 
 namespace rocinante {
 namespace {
+
+/// "0x12", "1.2.3", "4e": meant as a number.
+bool beginsAsNumber(std::string_view text) {
+  const std::size_t first = text.find_first_not_of("+-.,");
+  return first != text.npos && text[first] >= '0' && text[first] <= '9';
+}
 
 /// A field for an error message, shortened.
 std::string shown(std::string_view text) {
@@ -23,6 +31,8 @@ std::string shown(std::string_view text) {
                              : fmt::format("`{}...`", text.substr(0, kMax));
 }
 
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
 /// Reads one text; keeps its position for error messages.
 class Reader {
  public:
@@ -31,22 +41,28 @@ class Reader {
   Result<CsvMotion> read(const std::string& device, const std::vector<std::string>& columns) {
     // A byte order mark is not part of the first column's name.
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
-    if (const Status header = readHeader(columns); !header) return header.error();
+    if (const Status header = readHeader(); !header) return header.error();
+    if (const Status chosen = chooseColumns(columns); !chosen) return chosen.error();
     if (const Status shared = shareOut(device); !shared) return shared.error();
+    latest_.assign(columns_at_.size(), kNoValue);
+    bool says_anything = false;
     while (nextLine()) {
       if (const Status row = readRow(); !row) return row.error();
+      const auto row = motion_.row(motion_.rowCount() - 1);
+      says_anything |= std::ranges::any_of(row, [](double each) { return !std::isnan(each); });
     }
     if (motion_.times.empty()) return fault("there is no row below the header", 1);
+    if (!says_anything) return fault("no row has a value for all joints of a device", 1);
     return std::move(motion_);
   }
 
  private:
-  /// The next line that is not blank.
+  /// The next line that is a row.
   bool nextLine() {
     while (const auto line = takeLine(rest_)) {
       ++line_;
-      if (line->find_first_not_of(" \t") == line->npos) continue;
-      split_ = splitCsvLine(*line, fields_);
+      if (isTableRemark(*line)) continue;
+      split_ = splitCsvLine(*line, fields_, header_.separator);
       return true;
     }
     return false;
@@ -57,58 +73,85 @@ class Reader {
             fmt::format("{}, line {}, column {}", name_, line_, column)};
   }
   Error badQuotes() const { return fault("a quoted field is not closed", fields_.back().column); }
+  const std::vector<std::string>& names() const { return header_.names; }
+  void leaveOut(std::size_t column, std::string_view reason, Severity severity) {
+    motion_.left_out.leaveOut({.kind = "column",
+                               .name = names()[column],
+                               .reason = std::string(reason),
+                               .severity = severity});
+  }
 
-  Status readHeader(const std::vector<std::string>& columns);
+  Status readHeader();
   Status chooseColumns(const std::vector<std::string>& columns);
+  void leaveTextOut();
   Status shareOut(const std::string& device);
+  void shareOutAlone(const std::string& device);
   Status addColumn(std::size_t index);
   Status readRow();
-  Status checkEmptyFields() const;
+  Result<double> numberOf(const CsvField& field, const std::string& column);
+  Status fillGaps(std::span<double> row);
 
   std::string_view rest_;
   const std::string& name_;
   std::size_t line_ = 0;
+  TableHeader header_;
+  TableNumbers read_{','};
+  TableTimes times_{TimeUnit::unknown};
   std::vector<CsvField> fields_;  ///< of the current line
   bool split_ = true;
 
-  std::vector<std::string> names_;  ///< of all columns
-  bool names_devices_ = false;      ///< the columns do: there is no --device
-  std::size_t time_at_ = 0;
   std::vector<std::size_t> columns_at_;
+  std::vector<double> latest_;  ///< values of those columns so far
   CsvMotion motion_;
 };
 
-Status Reader::readHeader(const std::vector<std::string>& columns) {
-  if (!nextLine()) return Error{ErrorKind::bad_argument, "the file has no header row", name_};
-  if (!split_) return badQuotes();
-  for (const CsvField& field : fields_) {
-    std::string name = field.unescaped();
-    if (name.empty()) return fault("a column has no name", field.column);
-    if (name.size() > limits::kNameBytes) {
-      return fault("a column's name is longer than 255 bytes", field.column);
-    }
-    if (std::find(names_.begin(), names_.end(), name) != names_.end()) {
-      return fault(fmt::format("two columns are named {}", shown(name)), field.column);
-    }
-    names_.push_back(std::move(name));
+Status Reader::readHeader() {
+  const std::vector<std::string_view> lines = firstLinesOf(rest_);
+  if (std::ranges::all_of(lines, isTableRemark)) {
+    return Error{ErrorKind::bad_argument, "the file has no header row", name_};
   }
-  auto time = std::find(names_.begin(), names_.end(), "t");
-  if (time == names_.end()) time = std::find(names_.begin(), names_.end(), "time");
-  if (time == names_.end()) return fault("no column is named `t` or `time` (seconds)", 1);
-  time_at_ = static_cast<std::size_t>(time - names_.begin());
-  return chooseColumns(columns);
+  Result<TableHeader> header = tableHeader(lines);
+  if (!header) return Error{ErrorKind::bad_argument, header.error().what, name_};
+  header_ = std::move(*header);
+  for (std::size_t i = 0; i <= header_.line; ++i) {
+    takeLine(rest_);
+    ++line_;
+  }
+  read_ = TableNumbers(header_.separator);
+  times_ = TableTimes(header_.unit);
+  for (std::size_t i = 0; i < names().size(); ++i) {
+    const std::string& name = names()[i];
+    if (name.size() > limits::kNameBytes) {
+      return fault(fmt::format("the name of column {} is longer than 255 bytes", i + 1), 1);
+    }
+    if (std::find(names().begin(), names().begin() + static_cast<std::ptrdiff_t>(i), name) !=
+        names().begin() + static_cast<std::ptrdiff_t>(i)) {
+      return fault(fmt::format("two columns are named {}", shown(name)), 1);
+    }
+  }
+  return {};
 }
 
 Status Reader::chooseColumns(const std::vector<std::string>& columns) {
   if (columns.empty()) {
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (i != time_at_ && !names_[i].starts_with(kClearanceColumn)) columns_at_.push_back(i);
+    for (std::size_t i = 0; i < names().size(); ++i) {
+      if (i == header_.time) continue;
+      if (i == header_.index) {
+        leaveOut(i, "row numbers", Severity::note);
+      } else if (const std::string_view reason = notAValue(names()[i]); !reason.empty()) {
+        leaveOut(i, reason, Severity::note);
+      } else {
+        columns_at_.push_back(i);
+      }
     }
+    leaveTextOut();
   }
   for (const std::string& wanted : columns) {
-    const auto found = std::find(names_.begin(), names_.end(), wanted);
-    if (found == names_.end()) return fault(fmt::format("no column is named {}", shown(wanted)), 1);
-    const auto at = static_cast<std::size_t>(found - names_.begin());
+    const auto found = std::find(names().begin(), names().end(), wanted);
+    if (found == names().end()) {
+      return fault(fmt::format("no column is named {}", shown(wanted)), 1);
+    }
+    const auto at = static_cast<std::size_t>(found - names().begin());
     if (std::find(columns_at_.begin(), columns_at_.end(), at) != columns_at_.end()) {
       return fault(fmt::format("column {} is chosen twice", shown(wanted)), 1);
     }
@@ -119,7 +162,35 @@ Status Reader::chooseColumns(const std::vector<std::string>& columns) {
   return {};
 }
 
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+/// Columns whose first value is text are remarks, and those without a value have nothing to send.
+void Reader::leaveTextOut() {
+  const auto rest = rest_;
+  const auto line = line_;
+  TableNumbers read = read_;
+  std::vector<std::size_t> undecided = columns_at_;
+  const auto leaveColumnOut = [&](std::size_t column, std::string_view reason) {
+    leaveOut(column, reason, tableColumn(names()[column]) ? Severity::warning : Severity::note);
+    std::erase(columns_at_, column);
+  };
+  bool has_rows = false;
+  while (!undecided.empty() && nextLine()) {
+    if (!split_ || fields_.size() != names().size()) break;  // readRow() says so
+    has_rows = true;
+    std::erase_if(undecided, [&](std::size_t column) {
+      double ignored = 0;
+      const TableValue value = read.read(fields_[column].text, ignored);
+      // A number of another kind is a fault, which readRow() names.
+      const bool is_text = value == TableValue::text && !beginsAsNumber(fields_[column].text);
+      if (is_text) leaveColumnOut(column, "text");
+      return value != TableValue::nothing;
+    });
+  }
+  if (has_rows && rest_.empty()) {
+    for (const std::size_t column : undecided) leaveColumnOut(column, "no row has a value");
+  }
+  rest_ = rest;
+  line_ = line;
+}
 
 /// Finds the device of a column by its name, or adds it.
 CsvMotion::Device& deviceNamed(CsvMotion& motion, std::string_view name) {
@@ -130,10 +201,9 @@ CsvMotion::Device& deviceNamed(CsvMotion& motion, std::string_view name) {
 }
 
 Status Reader::addColumn(std::size_t index) {
-  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  const std::string_view name = names_[columns_at_[index]];
+  const std::string_view name = names()[columns_at_[index]];
   const auto column = tableColumn(name);
-  if (!column) {
+  if (!column || column->device.empty()) {
     return fault(fmt::format("column {} names no device: without --device a column is DEVICE.JOINT "
                              "or DEVICE:x, :y, :z, :qx, :qy, :qz, :qw",
                              shown(name)),
@@ -141,7 +211,7 @@ Status Reader::addColumn(std::size_t index) {
   }
   CsvMotion::Device& device = deviceNamed(motion_, column->device);
   if (column->pose_part) {
-    device.pose_columns.resize(kPoseEndings.size(), kNone);
+    device.pose_columns.resize(kPoseEndings.size(), TableHeader::kNone);
     device.pose_columns[*column->pose_part] = index;
     return {};
   }
@@ -150,16 +220,27 @@ Status Reader::addColumn(std::size_t index) {
   return {};
 }
 
-Status Reader::shareOut(const std::string& device) {
-  names_devices_ = device.empty();
+/// All columns are about one device: joints, or a pose as TUM writes it.
+void Reader::shareOutAlone(const std::string& device) {
+  CsvMotion::Device& only = deviceNamed(motion_, device);
+  std::vector<std::size_t> pose(kPoseEndings.size(), TableHeader::kNone);
   for (std::size_t i = 0; i < columns_at_.size(); ++i) {
-    if (device.empty()) {
-      if (const Status added = addColumn(i); !added) return added;
-      continue;
-    }
-    CsvMotion::Device& only = deviceNamed(motion_, device);
-    only.joints.push_back(names_[columns_at_[i]]);
+    if (const auto part = plainPosePart(names()[columns_at_[i]])) pose[*part] = i;
+  }
+  if (std::ranges::find(pose, TableHeader::kNone) == pose.end()) only.pose_columns = pose;
+  for (std::size_t i = 0; i < columns_at_.size(); ++i) {
+    if (std::ranges::find(only.pose_columns, i) != only.pose_columns.end()) continue;
+    const std::string& name = names()[columns_at_[i]];
+    const auto column = tableColumn(name);
+    only.joints.emplace_back(column && !column->topic.empty() ? column->joint : name);
     only.joint_columns.push_back(i);
+  }
+}
+
+Status Reader::shareOut(const std::string& device) {
+  if (!device.empty()) shareOutAlone(device);
+  for (std::size_t i = 0; i < columns_at_.size() && device.empty(); ++i) {
+    if (const Status added = addColumn(i); !added) return added;
   }
   for (const CsvMotion::Device& each : motion_.devices) {
     for (std::size_t part = 0; part < each.pose_columns.size(); ++part) {
@@ -176,62 +257,73 @@ Status Reader::shareOut(const std::string& device) {
   return {};
 }
 
+/// NaN: the field has no value.
+Result<double> Reader::numberOf(const CsvField& field, const std::string& column) {
+  double number = 0;
+  switch (read_.read(field.text, number)) {
+    case TableValue::number:
+      return number;
+    case TableValue::nothing:
+      return kNoValue;
+    case TableValue::text:
+      break;
+  }
+  const char* read = field.text.data();
+  const char* const end = read + field.text.size();
+  if (!readNumber(read, end, number) || read != end) {
+    return fault(fmt::format("{} is not a number that packet text allows, in {}", shown(field.text),
+                             shown(column)),
+                 field.column);
+  }
+  return fault(fmt::format("{} is not below 2^53, in {}", shown(field.text), shown(column)),
+               field.column);
+}
+
 Status Reader::readRow() {
   if (!split_) return badQuotes();
-  if (fields_.size() != names_.size()) {
+  if (fields_.size() != names().size()) {
     return fault(
-        fmt::format("the row has {} fields, the header has {}", fields_.size(), names_.size()),
+        fmt::format("the row has {} fields, the header has {}", fields_.size(), names().size()),
         fields_.back().column);
   }
-  const CsvField& moment = fields_[time_at_];
-  const auto time = tableSeconds(moment.text);
-  if (!time) {
-    return fault(fmt::format("{} is not a time in seconds", shown(moment.text)), moment.column);
-  }
+  const CsvField& moment = fields_[header_.time];
+  const auto time = times_.read(read_.withPoint(moment.text));
+  if (!time) return fault(fmt::format("{} is not a time", shown(moment.text)), moment.column);
   if (!motion_.times.empty() && *time < motion_.times.back()) {
     return fault(fmt::format("the time goes back: {} follows a later time", shown(moment.text)),
                  moment.column);
   }
   for (const std::size_t at : columns_at_) {
-    const CsvField& field = fields_[at];
-    if (field.text.empty() && names_devices_) {
-      motion_.numbers.push_back(kNoValue);
-      continue;
-    }
-    double number = 0;
-    const char* read = field.text.data();
-    const char* end = read + field.text.size();
-    if (!readNumber(read, end, number) || read != end) {
-      return fault(fmt::format("{} is not a number that packet text allows, in {}",
-                               shown(field.text), shown(names_[at])),
-                   field.column);
-    }
-    if (!(std::abs(number) < 0x1p53)) {
-      return fault(fmt::format("{} is not below 2^53, in {}", shown(field.text), shown(names_[at])),
-                   field.column);
-    }
-    motion_.numbers.push_back(number);
+    const Result<double> number = numberOf(fields_[at], names()[at]);
+    if (!number) return number.error();
+    motion_.numbers.push_back(*number);
   }
   motion_.times.push_back(*time);
-  return names_devices_ ? checkEmptyFields() : Status{};
+  return fillGaps(std::span(motion_.numbers).last(columns_at_.size()));
 }
 
-/// A device's joints are said together, and so is a pose.
-Status Reader::checkEmptyFields() const {
-  const std::span<const double> row = motion_.row(motion_.rowCount() - 1);
+/// A device's joints are said together: one without a value keeps its last one, and until each has
+/// one nothing is said. A pose is whole or missing.
+Status Reader::fillGaps(std::span<double> row) {
   for (const CsvMotion::Device& device : motion_.devices) {
-    for (const std::vector<std::size_t>* columns : {&device.joint_columns, &device.pose_columns}) {
-      if (columns->empty()) continue;
-      const bool is_said = hasValues(row, *columns);
-      for (const std::size_t column : *columns) {
-        if (std::isnan(row[column]) != is_said) continue;
-        const CsvField& field = fields_[columns_at_[column]];
-        return fault(fmt::format("{} of {} has {}, but others have {}: all are given, or none",
-                                 columns == &device.pose_columns ? "a pose component" : "a joint",
-                                 shown(device.name), is_said ? "no value" : "a value",
-                                 is_said ? "one" : "none"),
-                     field.column);
-      }
+    const auto has_value = [&](std::size_t column) { return !std::isnan(row[column]); };
+    const bool has_news = std::ranges::any_of(device.joint_columns, has_value);
+    for (const std::size_t column : device.joint_columns) {
+      if (has_value(column)) latest_[column] = row[column];
+      if (has_news) row[column] = latest_[column];
+    }
+    if (!std::ranges::all_of(device.joint_columns, has_value)) {
+      for (const std::size_t column : device.joint_columns) row[column] = kNoValue;
+    }
+    const bool is_said = hasValues(row, device.pose_columns);
+    for (const std::size_t column : device.pose_columns) {
+      if (has_value(column) == is_said) continue;
+      const CsvField& field = fields_[columns_at_[column]];
+      return fault(fmt::format("a pose component of {} has {}, but others have {}: all are given, "
+                               "or none",
+                               shown(device.name), is_said ? "no value" : "a value",
+                               is_said ? "one" : "none"),
+                   field.column);
     }
   }
   return {};

@@ -8,12 +8,13 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 
-/// A recorded motion as a table: a header row with column names, then one row per moment
-/// (docs/programs/source.md). Seconds in column `t` or `time`; every other column is a joint or a
-/// component of a pose.
+/// A recorded motion as a table: a header with column names, then one row per moment
+/// (docs/programs/source.md; the dialects of docs/other-formats.md). One column is the time; every
+/// other one is a joint or a component of a pose.
 struct CsvMotion {
   /// One device and the columns that move it, as indices into a row.
   struct Device {
@@ -27,7 +28,8 @@ struct CsvMotion {
   std::vector<Device> devices;     ///< at least one, in the order of their first columns
   std::vector<Nanoseconds> times;  ///< of the file, rounded to the nanosecond; never going back
   std::size_t column_count = 0;    ///< numbers of a row
-  std::vector<double> numbers;     ///< row after row; NaN: an empty field
+  std::vector<double> numbers;     ///< row after row; NaN: nothing is said
+  Account left_out;                ///< columns that are not sent
 
   std::size_t rowCount() const { return times.size(); }
   std::span<const double> row(std::size_t index) const {
@@ -40,10 +42,11 @@ struct CsvMotion {
 bool hasValues(std::span<const double> row, const std::vector<std::size_t>& columns);
 
 /// Parses the whole text. bad_argument with line and column (bytes from 1) for a ragged row, a
-/// value that a Source cannot send, a time that goes back, a missing time column, or no row.
-/// Without `device` fields may be empty, of all joints of a device or of its whole pose at once.
-/// `columns`, if not empty, names the columns in this order. With `device` all of them are joints
-/// of that device; without it they are named DEVICE.JOINT (the first point separates) or DEVICE:x,
+/// value that a Source cannot send, a time that goes back, a missing time column, or no row. A
+/// joint without a value in a row keeps its last one; a pose has all seven components or none.
+/// `columns`, if not empty, names the columns in this order; else columns that hold no values are
+/// left out and named. With `device` all of them are about that device: joints, or the pose that
+/// TUM writes; without it they are named DEVICE.JOINT (the first point separates) or DEVICE:x,
 /// DEVICE:y, DEVICE:z, DEVICE:qx, DEVICE:qy, DEVICE:qz, DEVICE:qw. `name` is the file's, for
 /// messages.
 Result<CsvMotion> readCsvMotion(std::string_view text, const std::string& name,

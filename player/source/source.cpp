@@ -107,6 +107,9 @@ Result<PlayReport> sendCsv(const CsvSourceOptions& csv, const SourceOptions& opt
   if (!text) return text.error();
   const Result<CsvMotion> motion = readCsvMotion(*text, csv.csv.string(), csv.device, csv.columns);
   if (!motion) return motion.error();
+  if (surroundings.told && !motion->left_out.empty()) {
+    surroundings.told(accountSentence(motion->left_out));
+  }
 
   CsvStream::Options how;
   // A table of several devices has one source, named after the first of them.

@@ -1,12 +1,14 @@
 #include "core/foreign/recordings/json_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/base/plain_text.h"
 #include "core/foreign/recordings/line_recording.h"
-#include "core/foreign/table/table_column.h"
+#include "core/foreign/table/table_fields.h"
 
 namespace rocinante {
 namespace {
@@ -16,18 +18,32 @@ constexpr const char* kJsonDecoder = "json";
 /// Numbers of a line; a packet of them would not fit a datagram.
 constexpr std::size_t kMaxNumbers = 100'000;
 constexpr std::size_t kMaxDepth = 16;
+/// In the sentence of a refusal.
+constexpr std::size_t kMaxKeys = 8;
 constexpr double kJsonBound = 0x1p53;
 
 /// What a line says, taken while it is parsed, so that times keep all their digits.
 class JsonRow : public nlohmann::json::json_sax_t {
  public:
+  /// `times`: those of the whole file, in the unit that its first one shows.
+  explicit JsonRow(TableTimes& times) : times_(&times) {}
+
+  struct LeftOutKey {
+    std::string name;
+    const char* reason;
+  };
   std::optional<Nanoseconds> time;
   std::vector<std::string> names;
   std::vector<double> numbers;
+  std::vector<LeftOutKey> left_out;
+  std::vector<std::string> keys;  ///< of the object itself
   bool is_object = false;
 
-  bool null() override { return value(); }
-  bool boolean(bool) override { return value(); }
+  bool null() override { return takeNothing(); }
+  bool boolean(bool) override {
+    if (!in_array_) leaveOut("true or false");
+    return value();
+  }
   bool number_integer(number_integer_t number) override {
     return takeNumber(static_cast<double>(number), std::to_string(number));
   }
@@ -41,9 +57,13 @@ class JsonRow : public nlohmann::json::json_sax_t {
     if (depth_ == 1 && !in_array_) {
       if (key_ == "device") device_ = text;
       if (key_ == "joint" || key_ == "name") joint_ = text;
+      if (key_ == "device" || key_ == "joint" || key_ == "name") return true;
     }
-    if (in_array_ && key_ == "name") listed_names_.push_back(text);
-    return value();
+    if (in_array_ && key_ == "name") {
+      listed_names_.push_back(text);
+      return true;
+    }
+    return takeText(text);
   }
   bool binary(binary_t&) override { return value(); }
   bool start_object(std::size_t) override {
@@ -55,6 +75,7 @@ class JsonRow : public nlohmann::json::json_sax_t {
   }
   bool key(string_t& text) override {
     key_ = text;
+    if (depth_ == 1 && keys.size() < kMaxKeys) keys.push_back(text);
     return true;
   }
   bool end_object() override {
@@ -68,6 +89,7 @@ class JsonRow : public nlohmann::json::json_sax_t {
   bool start_array(std::size_t) override {
     // Arrays hold no objects and no arrays.
     if (in_array_ || depth_ == 0) return false;
+    if (key_ != "name" && key_ != "position") leaveOut("an array");
     in_array_ = true;
     return true;
   }
@@ -101,6 +123,30 @@ class JsonRow : public nlohmann::json::json_sax_t {
  private:
   bool value() { return depth_ > 0; }
 
+  std::string fullName() const {
+    std::string name;
+    for (const std::string& part : path_) name += part + ".";
+    return name + key_;
+  }
+  void leaveOut(const char* reason) {
+    if (depth_ > 0) left_out.push_back({fullName(), reason});
+  }
+
+  /// The unit of the time that the key names; names that cannot be one are cheap.
+  std::optional<TimeUnit> timeUnit() const {
+    constexpr std::string_view kFirst = "tTsS_%";
+    if (depth_ != 1 || key_.empty() || kFirst.find(key_[0]) == kFirst.npos) return std::nullopt;
+    return timeUnitOf(key_);
+  }
+
+  void takeTime(TimeUnit unit, std::string_view digits) {
+    // Nanoseconds are exact where both are given.
+    if (is_exact_ && unit != TimeUnit::nanoseconds) return;
+    is_exact_ = unit == TimeUnit::nanoseconds;
+    TableTimes known(unit);
+    time = unit == TimeUnit::unknown ? times_->read(digits) : known.read(digits);
+  }
+
   bool takeNumber(double number, const std::string& digits) {
     if (depth_ == 0) return false;
     const bool fits = std::abs(number) < kJsonBound;
@@ -109,22 +155,47 @@ class JsonRow : public nlohmann::json::json_sax_t {
       listed_numbers_.push_back(number);
       return fits && listed_numbers_.size() <= kMaxNumbers;
     }
-    if (depth_ == 1 && (key_ == "t" || key_ == "time")) {
-      if (!is_exact_) time = tableSeconds(digits);
+    if (const auto unit = timeUnit()) {
+      takeTime(*unit, digits);
       return true;
     }
-    if (depth_ == 1 && (key_ == "t_ns" || key_ == "time_ns")) {
-      is_exact_ = true;
-      time = tableSeconds(digits + "e-9");
-      return true;
-    }
-    std::string name;
-    for (const std::string& part : path_) name += part + ".";
-    names.push_back(name + key_);
+    names.push_back(fullName());
     numbers.push_back(number);
     return fits && names.size() <= kMaxNumbers;
   }
 
+  /// null, or a word for it: the key has no value yet.
+  bool takeNothing() {
+    constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+    if (in_array_ && key_ == "position") listed_numbers_.push_back(kNothing);
+    if (!in_array_ && depth_ > 0) {
+      names.push_back(fullName());
+      numbers.push_back(kNothing);
+    }
+    return value() && names.size() <= kMaxNumbers && listed_numbers_.size() <= kMaxNumbers;
+  }
+
+  /// Some programs write numbers as text.
+  bool takeText(const std::string& text) {
+    if (const auto unit = timeUnit(); unit && !in_array_) {
+      takeTime(*unit, text);
+      return true;
+    }
+    double number = 0;
+    switch (TableNumbers(',').read(text, number)) {
+      case TableValue::number:
+        return takeNumber(number, text);
+      case TableValue::nothing:
+        return takeNothing();
+      case TableValue::text:
+        break;
+    }
+    if (in_array_) return key_ != "position";
+    leaveOut("text");
+    return value();
+  }
+
+  TableTimes* times_;
   std::size_t depth_ = 0;
   bool in_array_ = false, is_exact_ = false;
   std::string key_, device_, joint_;
@@ -133,8 +204,44 @@ class JsonRow : public nlohmann::json::json_sax_t {
   std::vector<double> listed_numbers_;
 };
 
-bool parseRow(std::string_view line, JsonRow& row) {
-  return nlohmann::json::sax_parse(line.begin(), line.end(), &row) && row.is_object;
+/// The line with `null` for NaN and Infinity, which Python writes although JSON has no such words.
+std::string withoutNan(std::string_view line) {
+  constexpr std::array<std::string_view, 4> kWords = {"NaN", "-Infinity", "Infinity", "nan"};
+  std::string plain;
+  bool in_text = false;
+  for (std::size_t at = 0; at < line.size();) {
+    if (in_text && line[at] == '\\' && at + 1 < line.size()) {
+      plain += line.substr(at, 2);
+      at += 2;
+      continue;
+    }
+    if (line[at] == '"') in_text = !in_text;
+    const auto word = std::ranges::find_if(kWords, [&](std::string_view each) {
+      return !in_text && line.substr(at).starts_with(each);
+    });
+    if (word == kWords.end()) {
+      plain += line[at++];
+    } else {
+      plain += "null";
+      at += word->size();
+    }
+  }
+  return plain;
+}
+
+/// False for what is no object; `row` then has what came before the fault.
+bool parseRow(std::string_view line, TableTimes& times, JsonRow& row) {
+  if (nlohmann::json::sax_parse(line.begin(), line.end(), &row)) return row.is_object;
+  // Only what is wrong is looked at twice.
+  if (line.find("NaN") == line.npos && line.find("Infinity") == line.npos &&
+      line.find("nan") == line.npos) {
+    return false;
+  }
+  const std::string plain = withoutNan(line);
+  JsonRow again(times);
+  if (!nlohmann::json::sax_parse(plain, &again)) return false;
+  row = std::move(again);
+  return row.is_object;
 }
 
 class JsonLines final : public LineRecording {
@@ -147,10 +254,13 @@ class JsonLines final : public LineRecording {
 
  protected:
   std::optional<Row> rowOf(std::string_view line) override {
-    JsonRow said;
-    const bool fits = parseRow(line, said);
+    JsonRow said(times_);
+    const bool fits = parseRow(line, times_, said);
     if (!said.time) return std::nullopt;
     if (!fits || !said.finish(device_)) return Row{*said.time, {}, true};
+    for (const JsonRow::LeftOutKey& each : said.left_out) {
+      rows().leaveOut(each.name, each.reason, Severity::note);
+    }
     rows().setNames(said.names);
     const RowTranslation::Outcome outcome = rows().translate(*said.time, said.numbers);
     return Row{*said.time, outcome.packet, outcome.malformed};
@@ -158,6 +268,7 @@ class JsonLines final : public LineRecording {
 
  private:
   std::string device_;
+  TableTimes times_{TimeUnit::unknown};
 };
 
 }  // namespace
@@ -166,8 +277,24 @@ bool looksLikeJsonLines(std::string_view text) {
   RecordingLines lines{RecordingBytes(bytesOf(text))};
   const auto line = lines.next();
   if (!line || !line->starts_with('{')) return false;
-  JsonRow row;
-  return parseRow(*line, row) && row.time.has_value();
+  TableTimes times(TimeUnit::unknown);
+  JsonRow row(times);
+  return parseRow(*line, times, row) && row.time.has_value();
+}
+
+std::optional<std::string> jsonLinesRefusal(std::string_view text) {
+  RecordingLines lines{RecordingBytes(bytesOf(text))};
+  const auto line = lines.next();
+  if (!line || !line->starts_with('{')) return std::nullopt;
+  TableTimes times(TimeUnit::unknown);
+  JsonRow row(times);
+  if (!parseRow(*line, times, row) || row.time) return std::nullopt;
+  std::string keys;
+  for (const std::string& key : row.keys) {
+    keys += (keys.empty() ? "`" : ", `") + plainText(key.substr(0, 64)) + "`";
+  }
+  return "the JSON lines cannot be read: no key is the time (" + std::string(kTimeNames) +
+         "): the keys are " + (keys.empty() ? "none" : keys);
 }
 
 Result<std::unique_ptr<ros::BagReader>> openJsonLines(const std::filesystem::path& path,

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,8 +12,10 @@
 
 namespace rocinante {
 
-/// True for a text whose first line is a JSON object with a time: `t`, `time`, `t_ns` or `time_ns`.
+/// True for a text whose first line is a JSON object with a time (timeUnitOf()).
 bool looksLikeJsonLines(std::string_view text);
+/// Why a text whose first line is a JSON object cannot be read; empty for any other text.
+std::optional<std::string> jsonLinesRefusal(std::string_view text);
 
 /// JSON objects, one a line (docs/other-formats.md, "Tables and JSON lines"), as messages with the
 /// encoding `json`, and their packets. Numbers are named by the keys that lead to them, with

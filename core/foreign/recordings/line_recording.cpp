@@ -22,7 +22,7 @@ LineRecording::LineRecording(RecordingBytes bytes, std::string name, const char*
       decoder_(decoder),
       unit_(unit),
       topics_(1),
-      rows_(topic, decoder) {
+      rows_(topic, decoder, decoder == std::string_view("csv") ? "column" : "key") {
   topics_[0].name = topic;
   topics_[0].encoding = decoder;
   topics_[0].decoder = decoder;
@@ -46,10 +46,10 @@ std::vector<std::string> LineRecording::damage() const {
   return sentences;
 }
 
-std::optional<std::string_view> LineRecording::firstLine() {
-  std::optional<std::string_view> line = lines_.next();
-  while (line && isBlank(*line)) line = lines_.next();
-  return line;
+bool LineRecording::isRemark(std::string_view line) const { return isBlank(line); }
+
+void LineRecording::skipLines(std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) lines_.next();
 }
 
 Result<std::optional<ros::BagMessage>> LineRecording::next() {
@@ -58,7 +58,7 @@ Result<std::optional<ros::BagMessage>> LineRecording::next() {
       if (too_long_++ == 0) first_too_long_ = lines_.number();
       continue;
     }
-    if (isBlank(*line)) continue;
+    if (isRemark(*line)) continue;
     const std::optional<Row> row = rowOf(*line);
     if (!row) {
       if (timeless_++ == 0) first_timeless_ = lines_.number();

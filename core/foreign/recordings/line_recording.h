@@ -21,7 +21,7 @@ class LineRecording : public ros::BagReader {
   Result<std::optional<Bytes>> lastOf(std::size_t) final { return std::optional<Bytes>(); }
   double part() const final { return lines_.part(); }
   void useDevices(const ros::DeviceFinder& devices) final { rows_.useDevices(devices); }
-  ros::TranslationNotes notesOf(std::size_t) const final { return rows_.notes(); }
+  Account account() const override { return rows_.account(); }
   /// Times are shown as the text has them, unless they are dates.
   std::optional<LogTime> origin() const final;
   std::vector<std::string> damage() const final;
@@ -39,11 +39,14 @@ class LineRecording : public ros::BagReader {
   LineRecording(RecordingBytes bytes, std::string name, const char* topic, const char* decoder,
                 const char* unit);
 
-  /// Of a line that is not blank. Empty when it has no time.
+  /// Of a line that is no remark. Empty when it has no time.
   virtual std::optional<Row> rowOf(std::string_view line) = 0;
 
-  /// The first line that is not blank, before next() is called.
-  std::optional<std::string_view> firstLine();
+  /// Of a line: whether it is neither a row nor something that is missing.
+  virtual bool isRemark(std::string_view line) const;
+
+  std::string head() const { return lines_.head(); }
+  void skipLines(std::size_t count);
   const std::string& name() const { return name_; }
   ros::BagTopic& topic() { return topics_.front(); }
   RowTranslation& rows() { return rows_; }

@@ -228,6 +228,12 @@ Error OpenedRecording::named(Error error) const {
 
 Result<OpenedRecording> openedRecording(const RecordingRequest& request) {
   const RecordingKind kind = recordingKindOf(request.recording);
+  std::error_code none;
+  if (kind == RecordingKind::none && fs::is_regular_file(request.recording, none)) {
+    if (auto refusal = refusalOf(request.recording)) {
+      return Error{ErrorKind::unsupported, std::move(*refusal), request.recording.string()};
+    }
+  }
   if (!isForeign(kind)) {
     OpenedRecording as_it_is;
     as_it_is.recording = as_it_is.log = request.recording;

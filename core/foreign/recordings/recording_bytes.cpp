@@ -67,6 +67,12 @@ std::optional<std::string_view> RecordingLines::next() {
   }
 }
 
+std::string RecordingLines::head() const {
+  std::string text(std::min(bytes_.size(), kMaxBytes), '\0');
+  if (!bytes_.read(0, std::as_writable_bytes(std::span(text)))) text.clear();
+  return text;
+}
+
 double RecordingLines::part() const {
   if (bytes_.size() == 0) return 1;
   const std::size_t waiting = window_.size() - at_;

@@ -42,6 +42,9 @@ class RecordingLines {
   /// shorter: isCut() tells.
   std::optional<std::string_view> next();
 
+  /// The first bytes of the text, whatever lines were read: as many as a line may have.
+  std::string head() const;
+
   /// Of the last line, from 1.
   std::size_t number() const { return number_; }
   /// True when the last line was too long: it is empty then.

@@ -8,6 +8,7 @@
 #include "core/foreign/recordings/json_lines.h"
 #include "core/foreign/recordings/lcm_log.h"
 #include "core/foreign/recordings/table_recording.h"
+#include "core/foreign/table/table_header.h"
 #include "core/log/foreign_file.h"
 #include "core/log/log_profile.h"
 #include "core/log/log_reader.h"
@@ -83,6 +84,23 @@ RecordingKind recordingKindOf(const std::filesystem::path& path) {
   return is_mcap && isOurs(path, *first) ? RecordingKind::log : kind;
 }
 
+namespace {
+
+std::optional<std::string> refusalOf(ByteView first_bytes) {
+  const std::string_view text = textOf(first_bytes);
+  // Neither has control characters.
+  if (text.substr(0, 512).find('\0') != text.npos) return std::nullopt;
+  if (auto refusal = jsonLinesRefusal(text)) return refusal;
+  return tableRefusal(text);
+}
+
+}  // namespace
+
+std::optional<std::string> refusalOf(const std::filesystem::path& path) {
+  const Result<Bytes> first = firstBytesOf(path);
+  return first ? refusalOf(*first) : std::nullopt;
+}
+
 bool isForeign(RecordingKind kind) {
   return kind != RecordingKind::none && kind != RecordingKind::log;
 }
@@ -106,7 +124,8 @@ Result<std::unique_ptr<ros::BagReader>> openRecording(const std::filesystem::pat
     case RecordingKind::none:
       break;
   }
-  return Error{ErrorKind::unsupported, notImportable(*first), path.string()};
+  return Error{ErrorKind::unsupported, refusalOf(ByteView(*first)).value_or(notImportable(*first)),
+               path.string()};
 }
 
 }  // namespace rocinante

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,6 +29,10 @@ RecordingKind recordingKindOf(const std::filesystem::path& path);
 /// By the first 64 KiB, or all of a shorter file. An MCAP file is a bag here: whether it is a log
 /// of ours its channels tell.
 RecordingKind recordingKindOf(ByteView first_bytes);
+
+/// Why text that has the form of a table or of JSON lines cannot be read as one, as a sentence with
+/// what is missing; empty for any other file.
+std::optional<std::string> refusalOf(const std::filesystem::path& path);
 
 /// Whether programs that read logs import it first: all kinds but `none` and `log`.
 bool isForeign(RecordingKind kind);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/foreign/ros/names.h"
 #include "core/foreign/table/table_column.h"
@@ -17,15 +18,17 @@ namespace {
 using Fate = ros::DeviceFinder::Fate;
 
 constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
-constexpr std::string_view kNoDevice = "rows with joints of no device; --device names one";
-constexpr std::string_view kManyDevices =
-    "rows with joints of several devices; DEVICE.JOINT names one";
-constexpr std::string_view kPartOfPose = "rows with a part of a pose";
+constexpr std::size_t kMaxNamed = 1024;
+constexpr std::string_view kNoDevice = "a joint of no device; --device names one";
+constexpr std::string_view kManyDevices = "a joint of several devices; DEVICE.JOINT names one";
+constexpr std::string_view kPassive = "a fixed or mimic joint";
+constexpr std::string_view kPartOfPose = "a pose needs all seven components";
+constexpr std::string_view kNoName = "packets have no such name";
 
 }  // namespace
 
-RowTranslation::RowTranslation(std::string topic, std::string_view decoder)
-    : topic_(std::move(topic)) {
+RowTranslation::RowTranslation(std::string topic, std::string_view decoder, std::string kind)
+    : topic_(std::move(topic)), kind_(std::move(kind)) {
   first_words_ = "RK1 " + encodeName(ros::sourceOf(topic_, decoder)) + " - ";
 }
 
@@ -42,57 +45,124 @@ void RowTranslation::setNames(std::span<const std::string> names) {
 
 void RowTranslation::makePlans() {
   plans_.clear();
-  left_out_.clear();
+  unused_.clear();
   const ros::DeviceFinder& devices = devices_ != nullptr ? *devices_ : nobody_;
   const auto isDevice = [&](std::string_view name) {
     return !devices.knowsDevices() || devices.deviceOfTopic(name) == name;
   };
-  // Names without a device, or with one that the cell does not have: their joints tell.
-  std::vector<std::string_view> plain;
-  std::vector<std::size_t> plain_places;
+  std::vector<bool> is_placed(names_.size());
+  findPlainPose(is_placed);
+  // Names without a device, or with one that the cell does not have: their joints tell. By the
+  // topic that they come from.
+  std::map<std::string, std::pair<std::vector<std::string_view>, std::vector<std::size_t>>> plain;
   for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (is_placed[i]) continue;
+    const std::string_view reason = notAValue(names_[i]);
     const auto column = tableColumn(names_[i]);
-    if (column && column->pose_part && ros::isName(column->device)) {
+    if (!reason.empty()) {
+      unused_.push_back({i, reason, Severity::note});
+    } else if (column && column->pose_part && ros::isName(column->device)) {
       addPose(std::string(column->device), *column->pose_part, i);
+    } else if (column && !column->topic.empty()) {
+      auto& [names, places] = plain[std::string(column->topic)];
+      names.push_back(column->joint);
+      places.push_back(i);
     } else if (column && !column->pose_part && isDevice(column->device)) {
       addJoint(std::string(column->device), std::string(column->joint), i);
     } else {
-      plain.push_back(names_[i]);
-      plain_places.push_back(i);
+      auto& [names, places] = plain[topic_];
+      names.push_back(names_[i]);
+      places.push_back(i);
     }
   }
-  const auto homes = devices.homesOf(topic_, plain);
-  const auto leaveOut = [&](std::string_view sentence) {
-    if (std::ranges::find(left_out_, sentence) == left_out_.end()) {
-      left_out_.emplace_back(sentence);
-    }
-  };
-  for (std::size_t i = 0; i < homes.size(); ++i) {
-    if (homes[i].fate == Fate::said) {
-      addJoint(homes[i].device, homes[i].name, plain_places[i]);
-    } else if (homes[i].fate == Fate::ambiguous) {
-      leaveOut(kManyDevices);
-    } else if (homes[i].fate == Fate::unknown) {
-      // As written, so that `check` can name the device that the cell lacks.
-      const auto column = tableColumn(plain[i]);
-      if (column && !column->pose_part) {
-        addJoint(std::string(column->device), std::string(column->joint), plain_places[i]);
-      } else {
-        leaveOut(kNoDevice);
-      }
-    }
-  }
-  for (const DevicePlan& plan : plans_) {
-    if (std::ranges::find(plan.places, kNoPlace) != plan.places.end()) leaveOut(kPartOfPose);
-  }
-  std::erase_if(plans_, [](const DevicePlan& plan) {
+  for (const auto& [topic, named] : plain) findHomes(topic, named.first, named.second);
+  const auto is_part = [](const DevicePlan& plan) {
     return std::ranges::find(plan.places, kNoPlace) != plan.places.end();
+  };
+  for (const DevicePlan& plan : plans_) {
+    if (!is_part(plan)) continue;
+    for (const std::size_t place : plan.places) {
+      if (place != kNoPlace) unused_.push_back({place, kPartOfPose, Severity::warning});
+    }
+  }
+  std::erase_if(plans_, is_part);
+}
+
+/// A pose without a device, as TUM writes it.
+void RowTranslation::findPlainPose(std::vector<bool>& is_placed) {
+  std::array<std::size_t, kPoseEndings.size()> places{};
+  places.fill(kNoPlace);
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (const auto part = plainPosePart(names_[i])) places[*part] = i;
+  }
+  if (std::ranges::find(places, kNoPlace) != places.end()) return;
+  const ros::DeviceFinder& devices = devices_ != nullptr ? *devices_ : nobody_;
+  const std::optional<std::string> only = devices.onlyDevice();
+  std::string device = devices.fallback();
+  if (device.empty() && only) device = *only;
+  if (device.empty() && !devices.knowsDevices()) device = devices.madeUpDevice(topic_, "robot");
+  for (std::size_t part = 0; part < places.size(); ++part) {
+    is_placed[places[part]] = true;
+    if (device.empty()) {
+      unused_.push_back(
+          {places[part], "a pose of no device; --device names one", Severity::warning});
+    } else {
+      addPose(device, part, places[part]);
+    }
+  }
+}
+
+void RowTranslation::findHomes(std::string_view topic, std::span<const std::string_view> names,
+                               std::span<const std::size_t> places) {
+  const ros::DeviceFinder& devices = devices_ != nullptr ? *devices_ : nobody_;
+  const auto homes = devices.homesOf(topic, names);
+  for (std::size_t i = 0; i < homes.size(); ++i) {
+    switch (homes[i].fate) {
+      case Fate::said:
+        addJoint(homes[i].device, homes[i].name, places[i]);
+        break;
+      case Fate::ambiguous:
+        unused_.push_back({places[i], kManyDevices, Severity::warning});
+        break;
+      case Fate::passive:
+        unused_.push_back({places[i], kPassive, Severity::note});
+        break;
+      case Fate::unknown:
+        // As written, so that `check` can name the device that the cell lacks.
+        const auto column = tableColumn(names[i]);
+        if (column && !column->pose_part && !column->device.empty()) {
+          addJoint(std::string(column->device), std::string(column->joint), places[i]);
+        } else {
+          unused_.push_back({places[i], kNoDevice, Severity::warning});
+        }
+    }
+  }
+}
+
+void RowTranslation::leaveOut(std::string_view name, std::string_view reason, Severity severity) {
+  // Beyond these an account lists nothing anyway, and a hostile file has any number.
+  if (named_.size() >= kMaxNamed || named_.contains(name)) return;
+  named_.emplace(name);
+  account_.leaveOut({.kind = kind_,
+                     .name = std::string(name),
+                     .reason = std::string(reason),
+                     .severity = severity});
+}
+
+void RowTranslation::nameUnused(std::span<const double> numbers) {
+  std::erase_if(unused_, [&](const Unused& each) {
+    if (std::isnan(numbers[each.place])) return false;
+    leaveOut(names_[each.place], each.reason, each.severity);
+    return true;
   });
 }
 
 void RowTranslation::addJoint(const std::string& device, const std::string& joint,
                               std::size_t place) {
-  if (!ros::isName(device) || !ros::isName(joint)) return;
+  if (!ros::isName(device) || !ros::isName(joint)) {
+    unused_.push_back({place, kNoName, Severity::warning});
+    return;
+  }
   const std::string first_words = "joint " + encodeName(device);
   DevicePlan* plan = nullptr;
   for (DevicePlan& each : plans_) {
@@ -118,15 +188,6 @@ void RowTranslation::addPose(const std::string& device, std::size_t part, std::s
     plan->places.assign(kPoseEndings.size(), kNoPlace);
   }
   plan->places[part] = place;
-}
-
-void RowTranslation::note(std::string_view sentence) {
-  const auto found = notes_.find(sentence);
-  if (found != notes_.end()) {
-    ++found->second;
-  } else {
-    notes_.emplace(sentence, 1);
-  }
 }
 
 void RowTranslation::sayJoints(const DevicePlan& plan, std::span<const double> numbers) {
@@ -162,7 +223,7 @@ bool RowTranslation::sayPose(const DevicePlan& plan, std::span<const double> num
 
 RowTranslation::Outcome RowTranslation::translate(Nanoseconds time,
                                                   std::span<const double> numbers) {
-  for (const std::string& sentence : left_out_) note(sentence);
+  if (!unused_.empty()) nameUnused(numbers);
   text_ = first_words_;
   if (time.count() < 0) {
     text_ += '-';

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +9,7 @@
 #include "core/base/time.h"
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/device_finder.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 
@@ -17,7 +18,8 @@ namespace rocinante {
 class RowTranslation {
  public:
   /// `topic` of the rows, `decoder` the name of what makes the packets: both are in their SOURCE.
-  RowTranslation(std::string topic, std::string_view decoder);
+  /// `kind`: what the account calls a name: "column".
+  RowTranslation(std::string topic, std::string_view decoder, std::string kind);
 
   /// Borrowed; before the first row. Without it there is no cell and no device by default.
   void useDevices(const ros::DeviceFinder& devices) { devices_ = &devices; }
@@ -33,8 +35,10 @@ class RowTranslation {
   };
   Outcome translate(Nanoseconds time, std::span<const double> numbers);
 
-  /// Why numbers were left out, and in how many rows.
-  const std::map<std::string, std::uint64_t, std::less<>>& notes() const { return notes_; }
+  /// A name whose values are no numbers of a device.
+  void leaveOut(std::string_view name, std::string_view reason, Severity severity);
+  /// The names whose values were left out, each once, with the reason.
+  const Account& account() const { return account_; }
 
  private:
   struct DevicePlan {
@@ -43,10 +47,20 @@ class RowTranslation {
     std::vector<std::string> prefixes;  ///< " NAME=" of joints; empty: a pose
   };
 
+  /// A name that no packet has, until it has a value: then it is left out.
+  struct Unused {
+    std::size_t place = 0;
+    std::string_view reason;
+    Severity severity = Severity::warning;
+  };
+
   void makePlans();
+  void findPlainPose(std::vector<bool>& is_placed);
+  void findHomes(std::string_view topic, std::span<const std::string_view> names,
+                 std::span<const std::size_t> places);
   void addJoint(const std::string& device, const std::string& joint, std::size_t place);
   void addPose(const std::string& device, std::size_t part, std::size_t place);
-  void note(std::string_view sentence);
+  void nameUnused(std::span<const double> numbers);
   bool sayPose(const DevicePlan& plan, std::span<const double> numbers);
   void sayJoints(const DevicePlan& plan, std::span<const double> numbers);
 
@@ -55,8 +69,10 @@ class RowTranslation {
   const ros::DeviceFinder nobody_{nullptr, {}};
   std::vector<std::string> names_;
   std::vector<DevicePlan> plans_;
-  std::vector<std::string> left_out_;
-  std::map<std::string, std::uint64_t, std::less<>> notes_;
+  std::vector<Unused> unused_;
+  std::string kind_;
+  std::set<std::string, std::less<>> named_;  ///< in the account
+  Account account_;
 };
 
 }  // namespace rocinante

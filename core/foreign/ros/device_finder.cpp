@@ -69,6 +69,10 @@ DeviceFinder::DeviceFinder(const Cell* cell, std::string fallback)
   }
 }
 
+std::optional<std::string> DeviceFinder::onlyDevice() const {
+  return devices_.size() == 1 ? std::optional(*devices_.begin()) : std::nullopt;
+}
+
 std::optional<std::string> DeviceFinder::deviceOfFrame(std::string_view frame) const {
   if (!knowsDevices()) return std::string(frame);
   if (const auto both = prefixed(frame); both && holds(roots_, both->second, both->first)) {

@@ -26,6 +26,8 @@ class DeviceFinder {
   /// Without a cell every name is a device of its own.
   bool knowsDevices() const { return !devices_.empty(); }
   const std::string& fallback() const { return fallback_; }
+  /// The device of a cell that has one.
+  std::optional<std::string> onlyDevice() const;
 
   /// The device whose root the frame is: "arm/base_link", "arm", or "base_link" when one device
   /// alone has that root.

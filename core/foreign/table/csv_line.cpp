@@ -1,12 +1,6 @@
 #include "core/foreign/table/csv_line.h"
 
 namespace rocinante {
-namespace {
-
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
-
-}  // namespace
-
 std::string CsvField::unescaped() const {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -16,9 +10,11 @@ std::string CsvField::unescaped() const {
   return plain;
 }
 
-bool splitCsvLine(std::string_view line, std::vector<CsvField>& fields) {
+bool splitCsvLine(std::string_view line, std::vector<CsvField>& fields, char separator) {
   fields.clear();
   std::size_t at = 0;
+  const auto isBlank = [separator](char c) { return c == ' ' || (c == '\t' && separator != '\t'); };
+  const auto ends = [&](char c) { return separator == ' ' ? isBlank(c) : c == separator; };
   const auto skipBlanks = [&] {
     while (at < line.size() && isBlank(line[at])) ++at;
   };
@@ -43,18 +39,19 @@ bool splitCsvLine(std::string_view line, std::vector<CsvField>& fields) {
       fields.push_back(field);
       if (!closed) return false;
       ++at;
-      skipBlanks();
-      if (at < line.size() && line[at] != ',') return false;
+      if (separator != ' ') skipBlanks();
+      if (at < line.size() && !ends(line[at])) return false;
     } else {
       const std::size_t begin = at;
-      while (at < line.size() && line[at] != ',') ++at;
+      while (at < line.size() && !ends(line[at])) ++at;
       std::size_t end = at;
       while (end > begin && isBlank(line[end - 1])) --end;
       field.text = line.substr(begin, end - begin);
       fields.push_back(field);
     }
+    if (separator == ' ') skipBlanks();
     if (at == line.size()) return true;
-    ++at;
+    if (separator != ' ') ++at;
   }
 }
 

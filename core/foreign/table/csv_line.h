@@ -18,9 +18,10 @@ struct CsvField {
   std::string unescaped() const;
 };
 
-/// Splits one line without its line end. False when a quote is left open or text follows a closing
-/// one; `fields` then ends with the wrong field.
-bool splitCsvLine(std::string_view line, std::vector<CsvField>& fields);
+/// Splits one line without its line end; the separator ' ' stands for any number of blanks. False
+/// when a quote is left open or text follows a closing one; `fields` then ends with the wrong
+/// field.
+bool splitCsvLine(std::string_view line, std::vector<CsvField>& fields, char separator = ',');
 
 /// Removes the next line from `text`, without its LF or CR LF. Empty at the end.
 std::optional<std::string_view> takeLine(std::string_view& text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/foreign/table/table_header.h"
 #include "core/packet/text_number.h"
 
 namespace rocinante {
@@ -12,7 +13,7 @@ __extension__ using Wide = __int128;
 
 }  // namespace
 
-std::optional<Nanoseconds> tableSeconds(std::string_view text) {
+std::optional<Nanoseconds> tableSeconds(std::string_view text, int down) {
   double ignored = 0;
   const char* at = text.data();
   if (!readNumber(at, text.data() + text.size(), ignored) || at != text.data() + text.size()) {
@@ -22,7 +23,7 @@ std::optional<Nanoseconds> tableSeconds(std::string_view text) {
   bool in_fraction = false;
   bool any_dropped = false;
   Wide digits = 0;
-  int exponent = 9;  // the unit is the nanosecond
+  int exponent = 9 - down;  // the unit is the nanosecond
   std::size_t i = 0;
   if (text[0] == '-' || text[0] == '+') negative = text[i++] == '-';
   for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
@@ -36,11 +37,11 @@ std::optional<Nanoseconds> tableSeconds(std::string_view text) {
     exponent += (any_dropped ? 1 : 0) - (in_fraction ? 1 : 0);
   }
   if (i < text.size()) {
-    const bool down = text[++i] == '-';
+    const bool is_negative = text[++i] == '-';
     if (text[i] == '-' || text[i] == '+') ++i;
     int written = 0;
     for (; i < text.size(); ++i) written = std::min(written * 10 + (text[i] - '0'), 100'000);
-    exponent += down ? -written : written;
+    exponent += is_negative ? -written : written;
   }
   constexpr Wide kMax = std::numeric_limits<std::int64_t>::max();
   for (; exponent > 0 && digits != 0; --exponent) {
@@ -62,11 +63,37 @@ std::optional<TableColumn> tableColumn(std::string_view name) {
   for (std::size_t part = 0; part < kPoseEndings.size(); ++part) {
     const std::string_view ending = kPoseEndings[part];
     if (!name.ends_with(ending) || name.size() == ending.size()) continue;
-    return TableColumn{name.substr(0, name.size() - ending.size()), {}, part};
+    return TableColumn{name.substr(0, name.size() - ending.size()), {}, part, {}};
+  }
+  constexpr std::string_view kPosition = "/position";
+  if (name.starts_with('/') && name.ends_with(kPosition)) {
+    const std::string_view path = name.substr(0, name.size() - kPosition.size());
+    const std::size_t slash = path.rfind('/');
+    if (slash == path.npos || slash == 0 || slash + 1 == path.size()) return std::nullopt;
+    return TableColumn{{}, path.substr(slash + 1), std::nullopt, path.substr(0, slash)};
   }
   const std::size_t point = name.find('.');
   if (point == name.npos || point == 0 || point + 1 == name.size()) return std::nullopt;
-  return TableColumn{name.substr(0, point), name.substr(point + 1), std::nullopt};
+  return TableColumn{name.substr(0, point), name.substr(point + 1), std::nullopt, {}};
+}
+
+std::optional<std::size_t> plainPosePart(std::string_view name) {
+  for (std::size_t part = 0; part < kPoseEndings.size(); ++part) {
+    const std::string_view plain = kPoseEndings[part].substr(1);
+    if (name == plain || (part < 3 && name.size() == 2 && name[0] == 't' && name[1] == plain[0])) {
+      return part;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string_view notAValue(std::string_view name) {
+  if (timeUnitOf(name)) return "another time";
+  if (name.starts_with(kClearanceColumn)) return "a distance";
+  if (!name.starts_with('/')) return {};
+  if (name.ends_with("/velocity")) return "velocities are not read";
+  if (name.ends_with("/effort")) return "efforts are not read";
+  return {};
 }
 
 }  // namespace rocinante

@@ -76,22 +76,22 @@ TEST(CsvMotion, SaysLineAndColumnOfWhatItRefuses) {
             "the row has 2 fields, the header has 3 (m.csv, line 3, column 3)");
   EXPECT_EQ(errorOf("t,a,b\n0,1,2\n\n1,1,2x\n"),
             "`2x` is not a number that packet text allows, in `b` (m.csv, line 4, column 5)");
-  EXPECT_EQ(errorOf("t,a\n0,\n"),
-            "an empty field is not a number that packet text allows, in `a` (m.csv, line 2, "
-            "column 3)");
-  EXPECT_EQ(errorOf("t,a\n0,nan\n"),
-            "`nan` is not a number that packet text allows, in `a` (m.csv, line 2, column 3)");
-  EXPECT_EQ(errorOf("x,a\n0,1\n"),
-            "no column is named `t` or `time` (seconds) (m.csv, line 1, column 1)");
+  EXPECT_EQ(errorOf("t,a\n0,\n"), "the table has no joint column (m.csv, line 1, column 1)");
+  EXPECT_EQ(errorOf("t,a\n0,nan\n"), "the table has no joint column (m.csv, line 1, column 1)");
+  EXPECT_EQ(errorOf("t,a,b\n0,nan,1\n1,2,3x\n"),
+            "`3x` is not a number that packet text allows, in `b` (m.csv, line 3, column 5)");
+  EXPECT_THAT(errorOf("x,a\n0,1\n"), testing::HasSubstr("no column is the time"));
+  EXPECT_THAT(errorOf("x,a\n0,1\n"), testing::HasSubstr("the columns are `x`, `a` (m.csv)"));
   EXPECT_EQ(errorOf("t,a\n1,1\n0.5,1\n"),
             "the time goes back: `0.5` follows a later time (m.csv, line 3, column 1)");
-  EXPECT_EQ(errorOf("t,a\nsoon,1\n"), "`soon` is not a time in seconds (m.csv, line 2, column 1)");
-  EXPECT_EQ(errorOf("t,a,a\n"), "two columns are named `a` (m.csv, line 1, column 5)");
-  EXPECT_EQ(errorOf("t,,a\n"), "a column has no name (m.csv, line 1, column 3)");
-  EXPECT_EQ(errorOf("t\n0\n"), "the table has no joint column (m.csv, line 1, column 1)");
+  EXPECT_EQ(errorOf("t,a\nsoon,1\n"), "`soon` is not a time (m.csv, line 2, column 1)");
+  EXPECT_EQ(errorOf("t,a,a\n"), "two columns are named `a` (m.csv, line 1, column 1)");
+  EXPECT_THAT(errorOf("t,,a\n"), testing::HasSubstr("its first line is not a header"));
+  EXPECT_THAT(errorOf("t\n0\n"), testing::HasSubstr("its first line is not a header"));
   EXPECT_EQ(errorOf("t,a\n"), "there is no row below the header (m.csv, line 1, column 1)");
   EXPECT_EQ(errorOf(""), "the file has no header row (m.csv)");
-  EXPECT_EQ(errorOf("t,\"a\n0,1\n"), "a quoted field is not closed (m.csv, line 1, column 3)");
+  EXPECT_FALSE(read("t,\"a\n0,1\n").ok());
+  EXPECT_EQ(errorOf("t,a\n0,\"1\n"), "a quoted field is not closed (m.csv, line 2, column 3)");
 }
 
 TEST(CsvMotion, ChoosesColumnsInTheOrderAsked) {
@@ -141,12 +141,35 @@ TEST(CsvMotion, AnEmptyFieldSaysNothingOfItsDevice) {
   EXPECT_TRUE(hasValues(motion->row(1), b.joint_columns));
   EXPECT_FALSE(hasValues(motion->row(1), b.pose_columns));
   EXPECT_TRUE(hasValues(motion->row(2), b.pose_columns));
-  EXPECT_EQ(readCell("t,a.j1,a.j2\n0,1,\n").error().text(),
-            "a joint of `a` has no value, but others have one: all are given, or none (m.csv, line "
-            "2, column 5)");
-  EXPECT_EQ(readCell("t,a.j1,a.j2\n0,,1\n").error().text(),
-            "a joint of `a` has a value, but others have none: all are given, or none (m.csv, line "
-            "2, column 4)");
+  EXPECT_THAT(readCell("t,b:x,b:y,b:z,b:qx,b:qy,b:qz,b:qw\n0,1,,0,0,0,0,1\n1,1,2,0,0,0,0,1\n")
+                  .error()
+                  .text(),
+              testing::HasSubstr("a pose component of `b` has no value, but others have one"));
+}
+
+TEST(CsvMotion, AJointWithoutAValueKeepsItsLastOne) {
+  const auto motion = readCell("t,a.j1,a.j2\n0,1,nan\n1,2,3\n2,-,4\n3,,\n4,5,n/a\n").value();
+  EXPECT_FALSE(hasValues(motion.row(0), motion.devices[0].joint_columns));  // j2 has none yet
+  EXPECT_THAT(motion.row(1), ElementsAre(2, 3));
+  EXPECT_THAT(motion.row(2), ElementsAre(2, 4));
+  EXPECT_FALSE(hasValues(motion.row(3), motion.devices[0].joint_columns));
+  EXPECT_THAT(motion.row(4), ElementsAre(5, 4));
+}
+
+TEST(CsvMotion, ReadsTheDialectsOfTheImport) {
+  const auto excel = read("\xEF\xBB\xBFt;a;b\r\n0,5;0,1;0,2\r\n").value();
+  EXPECT_EQ(excel.times[0], 500ms);
+  EXPECT_THAT(excel.row(0), ElementsAre(0.1, 0.2));
+  const auto pandas = read(",timestamp,a,note\n0,1700000000500,1,begins\n").value();
+  EXPECT_EQ(pandas.times[0], 1'700'000'000'500ms);
+  EXPECT_THAT(pandas.devices[0].joints, ElementsAre("a"));
+  EXPECT_EQ(accountSentence(pandas.left_out),
+            "left out: 1 column (row numbers), 1 column `note` (text)");
+  const auto juggler = read("__time,/js/shoulder/position,/js/shoulder/effort\n1,2,3\n").value();
+  EXPECT_THAT(juggler.devices[0].joints, ElementsAre("shoulder"));
+  const auto tum = read("# timestamp tx ty tz qx qy qz qw\n1.5 1 2 3 0 0 0 1\n").value();
+  EXPECT_TRUE(tum.devices[0].joints.empty());
+  EXPECT_THAT(tum.devices[0].pose_columns, ElementsAre(0, 1, 2, 3, 4, 5, 6));
 }
 
 TEST(CsvMotion, TakesWhatSpreadsheetsWrite) {

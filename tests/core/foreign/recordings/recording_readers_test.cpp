@@ -8,6 +8,8 @@
 #include "core/foreign/recordings/recording_kind.h"
 #include "core/foreign/recordings/table_recording.h"
 #include "core/foreign/ros/bag_import.h"
+#include "core/foreign/table/csv_line.h"
+#include "core/foreign/table/table_header.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {
@@ -101,6 +103,133 @@ TEST(TableRecording, RefusesATextWithoutAHeader) {
   EXPECT_TRUE(looksLikeTable("\xEF\xBB\xBFt,arm.j1\r\n"));
 }
 
+/// The packets without their SOURCE, and what was left out.
+std::vector<std::string> saidBy(Opened recording, const std::string& device = {}) {
+  const auto made = importedFrom(std::move(recording), device);
+  if (!made) return {made.error().text()};
+  std::vector<std::string> said;
+  for (const std::string& packet : made->packets)
+    said.push_back(packet.substr(packet.find(" - ") + 3));
+  if (!made->report.account.empty()) said.push_back(accountSentence(made->report.account, 9));
+  for (const std::string& damage : made->report.damage) said.push_back(damage);
+  if (made->report.malformed > 0) said.push_back("malformed");
+  return said;
+}
+
+TEST(TableRecording, ReadsTheDialectsOfOtherPrograms) {
+  const std::string first = "1700000000.5\njoint arm j1=0.25 j2=-1.5\n";
+  const char* const texts[] = {
+      "t;arm.j1;arm.j2\r\n1700000000,5;0,25;-1,5\r\n",  // a European spreadsheet
+      "t;arm.j1;arm.j2\n1700000000.5;0.25;-1.5\n",
+      "Timestamp\tarm.j1\tarm.j2\n1700000000.5\t0.25\t-1.5\n",
+      "time_ms,arm.j1,arm.j2\n1700000000500,0.25,-1.5\n",
+      "timestamp,arm.j1,arm.j2\n1700000000500,0.25,-1.5\n",  // told by its digits
+      "stamp,arm.j1,arm.j2\n1700000000500000,0.25,-1.5\n",
+      "__time,arm.j1,arm.j2\n1700000000500000000,0.25,-1.5\n",
+      "%time,arm.j1,arm.j2\n1700000000500000000,0.25,-1.5\n",  // rostopic echo -p
+      "timestamp [ns],arm.j1,arm.j2\n1700000000500000000,0.25,-1.5\n",
+      "t (us),arm.j1,arm.j2\n1700000000500000,0.25,-1.5\n",
+      "#timestamp,arm.j1,arm.j2\n1700000000.5,0.25,-1.5\n",
+      "# made at noon\n# time in seconds\ntime arm.j1 arm.j2\n1700000000.5  0.25 -1.5\n",
+      "time,arm.j1,arm.j2\n2023-11-14T22:13:20.5Z,0.25,-1.5\n",
+      "time,arm.j1,arm.j2\n2023-11-14 22:13:20.500000,0.25,-1.5\n",
+      "time,arm.j1,arm.j2\n2023-11-14 23:13:20.5+0100,0.25,-1.5\n",
+      "\"t\",\"arm.j1\",\"arm.j2\"\n\"1700000000.5\",\"0.25\",\"-1.5\"\n",
+  };
+  for (const char* const text : texts) {
+    SCOPED_TRACE(text);
+    EXPECT_TRUE(looksLikeTable(text));
+    EXPECT_THAT(saidBy(table(text)), ElementsAre(first));
+  }
+  // One unit for all rows: a later time that is longer changes nothing.
+  EXPECT_THAT(saidBy(table("timestamp,arm.j1\n0,1\n250,2\n")),
+              ElementsAre("0\njoint arm j1=1\n", "250\njoint arm j1=2\n"));
+  // The first number with decimals tells what stands for the point.
+  EXPECT_THAT(saidBy(table("t;arm.a;arm.b\n1;2;0,5\n2;1.5;3\n")),
+              ElementsAre("1\njoint arm a=2 b=0.5\n", "malformed"));
+}
+
+TEST(TableRecording, NoValueYetIsNoText) {
+  for (const char* const nothing :
+       {"", "nan", "NaN", "n/a", "NA", "-", "--", "null", "None", "inf", "-nan(ind)"}) {
+    SCOPED_TRACE(nothing);
+    EXPECT_THAT(saidBy(table("t,arm.a,arm.b\n0,1," + std::string(nothing) + "\n1,2,3\n2," +
+                             nothing + ",4\n")),
+                ElementsAre("0\njoint arm a=1\n", "1\njoint arm a=2 b=3\n", "2\njoint arm b=4\n"));
+  }
+}
+
+TEST(TableRecording, NamesEveryColumnThatIsLeftOut) {
+  EXPECT_THAT(
+      saidBy(table(",t,arm.j1,note,empty,clearance/a/b,/js/w/velocity,time_ns_text,other\n"
+                   "0,1,0.5,begins,,3,4,x,7\n1,2,0.5,,nan,3,4,,7\n")),
+      ElementsAre("1\njoint arm j1=0.5\n"
+                  "joint robot other=7\n",
+                  "2\njoint arm j1=0.5\njoint robot other=7\n",
+                  "left out: 1 column `clearance/a/b` (a distance), "
+                  "1 column `/js/w/velocity` (velocities are not read), 1 column (row numbers), "
+                  "1 column `note` (text), 1 column `empty` (no row has a value), "
+                  "1 column `time_ns_text` (text)"));
+}
+
+TEST(TableRecording, ReadsTheJointsThatPlotJugglerNames) {
+  EXPECT_THAT(saidBy(table("__time,/joint_states/shoulder/position,/joint_states/elbow/position\n"
+                           "1700000000.0,0.1,0.2\n")),
+              ElementsAre("1700000000\njoint robot shoulder=0.1 elbow=0.2\n"));
+  EXPECT_THAT(saidBy(table("__time,/left/joint_states/j1/position\n1,0.1\n")),
+              ElementsAre("1\njoint left j1=0.1\n"));
+}
+
+TEST(TableRecording, ReadsThePosesThatTumWrites) {
+  const char* const text =
+      "# ground truth trajectory\n# timestamp tx ty tz qx qy qz qw\n1700000000.0 1 2 3 0 0 0 1\n";
+  EXPECT_THAT(saidBy(table(text), "hand"), ElementsAre("1700000000\npose hand 1 2 3 0 0 0 1\n"));
+}
+
+TEST(TableRecording, ARefusalNamesWhatIsMissing) {
+  EXPECT_THAT(
+      table("a,b\n1,2\n").error().text(),
+      HasSubstr("no column is the time (`t`, `time`, `timestamp`, `stamp` or `__time`, perhaps "
+                "with a unit: `time_ms`): the columns are `a`, `b`"));
+  EXPECT_THAT(table("1,2,3\n4,5,6\n").error().text(), HasSubstr("it has no header"));
+  EXPECT_THAT(*tableRefusal("a;b\n1,5;2,5\n"), HasSubstr("the columns are `a`, `b`"));
+  EXPECT_FALSE(tableRefusal("name = \"x\"\nsize = 3\n").has_value());
+  EXPECT_FALSE(tableRefusal("<robot name=\"a\"/>\n<!-- 1,2 -->\n").has_value());
+  EXPECT_THAT(*jsonLinesRefusal("{\"x\": 1, \"y\": 2}\n"), HasSubstr("the keys are `x`, `y`"));
+}
+
+// Whatever is inserted or removed, the packets change, or the account does.
+TEST(TableRecording, WhatIsInsertedIsUsedOrNamed) {
+  const auto all = [](const std::string& text) { return saidBy(table(text)); };
+  const std::string whole = "t,arm.a,arm.b\n1,0.5,0.25\n2,0.75,0.125\n";
+  const auto before = all(whole);
+  for (const char* const name : {"x", "arm.c", "note", "time_ms", "clearance/a/b", "arm:x",
+                                 "/js/w/effort", "odd \"\"name"}) {
+    for (const char* const value : {"1", "text", "", "nan"}) {
+      for (std::size_t place = 1; place <= 3; ++place) {
+        std::string mutant;
+        std::size_t row = 0;
+        for (std::string_view rest = whole; const auto line = takeLine(rest); ++row) {
+          std::vector<CsvField> fields;
+          ASSERT_TRUE(splitCsvLine(*line, fields));
+          std::string made;
+          for (std::size_t i = 0; i <= fields.size(); ++i) {
+            if (i == place) {
+              made +=
+                  (made.empty() ? "" : ",") + std::string("\"") + (row == 0 ? name : value) + "\"";
+            }
+            if (i < fields.size()) made += (made.empty() ? "" : ",") + std::string(fields[i].text);
+          }
+          mutant += made + "\n";
+        }
+        EXPECT_NE(all(mutant), before) << mutant;
+      }
+    }
+  }
+  EXPECT_NE(all("t,arm.a\n1,0.5\n2,0.75\n"), before);
+  EXPECT_NE(all("t,arm.a,arm.b\n1,0.5,0.25\n"), before);
+}
+
 TEST(TableRecording, SkipsALineThatIsTooLong) {
   const std::string text =
       "t,arm.a\n1,2\n" + std::string(RecordingLines::kMaxBytes * 2, '7') + "\n2,3\n";
@@ -108,6 +237,20 @@ TEST(TableRecording, SkipsALineThatIsTooLong) {
   ASSERT_TRUE(made.ok());
   EXPECT_EQ(made->report.messages, 2U);
   EXPECT_THAT(made->report.damage, ElementsAre(HasSubstr("of more than 1 MiB left out")));
+}
+
+TEST(JsonLines, ReadsNumbersAsTextAndWhatHasNoValueYet) {
+  EXPECT_THAT(
+      saidBy(lines(
+          "{\"t\":0,\"arm\":{\"a\":0.1,\"b\":null,\"c\":\"NaN\",\"on\":true}}\n"
+          "{\"t\":\"0.5\",\"arm\":{\"a\":\"0.2\",\"b\":NaN,\"c\":-Infinity},\"note\":\"NaN is\"}\n"
+          "{\"t\":1,\"device\":\"arm\",\"name\":[\"a\",\"b\"],\"position\":[null,3],"
+          "\"effort\":[1]}\n")),
+      ElementsAre("0\njoint arm a=0.1\n", "0.5\njoint arm a=0.2\n", "1\njoint arm b=3\n",
+                  "left out: 1 key `arm.on` (true or false), 1 key `note` (text), "
+                  "1 key `effort` (an array)"));
+  EXPECT_THAT(saidBy(lines("{\"timestamp\":1700000000500,\"arm\":{\"a\":1}}\n")),
+              ElementsAre("1700000000.5\njoint arm a=1\n"));
 }
 
 TEST(JsonLines, NamesNumbersByTheKeysThatLeadToThem) {
