@@ -29,6 +29,7 @@ class PieceLog {
   Status write(const CapturedDatagram& datagram, bool decoded = true);
   Status writeLoss(const LossSpan& span) { return session_.log().writeLoss(span); }
   Status writeStep(const ClockStep& step);
+  Status writeMetadata(const LogMetadata& record) { return session_.log().writeMetadata(record); }
   Status flush(SteadyTime now);
   Status flushAll() { return session_.log().flush(); }
   /// A file disturbed by another program is not an error here: see newDisturbance().

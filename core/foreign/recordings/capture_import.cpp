@@ -1,6 +1,7 @@
 #include "core/foreign/recordings/capture_import.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "core/base/count_text.h"
@@ -24,6 +25,8 @@ struct CaptureTally {
   std::optional<LogTime> start;
   LogTime end{};
   std::uint64_t bytes = 0;
+  /// What is noted in the log at its end; empty before the import runs.
+  std::function<ros::ImportReport()> report;
 };
 
 class CaptureLog final : public CaptureSink {
@@ -50,6 +53,12 @@ class CaptureLog final : public CaptureSink {
   Status flush(LogTime, SteadyTime now) override { return piece_.flush(now); }
   Status flushAll() override { return piece_.flushAll(); }
   Status close(const std::string& reason) override {
+    if (tally_->report) {
+      const ros::ImportReport report = tally_->report();
+      if (!report.account.empty() || !ros::importWarnings(report).empty()) {
+        if (Status noted = piece_.writeMetadata(ros::warningsRecord(report)); !noted) return noted;
+      }
+    }
     Status closed = piece_.close(reason);
     tally_->bytes = piece_.bytes();
     return closed;
@@ -144,6 +153,29 @@ class CapturePump {
   std::string cut_;
 };
 
+ros::ImportReport reportOf(const CaptureTally& tally, const CapturePump& pump,
+                           const DatagramSource& source, const std::string& name) {
+  ros::ImportReport report;
+  for (const auto& [flow, kept] : tally.flows) {
+    ros::ImportedTopic& topic = report.topics.emplace_back();
+    topic.name = kept.first;
+    topic.type = "datagrams";
+    topic.messages = kept.second;
+    report.messages += kept.second;
+  }
+  report.packets = tally.packets;
+  report.start = tally.start.value_or(LogTime{});
+  report.end = tally.end;
+  report.bytes = tally.bytes;
+  if (!pump.cut().empty()) report.damage.push_back(pump.cut() + " (" + name + ")");
+  if (pump.truncated() > 0) {
+    report.damage.push_back(countText(pump.truncated(), "datagram") +
+                            " shorter than sent: the capture cut them (" + name + ")");
+  }
+  report.account = source.leftOut();
+  return report;
+}
+
 }  // namespace
 
 Result<ros::ImportReport> importCapture(const std::filesystem::path& capture,
@@ -165,7 +197,10 @@ Result<ros::ImportReport> importCapture(const std::filesystem::path& capture,
   const auto tally = std::make_shared<CaptureTally>();
   MadePiece made{std::move(*log), {}};
   CapturePump pump(**source, std::make_unique<CaptureLog>(std::move(made), options, tally));
-  if (Status read = pump.run(options); !read) return read.error();
+  tally->report = [&] { return reportOf(*tally, pump, **source, capture.string()); };
+  const Status read = pump.run(options);
+  tally->report = {};
+  if (!read) return read.error();
   if (pump.read() == 0) {
     const std::string left_out = accountSentence((*source)->leftOut());
     return Error{ErrorKind::not_found,
@@ -173,27 +208,7 @@ Result<ros::ImportReport> importCapture(const std::filesystem::path& capture,
                      (left_out.empty() ? std::string() : "; " + left_out),
                  capture.string()};
   }
-  ros::ImportReport report;
-  for (const auto& [flow, kept] : tally->flows) {
-    ros::ImportedTopic& topic = report.topics.emplace_back();
-    topic.name = kept.first;
-    topic.type = "datagrams";
-    topic.messages = kept.second;
-    report.messages += kept.second;
-  }
-  report.packets = tally->packets;
-  report.start = tally->start.value_or(LogTime{});
-  report.end = tally->end;
-  report.bytes = tally->bytes;
-  if (!pump.cut().empty()) {
-    report.damage.push_back(pump.cut() + " (" + capture.string() + ")");
-  }
-  if (pump.truncated() > 0) {
-    report.damage.push_back(countText(pump.truncated(), "datagram") +
-                            " shorter than sent: the capture cut them (" + capture.string() + ")");
-  }
-  report.account = (*source)->leftOut();
-  return report;
+  return reportOf(*tally, pump, **source, capture.string());
 }
 
 }  // namespace rocinante

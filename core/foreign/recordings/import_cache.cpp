@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <thread>
 
 #include "core/base/atomic_file.h"
+#include "core/base/cache_folder.h"
 #include "core/base/file_lock.h"
 #include "core/base/unfinished_path.h"
 #include "core/foreign/recordings/file_digest.h"
@@ -30,12 +30,6 @@ constexpr const char* kMarksEnding = ".marks";
 constexpr std::size_t kKeyDigits = 64;
 constexpr std::uint64_t kMaxSumBytes = 256;
 constexpr auto kBetweenLooks = std::chrono::milliseconds(50);
-
-std::optional<fs::path> folderIn(const char* variable) {
-  const char* const text = std::getenv(variable);
-  if (text == nullptr || !fs::path(text).is_absolute()) return std::nullopt;
-  return fs::path(text);
-}
 
 /// Whether the folder is this user's own, and not write-protected; also for root, who may write
 /// everywhere.
@@ -116,20 +110,10 @@ class KeyLock {
 
 }  // namespace
 
-std::vector<ImportCache> ImportCache::placesFor(const fs::path& recording) {
-  std::vector<ImportCache> places;
-  std::error_code fault;
-  fs::path whole = fs::absolute(recording, fault).lexically_normal();
-  if (!whole.has_filename()) whole = whole.parent_path();
-  if (!fault && mayLieIn(whole.parent_path())) {
-    places.emplace_back(whole.parent_path() / ".rocinante" / "imports");
-  }
-  if (const auto cache = folderIn("XDG_CACHE_HOME")) {
-    places.emplace_back(*cache / "rocinante" / "imports");
-  } else if (const auto home = folderIn("HOME")) {
-    places.emplace_back(*home / ".cache" / "rocinante" / "imports");
-  }
-  return places;
+std::optional<ImportCache> ImportCache::ofUser() {
+  fs::path folder = CacheFolder::ofUser("imports");
+  if (folder.empty()) return std::nullopt;
+  return ImportCache(std::move(folder));
 }
 
 fs::path ImportCache::fileOf(const std::string& key, const char* extension) const {
@@ -153,7 +137,9 @@ Status ImportCache::openFolder() const {
 std::optional<fs::path> ImportCache::find(const std::string& key) const {
   const fs::path log = fileOf(key, kLogEnding);
   if (!mayLieIn(folder_) || !isOurFile(log)) return std::nullopt;
-  const Result<std::string> sum = readFile(fileOf(key, kSumEnding), kMaxSumBytes);
+  const fs::path sum_file = fileOf(key, kSumEnding);
+  if (!isOurFile(sum_file)) return std::nullopt;
+  const Result<std::string> sum = readFile(sum_file, kMaxSumBytes);
   if (!sum) return std::nullopt;
   const Result<std::string> now = quickSumOf(log);
   if (!now || *now != *sum) return std::nullopt;

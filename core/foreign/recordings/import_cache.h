@@ -25,10 +25,10 @@ class ImportCache {
   explicit ImportCache(std::filesystem::path folder, std::uint64_t most_bytes = kDefaultBytes)
       : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
-  /// Where the log of this recording may be kept, the best place first: in `.rocinante/imports`
-  /// beside it, unless its folder is write-protected or belongs to another user; in
-  /// XDG_CACHE_HOME/rocinante/imports, else HOME/.cache/rocinante/imports.
-  static std::vector<ImportCache> placesFor(const std::filesystem::path& recording);
+  /// This user's: in XDG_CACHE_HOME/rocinante/imports, else HOME/.cache/rocinante/imports; empty
+  /// when neither names a folder. Never beside a recording: what lies there came from whoever made
+  /// the recording, and leaving files there surprises whoever owns it (docs/decisions/035).
+  static std::optional<ImportCache> ofUser();
 
   const std::filesystem::path& folder() const { return folder_; }
 

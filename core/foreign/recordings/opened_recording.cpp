@@ -42,13 +42,10 @@ class RecordingOpening {
     OpenedRecording opened;
     opened.recording = request_.recording;
     opened.imported = true;
-    const std::vector<ImportCache> places = ImportCache::placesFor(request_.recording);
-    for (const ImportCache& place : places) {
-      if (const auto found = place.find(*key)) return withWarnings(std::move(opened), *found);
-    }
     std::string trouble = "neither XDG_CACHE_HOME nor HOME names a folder";
-    for (const ImportCache& place : places) {
-      const auto made = place.findOrMake(
+    if (const std::optional<ImportCache> cache = ImportCache::ofUser()) {
+      if (const auto found = cache->find(*key)) return withWarnings(std::move(opened), *found);
+      const auto made = cache->findOrMake(
           *key, [&](const fs::path& log) { return make(log); }, [&] { return tell(kHashedPart); });
       if (!made) return made.error();
       if (!made->trouble) return withWarnings(std::move(opened), made->log);

@@ -4,7 +4,8 @@ rocinante log export motion.mcap demo.cell.toml --ros2 -o bag.mcap >/dev/null 2>
 mkdir bag raw && mv bag.mcap bag/bag_0.mcap && touch bag/metadata.yaml
 rocinante check demo.cell.toml bag --quiet && echo fits || echo "exit $?"
 rocinante check demo.cell.toml bag/ | head -n 1
-ls -A bag .rocinante/imports | sed -E 's/^[0-9a-f]{64}/KEY/'
+ls -A bag "$XDG_CACHE_HOME"/rocinante/imports | sed -E "s#$XDG_CACHE_HOME#CACHE#; s/^[0-9a-f]{64}/KEY/"
+ls -d .rocinante 2>/dev/null || echo "nothing beside it"
 rocinante render demo.cell.toml bag/bag_0.mcap --at 5 --size 160x120 --samples 1 --hash 2>/dev/null >file
 rocinante render demo.cell.toml bag --at 5 --size 160x120 --samples 1 --hash 2>/dev/null >folder
 cmp file folder && echo "the same picture"

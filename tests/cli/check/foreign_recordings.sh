@@ -1,4 +1,4 @@
-# What other programs recorded is checked as it is: imported once, and kept beside the file.
+# What other programs recorded is checked as it is: imported once, and kept in the cache of the user, not beside the file.
 cat >arm.urdf <<'URDF'
 <robot name="arm">
   <link name="base"/> <link name="upper"/> <link name="hand"/>
@@ -14,11 +14,11 @@ printf 't,elbow,shoulder\n0,100,100\n0.1,95,100\n0.2,90,100\n' >percent.csv
 printf '{"t":0,"shoulder":90,"elbow":45}\n{"t":0.1,"shoulder":91,"elbow":45}\n' >degrees.jsonl
 printf '{"t":0,"shoulder":0,"elbow":0}\n{"t":0.1,"shoulder":2.5,"elbow":0,"wrist":1}\nno JSON\n' >wrong.jsonl
 for file in fits.csv percent.csv degrees.jsonl wrong.jsonl; do check arm.urdf $file; done
-ls .rocinante/imports | grep -c mcap
+ls "$XDG_CACHE_HOME"/rocinante/imports | grep -c mcap
 check arm.urdf fits.csv --quiet
-ls .rocinante/imports | grep -c mcap
+ls "$XDG_CACHE_HOME"/rocinante/imports | grep -c mcap
 # A damaged one is made anew.
-for log in .rocinante/imports/*.mcap; do printf 'x' | dd of="$log" bs=1 seek=40 conv=notrunc 2>/dev/null; done
+for log in "$XDG_CACHE_HOME"/rocinante/imports/*.mcap; do printf 'x' | dd of="$log" bs=1 seek=40 conv=notrunc 2>/dev/null; done
 check arm.urdf percent.csv --quiet
 # Without a cell, and without a place to keep it.
 check fits.csv

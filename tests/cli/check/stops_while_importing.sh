@@ -14,4 +14,4 @@ stopped() {
 stopped rocinante-check arm.urdf long.csv
 stopped rocinante-render arm.urdf long.csv --hash
 stopped rocinante-play long.csv --to udp://127.0.0.1:9
-ls -A .rocinante/imports 2>/dev/null || true
+ls -A "$XDG_CACHE_HOME"/rocinante/imports 2>/dev/null || true

@@ -28,5 +28,5 @@ stopped SIGINT 1 rocinante-golden run runs.toml --log swing=long.csv
 stopped SIGTERM 14 rocinante-golden run runs.toml --log swing=long.csv
 stopped SIGINT 1 rocinante-golden approve runs.toml --run swing -m "one" --log swing=long.csv
 stopped SIGTERM 14 rocinante-golden approve runs.toml --run swing -m "one" --log swing=long.csv
-ls -A .rocinante/imports 2>/dev/null || true
+ls -A "$XDG_CACHE_HOME"/rocinante/imports 2>/dev/null || true
 ls

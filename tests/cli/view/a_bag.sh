@@ -10,7 +10,7 @@ printf 'panels off\nseek 5s\nframe 2\nevidence evidence.png\nquit\n' >script.txt
 with_display bash look 2>/dev/null || true
 cat code
 ls evidence.png
-ls .rocinante/imports | grep -c '\.mcap$'
+ls "$XDG_CACHE_HOME"/rocinante/imports | grep -c '\.mcap$'
 # A folder that is a bag, too.
 mkdir folder && mv bag.mcap folder/bag_0.mcap && touch folder/metadata.yaml
 sed -i 's/bag.mcap/folder/' look

@@ -33,4 +33,4 @@ PY
 with_display python3 look.py >/dev/null 2>&1 || true
 cat answers
 sed 's/stopped.*/stopped/' said.SIGINT said.SIGTERM
-ls -A .rocinante/imports 2>/dev/null || true
+ls -A "$XDG_CACHE_HOME"/rocinante/imports 2>/dev/null || true

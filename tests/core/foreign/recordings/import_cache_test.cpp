@@ -98,19 +98,78 @@ TEST(ImportCache, PassesOnWhatIsWrongWithTheRecording) {
   EXPECT_EQ(made.error().what, "no bag");
 }
 
-TEST(ImportCache, DoesNotLieInAWriteProtectedFolderEvenForRoot) {
-  const TemporaryFolder folder;
+TEST(ImportCache, BelongsToTheUserAndNeverLiesBesideARecording) {
   ::setenv("XDG_CACHE_HOME", "/nowhere/cache", 1);
-  EXPECT_THAT(ImportCache::placesFor(folder / "bag"), SizeIs(2));
-  ASSERT_EQ(::chmod(folder.path().c_str(), 0500), 0);
-  const auto places = ImportCache::placesFor(folder / "bag");
-  ASSERT_THAT(places, SizeIs(1));
-  EXPECT_EQ(places.front().folder(), "/nowhere/cache/rocinante/imports");
-  ASSERT_EQ(::chmod(folder.path().c_str(), 0700), 0);
+  EXPECT_EQ(ImportCache::ofUser()->folder(), "/nowhere/cache/rocinante/imports");
+  ::setenv("XDG_CACHE_HOME", "not/absolute", 1);
+  EXPECT_NE(ImportCache::ofUser()->folder(), "not/absolute/rocinante/imports");
   ::unsetenv("XDG_CACHE_HOME");
 }
 
+TEST(ImportCache, WaitsForNoPipeInItsFolder) {
+  for (const char* const ending : {".sum", ".mcap", ".lock"}) {
+    SCOPED_TRACE(ending);
+    const TemporaryFolder folder;
+    const ImportCache cache(folder.path());
+    if (std::string_view(ending) == ".sum") {
+      ASSERT_TRUE(writeFileWhole(folder / (kOne + ".mcap"), bytesOf("a log"), true).ok());
+    }
+    ASSERT_EQ(::mkfifo((folder / (kOne + ending)).c_str(), 0600), 0);
+    EXPECT_FALSE(cache.find(kOne));
+    const auto made = cache.findOrMake(kOne, making("a log"), kPatient);
+    ASSERT_TRUE(made.ok()) << made.error().text();
+    EXPECT_EQ(contentOf(made->log), "a log");
+  }
+}
+
+/// What is kept lies in a folder of its own, not in that of whoever runs the tests.
+class CacheOfTest {
+ public:
+  CacheOfTest() { ::setenv("XDG_CACHE_HOME", folder_.path().c_str(), 1); }
+  ~CacheOfTest() { ::unsetenv("XDG_CACHE_HOME"); }
+  fs::path imports() const { return folder_ / "rocinante/imports"; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+// A log and its sum that came with a recording say what its maker wanted.
+TEST(OpenedRecording, BelievesNoLogThatCameWithIt) {
+  const CacheOfTest cache;
+  const TemporaryFolder folder;
+  const fs::path table = folder / "t.csv";
+  ASSERT_TRUE(writeFileWhole(table, bytesOf("t,arm.a\n0,1\n1,2\n"), true).ok());
+  RecordingRequest request;
+  request.recording = table;
+  const fs::path kept = openedRecording(request)->log;
+  const fs::path beside = folder / ".rocinante/imports";
+  fs::create_directories(beside);
+  fs::copy_file(kept, beside / kept.filename());
+  fs::copy_file(fs::path(kept).replace_extension(".sum"),
+                (beside / kept.filename()).replace_extension(".sum"));
+  fs::remove_all(cache.imports());
+  const auto opened = openedRecording(request);
+  ASSERT_TRUE(opened.ok());
+  EXPECT_EQ(opened->log.parent_path(), cache.imports());
+}
+
+TEST(OpenedRecording, ThatIsRefusedLeavesNothingBesideIt) {
+  const CacheOfTest cache;
+  const TemporaryFolder folder;
+  const fs::path table = folder / "t.csv";
+  ASSERT_TRUE(writeFileWhole(table, bytesOf("a,b\n0,1\n1,2\n"), true).ok());
+  RecordingRequest request;
+  request.recording = table;
+  const auto refused = openedRecording(request);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().text(), testing::HasSubstr("no column is the time"));
+  ASSERT_TRUE(writeFileWhole(table, bytesOf("t,b\n0,1\n1,2\n"), true).ok());
+  EXPECT_TRUE(openedRecording(request).ok());
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
+}
+
 TEST(OpenedRecording, ImportsOnceAndSeesEveryChangeOfTheFile) {
+  const CacheOfTest cache;
   const TemporaryFolder folder;
   const fs::path table = folder / "t.csv";
   ASSERT_TRUE(writeFileWhole(table, bytesOf("t,arm.a\n0,1\n1,2\n"), true).ok());
@@ -121,7 +180,7 @@ TEST(OpenedRecording, ImportsOnceAndSeesEveryChangeOfTheFile) {
   EXPECT_TRUE(first->imported);
   EXPECT_THAT(first->not_kept, IsEmpty());
   EXPECT_THAT(first->warnings, IsEmpty());
-  EXPECT_EQ(first->log.parent_path(), folder / ".rocinante/imports");
+  EXPECT_EQ(first->log.parent_path(), cache.imports());
   const auto again = openedRecording(request);
   ASSERT_TRUE(again.ok());
   EXPECT_EQ(again->log, first->log);
@@ -139,7 +198,6 @@ TEST(OpenedRecording, IsATemporaryFileWhereNothingCanBeKept) {
   const TemporaryFolder folder;
   const fs::path table = folder / "t.csv";
   ASSERT_TRUE(writeFileWhole(table, bytesOf("t,arm.a\n0,1\n1,2\n"), true).ok());
-  ASSERT_EQ(::chmod(folder.path().c_str(), 0500), 0);
   ::setenv("XDG_CACHE_HOME", table.c_str(), 1);  // a file, no folder
   RecordingRequest request;
   request.recording = table;
@@ -152,7 +210,6 @@ TEST(OpenedRecording, IsATemporaryFileWhereNothingCanBeKept) {
     EXPECT_TRUE(fs::exists(log));
   }
   EXPECT_FALSE(fs::exists(log));
-  ASSERT_EQ(::chmod(folder.path().c_str(), 0700), 0);
   ::unsetenv("XDG_CACHE_HOME");
 }
 

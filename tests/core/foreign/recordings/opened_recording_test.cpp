@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
 
 #include "core/cli/program.h"
@@ -39,8 +40,18 @@ std::vector<std::string> filesIn(const fs::path& folder) {
   return names;
 }
 
-TEST(OpenedFolder, OfDatagramsIsALogBesideIt) {
+/// What is kept lies in the test's own folder.
+class CacheHere {
+ public:
+  explicit CacheHere(const TemporaryFolder& folder) {
+    ::setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+  }
+  ~CacheHere() { ::unsetenv("XDG_CACHE_HOME"); }
+};
+
+TEST(OpenedFolder, OfDatagramsBecomesALog) {
   const TemporaryFolder folder;
+  const CacheHere cache(folder);
   fs::create_directory(folder / "raw");
   putFile(folder / "raw/1700000001.x", "RK1 a@b 1 -\njoints arm 1\n");
   putFile(folder / "raw/1700000002.x", "octets");
@@ -49,7 +60,7 @@ TEST(OpenedFolder, OfDatagramsIsALogBesideIt) {
   const auto first = openedRecording(request);
   ASSERT_TRUE(first.ok()) << first.error().text();
   EXPECT_TRUE(first->imported);
-  EXPECT_EQ(first->log.parent_path(), folder / ".rocinante/imports");
+  EXPECT_EQ(first->log.parent_path(), folder / "rocinante/imports");
   EXPECT_EQ(LogReader::open(first->log)->summary().messages, 2U);
   EXPECT_THAT(filesIn(folder / "raw"), SizeIs(2));
   // However it is named; and a changed one is another.
@@ -74,24 +85,26 @@ TEST(OpenedFolder, OfRecordingsIsRefused) {
 
 TEST(OpenedRecording, ThatIsStoppedLeavesNothing) {
   const TemporaryFolder folder;
+  const CacheHere cache(folder);
   putLongTable(folder / "t.csv");
   RecordingRequest request;
   request.recording = folder / "t.csv";
   request.progress = [&](double part) -> Status {
     if (part <= 0.15) return {};
     // It is being made now.
-    EXPECT_THAT(filesIn(folder / ".rocinante/imports"), SizeIs(2));
+    EXPECT_THAT(filesIn(folder / "rocinante/imports"), SizeIs(2));
     return Error{ErrorKind::refused, "stopped while importing", {}};
   };
   const auto stopped = openedRecording(request);
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().what, "stopped while importing");
-  EXPECT_THAT(filesIn(folder / ".rocinante/imports"), IsEmpty());
+  EXPECT_THAT(filesIn(folder / "rocinante/imports"), IsEmpty());
 }
 
 // Where the work does not look whether it shall stop, as in SQLite's sorting.
 TEST(OpenedRecording, ThatIsEndedByADeadlineLeavesNothing) {
   const TemporaryFolder folder;
+  const CacheHere cache(folder);
   putLongTable(folder / "t.csv");
   const pid_t child = ::fork();
   if (child == 0) {
@@ -101,7 +114,7 @@ TEST(OpenedRecording, ThatIsEndedByADeadlineLeavesNothing) {
     request.recording = folder / "t.csv";
     request.progress = [&](double part) -> Status {
       if (part <= 0.15) return {};
-      if (filesIn(folder / ".rocinante/imports").size() != 2) ::_exit(3);
+      if (filesIn(folder / "rocinante/imports").size() != 2) ::_exit(3);
       ::raise(SIGTERM);
       while (true) ::pause();
     };
@@ -112,7 +125,7 @@ TEST(OpenedRecording, ThatIsEndedByADeadlineLeavesNothing) {
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 2);
-  EXPECT_THAT(filesIn(folder / ".rocinante/imports"), IsEmpty());
+  EXPECT_THAT(filesIn(folder / "rocinante/imports"), IsEmpty());
 }
 
 }  // namespace
