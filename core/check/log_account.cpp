@@ -83,10 +83,10 @@ LogAccount logAccount(const LogReader& log, const SessionState& last, const Cell
   for (const CellDevice& device : cell->devices) {
     const Model* const model = cell->modelOf(device);
     if (model == nullptr || std::ranges::none_of(model->joints, isDriven)) continue;
-    ++account.movable;
     const DeviceState* const stated = last.findDevice(device.name);
-    const bool is_there = !device.optional || (stated != nullptr && stated->presence);
-    if (is_there && !isMoved(*model, stated)) account.at_rest.push_back(device.name);
+    if (device.optional && (stated == nullptr || !stated->presence)) continue;
+    ++account.movable;
+    if (!isMoved(*model, stated)) account.at_rest.push_back(device.name);
   }
   return account;
 }

@@ -22,11 +22,17 @@ struct LogAccount {
   /// Devices that are drawn at rest: they have joints, are there without an `add`, and no packet
   /// states their pose or one of their joints.
   std::vector<std::string> at_rest;
-  std::size_t movable = 0;  ///< devices with joints
+  std::size_t movable = 0;  ///< devices with joints that are there
   bool no_packets = false;  ///< it has messages, and none is or became a packet
   bool imported = false;    ///< it has messages of another program's recording
 
   bool empty() const { return left_out.empty() && at_rest.empty() && !no_packets; }
+  /// What every program says of a log that it opens. Of one that was recorded only that it moves
+  /// nothing: what it holds besides packets was recorded on purpose.
+  bool isNotable() const {
+    const bool all_at_rest = movable > 0 && at_rest.size() == movable;
+    return no_packets || all_at_rest || (imported && !empty());
+  }
   /// "no packet of the log moves arm; left out: 1 topic `/camera` (...)"; empty when empty().
   std::string sentence() const;
 };

@@ -79,7 +79,8 @@ class LogAccountTest : public testing::Test {
 TEST_F(LogAccountTest, NamesWhatNoPacketMoves) {
   const LogAccount one = of({{"rk1", "RK1 s 0 -\njoint left j=1\n"}});
   EXPECT_THAT(one.at_rest, ElementsAre("right"));
-  EXPECT_EQ(one.sentence(), "no packet of the log moves right (1 of 3 devices with joints)");
+  EXPECT_EQ(one.sentence(), "no packet of the log moves right (1 of 2 devices with joints)");
+  EXPECT_FALSE(one.isNotable());
   // A pose moves it, a name that the model lacks does not, and what `add` brought is there.
   EXPECT_THAT(
       of({{"rk1", "RK1 s 0 -\npose left 0 0 1 0 0 0 1\njoint right k=1\nadd spare\n"}}).at_rest,
@@ -92,6 +93,7 @@ TEST_F(LogAccountTest, NamesWhatNoPacketMoves) {
 TEST_F(LogAccountTest, OfALogWithoutPacketsNamesItsTopics) {
   const LogAccount account = of({{"octets", "what is this"}});
   EXPECT_TRUE(account.no_packets);
+  EXPECT_TRUE(account.isNotable());
   EXPECT_EQ(account.sentence(),
             "no message of the log is a packet: nothing moves; left out: 1 topic `/udp/octets` "
             "(octets, and no decoder made packets of them)");
