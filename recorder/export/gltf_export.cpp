@@ -1,8 +1,10 @@
 #include "recorder/export/gltf_export.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/cell/scene_pose_cache.h"
+#include "recorder/export/session_census.h"
 
 namespace rocinante {
 namespace {
@@ -12,7 +14,7 @@ constexpr std::uint64_t kMomentsPerTell = 256;
 }  // namespace
 
 Status recordGltf(MomentWalk& session, const Cell& cell, GltfRecording& recording,
-                  const GltfExportOptions& options) {
+                  const GltfExportOptions& options, Account& left_out) {
   const LogSummary& log = session.log().summary();
   const LogTime from = std::max(options.from, log.start);
   const LogTime until = std::min(options.until, log.end + Nanoseconds(1));
@@ -31,7 +33,30 @@ Status recordGltf(MomentWalk& session, const Cell& cell, GltfRecording& recordin
   const Result<const SessionState*> first = session.stateAt(from);
   if (!first) return first.error();
   if (Status added = add(from, **first); !added) return added;
-  if (options.every.count() == 0) return session.visit(from + Nanoseconds(1), until, {{}, add});
+  if (from > log.start && !(*first)->drawings().empty()) {
+    left_out.leaveOut({.kind = "drawing",
+                       .reason = "of before the span; a glTF scene has nothing for it",
+                       .count = (*first)->drawings().size(),
+                       .severity = Severity::warning});
+  }
+  SessionCensus census;
+  const auto count = [&](const LogMessage& message, const Packet* packet) -> Status {
+    census.take(message, packet);
+    return {};
+  };
+  const bool is_grid = options.every.count() > 0;
+  const auto moment_of = [&](LogTime moment, const SessionState& state) -> Status {
+    return is_grid || moment == from ? Status{} : add(moment, state);
+  };
+  if (Status done = session.visit(from, until, {count, moment_of}); !done) return done;
+  constexpr std::array kUnknownThere = {StatementKind::line, StatementKind::points,
+                                        StatementKind::label, StatementKind::event};
+  constexpr std::string_view kReason = "a glTF scene has nothing for it";
+  census.addStatements(left_out, kUnknownThere, kReason);
+  census.addUnread(left_out, "holds no packet");
+  addOwnTopics(left_out, session.log(), kReason);
+  addAttachments(left_out, session.log(), "not in the scene; `rocinante log extract` writes it");
+  if (!is_grid) return {};
   for (LogTime moment = from; until - moment > options.every;) {
     moment += options.every;
     const Result<const SessionState*> state = session.stateAt(moment);

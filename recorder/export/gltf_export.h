@@ -14,8 +14,8 @@ struct GltfExportOptions {
 };
 
 /// Gives `recording` the scene at the moments of [from, until). One pass over the log. not_found
-/// when there is no moment.
+/// when there is no moment. Adds to `left_out` what of the log the scene has no place for.
 Status recordGltf(MomentWalk& session, const Cell& cell, GltfRecording& recording,
-                  const GltfExportOptions& options);
+                  const GltfExportOptions& options, Account& left_out);
 
 }  // namespace rocinante

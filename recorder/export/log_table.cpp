@@ -1,8 +1,11 @@
 #include "recorder/export/log_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
+
+#include "recorder/export/session_census.h"
 
 namespace rocinante {
 namespace {
@@ -57,7 +60,12 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     if (clearances != nullptr) clearances->notice(state);
     return finding.at(moment);
   };
-  if (Status found = session.visit(options.from, options.until, {{}, notice}); !found) {
+  SessionCensus census;
+  const auto count = [&](const LogMessage& message, const Packet* packet) -> Status {
+    census.take(message, packet);
+    return {};
+  };
+  if (Status found = session.visit(options.from, options.until, {count, notice}); !found) {
     return found.error();
   }
   table.layOut();
@@ -108,6 +116,14 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     }
   }
   if (Status ended = writer.end(); !ended) return ended.error();
+  constexpr std::array kWithoutColumn = {
+      StatementKind::show,   StatementKind::hide,  StatementKind::color, StatementKind::line,
+      StatementKind::points, StatementKind::label, StatementKind::event, StatementKind::view};
+  constexpr std::string_view kReason = "a table has joints and poses";
+  census.addStatements(report.left_out, kWithoutColumn, kReason);
+  census.addUnread(report.left_out, "holds no packet");
+  addOwnTopics(report.left_out, session.log(), kReason);
+  addAttachments(report.left_out, session.log(), kReason);
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/foreign/table/session_table.h"
 #include "core/foreign/table/table_writer.h"
+#include "core/report/account.h"
 #include "core/session/moment_walk.h"
 #include "recorder/export/clearance_columns.h"
 
@@ -31,6 +32,7 @@ struct TableOptions {
 struct TableReport {
   std::uint64_t rows = 0;
   std::vector<std::string> columns;
+  Account left_out;  ///< what has no column
 };
 
 /// Writes the states of a session in [from, until) as a table. Two passes over the log: one finds

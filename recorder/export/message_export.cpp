@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 
 #include "core/base/atomic_file.h"
 #include "core/base/count_text.h"
 #include "core/foreign/session/moment_messages.h"
+#include "recorder/export/session_census.h"
 #include "recorder/export/shown_shapes.h"
-#include "recorder/export/statement_census.h"
 #include "recorder/export/timed_notes.h"
 
 namespace rocinante {
@@ -33,17 +34,13 @@ class MessageExporter {
   MessageExporter(const MessageExporter&) = delete;
   MessageExporter& operator=(const MessageExporter&) = delete;
 
-  void notice(const Packet& packet) {
-    census_.count(packet);
-    messages_.notice(packet);
-  }
+  void notice(const Packet& packet) { messages_.notice(packet); }
 
   Status moment(LogTime time, const SessionState& state) {
     Status written = descriptions(time);
     return written ? messages_.moment(out_, time, state) : written;
   }
 
-  const StatementCensus& census() const { return census_; }
   const std::set<std::string>& carried() const { return messages_.carried(); }
   std::vector<std::string> shapeGaps() const {
     return shapes_ ? shapes_->gaps() : std::vector<std::string>{};
@@ -80,7 +77,6 @@ class MessageExporter {
   MomentMessages messages_;
   std::optional<ShownShapes> shapes_;
   bool described_ = false;
-  StatementCensus census_;
 };
 
 Status writeRaw(ExportedMcap& out, const LogMessage& message) {
@@ -101,8 +97,7 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
   Result<TimedNotes> notes = TimedNotes::of(session, options.from, options.until, options.notes);
   if (!notes) return notes.error();
   MessageExporter exporter(cell, format, out, options.shapes);
-  std::map<std::string, std::uint64_t> unread;
-  std::uint64_t* last_unread = nullptr;  ///< of the topic of the message before
+  SessionCensus census;
   const LogSummary& log = session.log().summary();
   std::uint64_t moments = 0;
   MomentVisitor visitor;
@@ -112,15 +107,8 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
     if (options.raw && message.channel->captured()) {
       if (written = writeRaw(out, message); !written) return written;
     }
-    // What was decoded or imported directly follows the octets that it was made of.
-    if (last_unread != nullptr && message.channel->decoded()) --*last_unread;
-    last_unread = nullptr;
-    if (packet != nullptr) {
-      exporter.notice(*packet);
-    } else if (!options.raw) {
-      last_unread = &unread[message.channel->topic];
-      ++*last_unread;
-    }
+    census.take(message, packet);
+    if (packet != nullptr) exporter.notice(*packet);
     return {};
   };
   visitor.moment = [&](LogTime time, const SessionState& state) -> Status {
@@ -134,8 +122,8 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
   if (done) done = notes->write(format, out, LogTime::max());
   if (!done) return done.error();
   MessageExportReport report;
+  const auto unread = options.raw ? std::map<std::string, std::uint64_t>() : census.unread();
   for (const auto& [topic, count] : unread) {
-    if (count == 0) continue;
     report.gaps.push_back(fmt::format("{} of {} {} no packet, and {} left out (--raw keeps {})",
                                       countText(count, "datagram"), topic,
                                       count == 1 ? "holds" : "hold", count == 1 ? "is" : "are",
@@ -146,7 +134,10 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
         fmt::format("{} is on a link of another device, whose place only a cell knows", device));
   }
   for (std::string& gap : exporter.shapeGaps()) report.gaps.push_back(std::move(gap));
-  report.notes = exporter.census().leftOut();
+  constexpr std::array kUnknownThere = {StatementKind::show, StatementKind::hide,
+                                        StatementKind::color, StatementKind::view};
+  census.addStatements(report.left_out, kUnknownThere, "the format has nothing for it");
+  addAttachments(report.left_out, session.log(), "not exported; `rocinante log extract` writes it");
   return report;
 }
 

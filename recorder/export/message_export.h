@@ -8,6 +8,7 @@
 #include "core/cell/cell.h"
 #include "core/foreign/session/exported_mcap.h"
 #include "core/foreign/session/session_format.h"
+#include "core/report/account.h"
 #include "core/session/moment_walk.h"
 #include "recorder/export/log_table.h"
 #include "recorder/export/timed_notes.h"
@@ -23,8 +24,8 @@ struct MessageExportOptions {
 };
 
 struct MessageExportReport {
-  std::vector<std::string> gaps;   ///< what is missing in the file
-  std::vector<std::string> notes;  ///< what its format has no messages for
+  std::vector<std::string> gaps;  ///< what is missing in the file
+  Account left_out;               ///< what its format has no messages for
 };
 
 /// Writes what a session says in [from, until) as the messages of `format`: spaces and joints of a

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -10,6 +11,7 @@
 #include "core/log/log_profile.h"
 #include "core/net/endpoint.h"
 #include "core/packet/text_number.h"
+#include "recorder/export/session_census.h"
 
 namespace rocinante {
 namespace {
@@ -91,6 +93,7 @@ Result<PcapExportReport> exportPcap(LogReader& log, LogTime from, LogTime until,
   }
   PcapExportReport report;
   std::uint64_t too_long = 0;
+  std::map<std::string, std::uint64_t, std::less<>> others;
   std::uint64_t count = 0;
   const LogSummary& summary = log.summary();
   const double whole = std::max(secondsOf(summary.end - summary.start), 1e-9);
@@ -101,7 +104,13 @@ Result<PcapExportReport> exportPcap(LogReader& log, LogTime from, LogTime until,
     if (!message) return message.error();
     if (!*message || (*message)->log_time >= until) break;
     const std::optional<FlowAddresses>& flow = flows[(*message)->channel->id];
-    if (!flow) continue;
+    if (!flow) {
+      // Keyframes repeat what the datagrams say.
+      if ((*message)->channel->topic != profile::kKeyframeTopic) {
+        ++others[(*message)->channel->topic];
+      }
+      continue;
+    }
     if ((*message)->payload.size() > kMaxPcapDatagramBytes) {
       ++too_long;
       continue;
@@ -118,6 +127,14 @@ Result<PcapExportReport> exportPcap(LogReader& log, LogTime from, LogTime until,
     report.gaps.push_back(fmt::format("{} longer than a UDP packet can be (65,507 bytes) left out",
                                       countText(too_long, "message")));
   }
+  for (const auto& [topic, messages] : others) {
+    report.left_out.leaveOut({.kind = "message",
+                              .name = topic,
+                              .reason = "was no datagram on a network",
+                              .count = messages,
+                              .severity = Severity::warning});
+  }
+  addAttachments(report.left_out, log, "a capture has no attachments");
   for (const std::string& topic : made_up) {
     report.notes.push_back(fmt::format(
         "{} has no addresses in the log: 192.0.2.1 and 192.0.2.2 stand for them", topic));

@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/foreign/pcap/pcap_file.h"
 #include "core/log/log_reader.h"
+#include "core/report/account.h"
 #include "recorder/export/log_table.h"
 
 namespace rocinante {
@@ -14,6 +15,7 @@ struct PcapExportReport {
   std::uint64_t datagrams = 0;
   std::vector<std::string> gaps;
   std::vector<std::string> notes;
+  Account left_out;  ///< what is no datagram
 };
 
 /// Writes the captured datagrams of [from, until), and those restated by other programs, as

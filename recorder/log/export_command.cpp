@@ -48,6 +48,7 @@ struct ExportAccount {
   std::string text;  ///< "34 messages of 3 topics"
   Json contents;
   std::vector<std::string> gaps, notes;
+  Account left_out;
 };
 
 /// What `check` finds, at the first time of each; what has no time, at the span's beginning.
@@ -117,7 +118,7 @@ Result<ExportAccount> exportToMcap(const ExportArguments& my, const TimeRange& r
     account.gaps.push_back(*cell == nullptr ? gap : (*cell)->shown(gap));
   }
   for (std::string& sentence : session->damage()) account.gaps.push_back(std::move(sentence));
-  account.notes = std::move(report->notes);
+  account.left_out = std::move(report->left_out);
   if (*cell == nullptr) {
     account.notes.push_back("no cell: there are no links (name one, or record with --cell)");
   }
@@ -152,6 +153,7 @@ Result<ExportAccount> exportToPcap(const ExportArguments& my, const TimeRange& r
     account.gaps.push_back(fmt::format("{} ({}, byte {})", span.cause, my.log, span.from));
   }
   account.notes = std::move(report->notes);
+  account.left_out = std::move(report->left_out);
   return account;
 }
 
@@ -177,12 +179,14 @@ Result<ExportAccount> exportToGltf(const ExportArguments& my, const TimeRange& r
   Result<GltfRecording> recording = GltfRecording::make(folder.empty() ? "." : folder);
   if (!recording) return recording.error();
   options.progress = stoppableProgress("reading " + my.log);
-  if (Status done = recordGltf(*session, **cell, *recording, options); !done) return done.error();
+  ExportAccount account;
+  if (Status done = recordGltf(*session, **cell, *recording, options, account.left_out); !done) {
+    return done.error();
+  }
   const std::unique_ptr<ByteSink> sink = output.takeSink();
   Result<GltfRecording::Facts> facts = recording->write(*sink);
   if (!facts) return facts.error();
   if (Status closed = sink->close(); !closed) return closed.error();
-  ExportAccount account;
   account.text = fmt::format("{}, {}, {} over {:.3f} s", countText(facts->nodes, "node"),
                              countText(facts->triangles, "triangle"), countText(facts->keys, "key"),
                              facts->seconds);
@@ -207,6 +211,7 @@ Status tellExport(const ExportArguments& my, const ExportAccount& account) {
   json.update(account.contents);
   json["gaps"] = account.gaps;
   json["notes"] = account.notes;
+  json["left_out"] = leftOutJson(account.left_out);
   return toStandardOutput(jsonText(json));
 }
 
@@ -259,6 +264,7 @@ Result<cli::Exit> runExport(const ExportArguments& my) {
   if (Status told = tellExport(my, *account); !told) return told.error();
   for (const std::string& sentence : account->notes) cli::warn(sentence);
   for (const std::string& sentence : account->gaps) cli::warn(sentence);
+  if (!account->left_out.empty()) cli::warn(accountSentence(account->left_out));
   return account->gaps.empty() ? cli::Exit::done : cli::Exit::no;
 }
 

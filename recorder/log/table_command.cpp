@@ -106,6 +106,7 @@ Status tellTable(const TableArguments& my, const TableReport& report,
   json["rows"] = report.rows;
   json["columns"] = report.columns;
   json["gaps"] = gaps;
+  json["left_out"] = leftOutJson(report.left_out);
   return toStandardOutput(jsonText(json));
 }
 
@@ -157,6 +158,7 @@ Result<cli::Exit> runTable(const TableArguments& my) {
   if (Status told = tellTable(my, *report, gaps); !told) return told.error();
   for (const std::string& sentence : table.remarks()) cli::warn(sentence);
   for (const std::string& sentence : gaps) cli::warn(sentence);
+  if (!report->left_out.empty()) cli::warn(accountSentence(report->left_out));
   return gaps.empty() ? cli::Exit::done : cli::Exit::no;
 }
 

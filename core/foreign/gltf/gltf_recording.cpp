@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
+#include "core/base/count_text.h"
 #include "core/base/version.h"
 #include "core/foreign/gltf/gltf_cameras.h"
 #include "core/foreign/gltf/gltf_link.h"
@@ -14,6 +16,9 @@
 
 namespace rocinante {
 namespace {
+
+/// Metres: a place that is off by more is missing.
+constexpr double kMaxError = 5e-4;
 
 bool sameLinks(const std::vector<Mat4>& a, const std::vector<Mat4>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Mat4)) == 0;
@@ -48,7 +53,8 @@ class GltfSceneWriter {
       node["name"] = "camera " + name;
       node["camera"] = cameras_.size();
       cameras_.push_back(gltfCamera(camera.first));
-      animate(addNode(std::move(node), 0), camera.node);
+      const std::size_t parent = nearParent("camera " + name, camera.node, 0);
+      animate(addNode(std::move(node), parent), camera.node);
     }
     const Json document = describe();
     if (Status written = binary_.write(sink, document); !written) return written.error();
@@ -72,7 +78,7 @@ class GltfSceneWriter {
   void addDevice(const std::string& name, const GltfRecording::DeviceTracks& tracks) {
     Json node;
     node["name"] = name;
-    const std::size_t device = addNode(std::move(node), 0);
+    const std::size_t device = addNode(std::move(node), nearParent(name, tracks.base, 0));
     animate(device, tracks.base);
     const Model& model = *tracks.look.model;
     std::vector<std::size_t> numbers(model.links.size());
@@ -90,7 +96,7 @@ class GltfSceneWriter {
     const std::string name = frameName(device.name, device.model->links[link].name);
     Json node;
     node["name"] = name;
-    numbers[link] = addNode(std::move(node), parent);
+    numbers[link] = addNode(std::move(node), nearParent(name, moved, parent));
     animateMotion(numbers[link], moved);
     std::size_t holder = numbers[link];
     const std::vector<Visual>& visuals = device.model->links[link].visuals;
@@ -102,6 +108,18 @@ class GltfSceneWriter {
       animateShown(holder, moved.shown);
     }
     for (Json& visual : gltfVisuals(meshes_, device, link)) addNode(std::move(visual), holder);
+  }
+
+  /// The parent of a node that is far from it: keys are floats, so a node in between has the whole
+  /// kilometres of the way.
+  std::size_t nearParent(const std::string& name, const GltfRecording::NodeTracks& tracks,
+                         std::size_t parent) {
+    const KeyTrack& translation = tracks.translation;
+    if (!translation.hasOffset()) return parent;
+    Json node;
+    node["name"] = name + " offset";
+    node["translation"] = translation.offset();
+    return addNode(std::move(node), parent);
   }
 
   static bool isAlwaysShown(const KeyTrack& shown) {
@@ -284,7 +302,6 @@ Status GltfRecording::add(LogTime time, const PosedScene& scene, const SessionSt
     if (tracks.is_here) continue;
     if (Status gone = addShown(tracks.base, seconds, false); !gone) return gone;
   }
-  for (const PosedDrawing& drawing : scene.drawings) drawn_.insert(drawing.source);
   return addCameras(seconds, scene);
 }
 
@@ -307,17 +324,48 @@ Status GltfRecording::endTracks() {
   return {};
 }
 
+void GltfRecording::addLimits(Facts& facts) const {
+  std::uint64_t merged = 0;
+  double worst = 0;
+  std::string worst_node;
+  const auto look = [&](const std::string& name, const NodeTracks& node) {
+    for (const KeyTrack* track : {&node.translation, &node.rotation, &node.shown}) {
+      merged = std::max(merged, track->merged());
+    }
+    if (node.translation.worstError() <= std::max(worst, kMaxError)) return;
+    worst = node.translation.worstError();
+    worst_node = name;
+  };
+  for (const auto& [key, tracks] : devices_) {
+    look(key.first, tracks.base);
+    for (std::size_t i = 0; i < tracks.links.size(); ++i) {
+      look(frameName(key.first, key.second->links[i].name), tracks.links[i]);
+    }
+  }
+  for (const auto& [name, camera] : cameras_) look("camera " + name, camera.node);
+  if (merged > 0) {
+    const auto end = static_cast<float>(last_s_);
+    facts.gaps.push_back(fmt::format(
+        "{} of one value fall on the time of the next and are left out: glTF counts seconds in "
+        "floats, {:.2g} s apart at {:.0f} s; begin later with --from, or give --every",
+        countText(merged, "key"), std::nextafter(end, 2 * end + 1) - end, last_s_));
+  }
+  if (worst > 0) {
+    facts.gaps.push_back(fmt::format(
+        "{} is off by up to {:.2g} m: glTF has floats, and it goes far from where it begins; "
+        "choose a part with --from and --until",
+        worst_node, worst));
+  }
+}
+
 Result<GltfRecording::Facts> GltfRecording::write(ByteSink& sink) {
   if (Status ended = endTracks(); !ended) return ended.error();
   Result<Facts> facts = GltfSceneWriter(*this).write(sink);
   if (!facts) return facts;
+  addLimits(*facts);
   if (!recolored_.empty()) {
     facts->notes.push_back(
         fmt::format("colours change, and are those of the first moment: {}", listOf(recolored_)));
-  }
-  if (!drawn_.empty()) {
-    facts->notes.push_back(
-        fmt::format("lines, clouds and labels are left out: those of {}", listOf(drawn_)));
   }
   return facts;
 }

@@ -66,6 +66,8 @@ class GltfRecording {
   Status addShown(NodeTracks& node, double seconds, bool shown);
   Status addCameras(double seconds, const PosedScene& scene);
   Status endTracks();
+  /// What floats could not hold, as gaps.
+  void addLimits(Facts& facts) const;
 
   friend class GltfSceneWriter;
   KeySpill spill_;
@@ -75,7 +77,6 @@ class GltfRecording {
   std::vector<DeviceKey> order_;  ///< of first appearance
   std::map<std::string, CameraTracks> cameras_;
   std::set<std::string> recolored_;  ///< devices whose colours change
-  std::set<std::string> drawn_;      ///< sources of drawings
 };
 
 }  // namespace rocinante

@@ -9,6 +9,8 @@ namespace {
 /// Metres and parts of a quaternion that are no motion: the noise of rounding to float.
 constexpr float kNoise = 1e-7F;
 constexpr double kMaxBlendSeconds = 1.0;
+/// Metres. A float holds 1,024 m to 0.06 mm, and multiples of 1,024 m up to 17 million km exactly.
+constexpr double kOffsetStep = 1024;
 
 }  // namespace
 
@@ -19,13 +21,36 @@ bool KeyTrack::isSame(const Value& value) const {
   return true;
 }
 
-Status KeyTrack::add(KeySpill& spill, double seconds, std::span<const double> value) {
+void KeyTrack::chooseOffset(std::span<const double> value) {
+  if (kind_ != Kind::translation) return;
+  for (std::size_t i = 0; i < offset_.size(); ++i) {
+    if (!(std::abs(value[i]) > kOffsetStep)) continue;
+    offset_[i] = static_cast<float>(std::round(value[i] / kOffsetStep) * kOffsetStep);
+    if (!std::isfinite(offset_[i])) offset_[i] = 0;
+  }
+}
+
+KeyTrack::Value KeyTrack::rounded(std::span<const double> value) {
   Value now{};
-  for (std::size_t i = 0; i < width(); ++i) now[i] = static_cast<float>(value[i]);
+  for (std::size_t i = 0; i < width(); ++i) {
+    if (kind_ != Kind::translation) {
+      now[i] = static_cast<float>(value[i]);
+      continue;
+    }
+    const double inner = value[i] - offset_[i];
+    now[i] = static_cast<float>(inner);
+    worst_error_ = std::max(worst_error_, std::abs(now[i] - inner));
+  }
+  return now;
+}
+
+Status KeyTrack::add(KeySpill& spill, double seconds, std::span<const double> value) {
+  if (empty()) chooseOffset(value);
+  Value now = rounded(value);
   if (empty()) {
     first_ = key_ = now;
     first_time_ = key_time_ = static_cast<float>(seconds);
-    seen_s_ = seconds;
+    seen_s_ = key_s_ = seconds;
     return {};
   }
   if (kind_ == Kind::rotation) {
@@ -44,7 +69,8 @@ Status KeyTrack::add(KeySpill& spill, double seconds, std::span<const double> va
     const double holds_until = std::max(seen_s_, seconds - kMaxBlendSeconds);
     if (Status held = setKey(spill, holds_until, key_); !held) return held;
   }
-  seen_s_ = seconds;
+  if (seconds > key_s_ && static_cast<float>(seconds) <= key_time_) ++merged_;
+  seen_s_ = key_s_ = seconds;
   return setKey(spill, seconds, now);
 }
 

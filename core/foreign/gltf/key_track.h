@@ -10,7 +10,9 @@
 namespace rocinante {
 
 /// One property of a node over time: a translation in metres, a unit quaternion x y z w, or a
-/// scale. Nothing is written to the spill until a second value comes.
+/// scale. Nothing is written to the spill until a second value comes. Keys are floats, as glTF has
+/// them: a translation is kept from offset(), so that it is as exact far from the origin as near
+/// it, and what floats could not hold is counted.
 class KeyTrack {
  public:
   enum class Kind : std::uint8_t { translation, rotation, scale };
@@ -29,6 +31,14 @@ class KeyTrack {
   /// The first value: 3 numbers, or 4 of a rotation.
   std::span<const float> first() const { return std::span(*first_).first(width()); }
   std::size_t width() const { return kind_ == Kind::rotation ? 4 : 3; }
+  /// Of a translation: to be added to every value; exact as floats. 0 within a kilometre.
+  const std::array<double, 3>& offset() const { return offset_; }
+  bool hasOffset() const { return offset_ != std::array<double, 3>{}; }
+
+  /// Values that have the time of a later one, as floats count seconds.
+  std::uint64_t merged() const { return merged_; }
+  /// Metres by which the worst value of a translation is off.
+  double worstError() const { return worst_error_; }
 
   // Once it has ended, when it is animated.
   std::uint64_t keys() const { return keys_; }
@@ -40,6 +50,8 @@ class KeyTrack {
  private:
   using Value = std::array<float, 4>;
   bool isSame(const Value& value) const;
+  void chooseOffset(std::span<const double> value);
+  Value rounded(std::span<const double> value);
   Status setKey(KeySpill& spill, double seconds, const Value& value);
   Status writeKey(KeySpill& spill);
 
@@ -48,9 +60,13 @@ class KeyTrack {
   Value key_{};         ///< the last one, which the spill does not have yet
   float key_time_ = 0;  ///< seconds
   float first_time_ = 0;
+  double key_s_ = 0;   ///< its time as it was given
   double seen_s_ = 0;  ///< when the last key's value was given again
   std::optional<std::pair<std::size_t, std::size_t>> lists_;  ///< times, values
   std::uint64_t keys_ = 0;
+  std::array<double, 3> offset_{};
+  std::uint64_t merged_ = 0;
+  double worst_error_ = 0;
 };
 
 }  // namespace rocinante

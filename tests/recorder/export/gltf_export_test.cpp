@@ -104,7 +104,7 @@ class GltfExport : public testing::Test {
     EXPECT_TRUE(session.ok() && cell.ok() && recording.ok());
     GltfExportOptions options = given;
     if (options.until == LogTime{}) options.until = LogTime::max();
-    const Status recorded = recordGltf(*session, *cell, *recording, options);
+    const Status recorded = recordGltf(*session, *cell, *recording, options, left_out_);
     EXPECT_TRUE(recorded.ok());
     Bytes glb;
     const auto sink = makeMemorySink(glb);
@@ -119,6 +119,7 @@ class GltfExport : public testing::Test {
   static constexpr std::int64_t kSecond = 1'000'000'000;
   test::TemporaryFolder folder_;
   GltfRecording::Facts facts_;
+  Account left_out_;
 };
 
 TEST_F(GltfExport, ALinkTurnsInItsParentsSpace) {
@@ -189,11 +190,44 @@ TEST_F(GltfExport, DevicesComeAndGoByScale) {
   EXPECT_EQ(facts_.meshes, 2U);
 }
 
+TEST_F(GltfExport, AFarDeviceMovesInANodeThatIsThere) {
+  const Scene scene =
+      exported({{0, "RK1 s 0 -\npose a 5400000.25 4649776.5 0 0 0 0 1\njoint a j=0\n"},
+                {kSecond, "RK1 s 1 -\npose a 5400000.45 4649776.5 0 0 0 0 1\n"}});
+  EXPECT_THAT(facts_.gaps, IsEmpty());
+  EXPECT_EQ(facts_.keys, 2U);
+  const Json& far = scene.node("a offset");
+  EXPECT_EQ(far["translation"], Json::array({5'400'576.0, 4'649'984.0, 0.0}));
+  ASSERT_EQ(far["children"].size(), 1U);
+  EXPECT_EQ(scene.json["nodes"][far["children"][0].get<std::size_t>()]["name"], "a");
+  const auto moved = scene.channel("a", "translation");
+  ASSERT_EQ(moved.values.size(), 6U);
+  EXPECT_NEAR(moved.values[3] - moved.values[0], 0.2, 1e-4);
+}
+
+TEST_F(GltfExport, SaysWhereFloatsLoseATimeOrAPlace) {
+  std::vector<Said> all{{0, "RK1 s 0 -\njoint a j=0\npose a 0 0 0 0 0 0 1\n"}};
+  for (int i = 0; i < 100; ++i) {
+    all.push_back({18'000 * kSecond + i * kSecond / 1000,
+                   "RK1 s " + std::to_string(i + 1) + " -\njoint a j=" + std::to_string(i) + "\n"});
+  }
+  exported(all);
+  EXPECT_THAT(facts_.gaps, ElementsAre(HasSubstr("floats, 0.002 s apart at 18000 s")));
+  GltfExportOptions later;
+  later.from = LogTime(Nanoseconds(test::kWrittenOrigin + 17'999 * kSecond));
+  exported(all, later);
+  EXPECT_THAT(facts_.gaps, IsEmpty());
+  exported({{0, "RK1 s 0 -\npose a 0 0 0 0 0 0 1\n"},
+            {kSecond, "RK1 s 1 -\npose a 5400000.3 0 0 0 0 0 1\n"}});
+  EXPECT_THAT(facts_.gaps, ElementsAre(HasSubstr("a is off by up to 0.2 m")));
+}
+
 TEST_F(GltfExport, WhatHasNoPlaceThereIsNamed) {
   exported({{0, "RK1 s 0 -\njoint a j=0\nline path #ffffff 0 0 0 1 1 1\n"},
             {kSecond, "RK1 s 1 -\ncolor a #ff0000\n"}});
-  EXPECT_THAT(facts_.notes, ElementsAre("colours change, and are those of the first moment: a",
-                                        HasSubstr("lines, clouds and labels are left out")));
+  EXPECT_THAT(facts_.notes, ElementsAre("colours change, and are those of the first moment: a"));
+  EXPECT_EQ(accountSentence(left_out_),
+            "left out: 1 statement `line` (a glTF scene has nothing for it)");
 }
 
 TEST_F(GltfExport, AnEmptySpanIsRefused) {
@@ -204,7 +238,8 @@ TEST_F(GltfExport, AnEmptySpanIsRefused) {
   GltfExportOptions options;
   options.from = LogTime(Nanoseconds(test::kWrittenOrigin + kSecond));
   options.until = LogTime::max();
-  EXPECT_EQ(recordGltf(*session, *cell, *recording, options).error().kind, ErrorKind::not_found);
+  EXPECT_EQ(recordGltf(*session, *cell, *recording, options, left_out_).error().kind,
+            ErrorKind::not_found);
 }
 
 }  // namespace

@@ -137,7 +137,8 @@ TEST_F(MessageExport, TellsWhatIsLeftOut) {
   EXPECT_THAT(format.notes, ElementsAre("10 frames a in b/c"));
   EXPECT_THAT(report.gaps, ElementsAre(HasSubstr("1 datagram of /udp/test holds no packet"),
                                        HasSubstr("a is on a link")));
-  EXPECT_THAT(report.notes, ElementsAre(HasSubstr("2 `hide` statements left out")));
+  EXPECT_EQ(accountSentence(report.left_out),
+            "left out: 2 statements `hide` (the format has nothing for it)");
   EXPECT_THAT(exported(all, format, true).gaps, ElementsAre(HasSubstr("a is on a link")));
   ASSERT_TRUE(topics_.contains("/udp/test"));
   EXPECT_EQ(topics_.at("/udp/test").messages, 2U);

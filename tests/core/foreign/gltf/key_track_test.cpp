@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "tests/support/temporary_folder.h"
@@ -122,6 +123,55 @@ TEST_F(KeyTracks, ListsAreReadAsTheyWereWrittenHoweverMany) {
 
 TEST(KeySpillFolder, MustExist) {
   EXPECT_EQ(KeySpill::make("/nowhere/at/all").error().kind, ErrorKind::unreadable);
+}
+
+TEST_F(KeyTracks, AFarPlaceIsAsExactAsANearOne) {
+  KeyTrack track(KeyTrack::Kind::translation);
+  for (int i = 0; i < 5; ++i) add(track, i, {5'400'000.25 + 0.05 * i, -4'649'776.5, 320});
+  end(track);
+  ASSERT_TRUE(track.animated());
+  EXPECT_EQ(track.keys(), 5U);
+  const auto values = valuesOf(track);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(track.offset()[i], static_cast<float>(track.offset()[i]));
+  }
+  EXPECT_NEAR(track.offset()[0] + values[12], 5'400'000.45, 1e-4);
+  EXPECT_NEAR(track.offset()[1] + values[1], -4'649'776.5, 1e-4);
+  EXPECT_EQ(track.offset()[2], 0);
+  EXPECT_LT(track.worstError(), 1e-4);
+}
+
+TEST_F(KeyTracks, WhatIsNearHasNoOffset) {
+  KeyTrack track(KeyTrack::Kind::translation), turn(KeyTrack::Kind::rotation);
+  add(track, 0, {1024, -1024, 0});
+  add(turn, 0, {0, 0, 0, 1});
+  EXPECT_FALSE(track.hasOffset());
+  EXPECT_FALSE(turn.hasOffset());
+}
+
+TEST_F(KeyTracks, CountsWhatAFloatCannotHold) {
+  KeyTrack track(KeyTrack::Kind::translation);
+  add(track, 0, {0, 0, 0});
+  for (int i = 0; i < 1000; ++i) add(track, 18'000 + 0.001 * i, {0.001 * i, 0, 0});
+  add(track, 18'002, {5'400'000.3, 0, 0});
+  end(track);
+  // Floats are 1.95 ms apart there.
+  EXPECT_NEAR(static_cast<double>(track.merged()), 488, 3);
+  EXPECT_GT(track.worstError(), 0.04);
+  KeyTrack twice(KeyTrack::Kind::translation);
+  for (int i = 0; i < 9; ++i) add(twice, 1, {1.0 * i, 0, 0});
+  end(twice);
+  EXPECT_EQ(twice.merged(), 0U);  // one moment: the last value holds
+}
+
+TEST_F(KeyTracks, NumbersThatNoFloatHoldsDoNoHarm) {
+  for (const double odd : {1e300, -1e300, std::nan(""), double{INFINITY}, 1e18}) {
+    KeyTrack track(KeyTrack::Kind::translation);
+    add(track, 0, {odd, 0, 0});
+    add(track, 1, {0, odd, 0});
+    end(track);
+    for (const double part : track.offset()) EXPECT_TRUE(std::isfinite(part));
+  }
 }
 
 }  // namespace
