@@ -150,7 +150,8 @@ void ProfileRules::message(const mcap::Message& message, std::uint64_t offset) {
     return;
   }
   const bool is_keyframe = known.channel.topic == profile::kKeyframeTopic;
-  if (message.log_time < last_time_ && !is_keyframe) {
+  // An import keeps the order of its recording; readers go by time.
+  if (message.log_time < last_time_ && !is_keyframe && !known.channel.imported()) {
     report_.add("time-order", offset,
                 fmt::format("a message is {} ns earlier than one before it",
                             last_time_ - message.log_time));

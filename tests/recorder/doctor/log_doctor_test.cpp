@@ -50,6 +50,17 @@ TEST(LogDoctor, NamesExactlyTheRuleThatIsBroken) {
   }
 }
 
+TEST(LogDoctor, ImportedMessagesMayBeLate) {
+  HandMade log = HandMade::sound();
+  log.chunks[1].messages[0].time = 1001;
+  EXPECT_THAT(rulesOf(examine(log.bytes())), ElementsAre("time-order"));
+  for (HandMade::Chunk& chunk : log.chunks) {
+    for (mcap::Channel& channel : chunk.channels) channel.metadata["imported"] = "csv";
+  }
+  for (mcap::Channel& channel : log.summary_channels) channel.metadata["imported"] = "csv";
+  EXPECT_THAT(examine(log.bytes()).breaches(), IsEmpty());
+}
+
 TEST(LogDoctor, TakesAKeyframeThatIsTheFoldOfWhatStandsBeforeIt) {
   HandMade log = HandMade::sound();
   SessionState state;
