@@ -33,6 +33,8 @@ Status copyExtras(const std::vector<CopySource>& sources, PieceWriter& piece, bo
     const LogReader& reader = source.reader();
     for (const LogMetadata& record : reader.metadata()) {
       if (record.name == profile::kSession || record.name == profile::kEnd) continue;
+      const bool keeps_cell = attachments && (addition == nullptr || addition->keepsCell());
+      if (record.name == profile::kCell && !keeps_cell) continue;
       if (!metadata.emplace(record.name, record.entries).second) continue;
       if (Status written = piece.addMetadata(record); !written) return written;
     }

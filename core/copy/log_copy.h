@@ -40,6 +40,9 @@ class CopyAddition {
   virtual ~CopyAddition() = default;
   /// Whether an attachment of the inputs is copied.
   virtual bool keeps(const LogAttachment& attachment) const = 0;
+  /// Whether the cell that an input carries is copied: its record; its attachments are asked for,
+  /// too.
+  virtual bool keepsCell() const { return true; }
   /// Called once, before anything of the session is written.
   virtual Status begin(PieceWriter& piece, LogTime start) = 0;
   /// Called directly after each item was written.
@@ -54,7 +57,7 @@ Result<CopyReport> copyLogs(std::vector<CopySource>& sources, std::unique_ptr<By
                             CopyAddition* addition = nullptr);
 
 /// Copies foreign metadata and, if `attachments`, attachments that `addition` keeps; equal ones
-/// once. Unreadable ones go to `gaps`.
+/// once. Without its attachments a cell has no record either. Unreadable ones go to `gaps`.
 Status copyExtras(const std::vector<CopySource>& sources, PieceWriter& piece, bool attachments,
                   std::vector<CopyGap>& gaps, const CopyAddition* addition = nullptr);
 

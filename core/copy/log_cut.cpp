@@ -3,7 +3,8 @@
 namespace rocinante {
 
 Result<CopyReport> cutLog(const std::filesystem::path& log, const SelectionOptions& selection,
-                          const MakeOptions& make, const std::string& reason) {
+                          const MakeOptions& make, const std::string& reason,
+                          CopyAddition* addition) {
   if (Status free = checkOutput(make.output, make.overwrite, {{log}}); !free) return free.error();
   Result<OpenedLog> opened = openForCopy(log);
   if (!opened) return opened.error();
@@ -24,7 +25,7 @@ Result<CopyReport> cutLog(const std::filesystem::path& log, const SelectionOptio
   sources.push_back(std::move(*source));
   Result<CopyReport> report =
       makeLog(sources, make, {make.log, make.keyframes, *session_id, sources.front().origin()},
-              reason, false);
+              reason, false, addition);
   if (report && !hiding.empty()) {
     report->notes.push_back("another matching event may be missing: " + hiding.text());
   }

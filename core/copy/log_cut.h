@@ -10,6 +10,7 @@ namespace rocinante {
 /// Copies the messages and times that `selection` names into a self-contained log. `reason` is the
 /// tool's name. not_found when no captured message is chosen.
 Result<CopyReport> cutLog(const std::filesystem::path& log, const SelectionOptions& selection,
-                          const MakeOptions& make, const std::string& reason);
+                          const MakeOptions& make, const std::string& reason,
+                          CopyAddition* addition = nullptr);
 
 }  // namespace rocinante
