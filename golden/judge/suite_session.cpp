@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/bundle/attached_cell.h"
+#include "core/check/log_account.h"
 #include "core/cli/import_progress.h"
 #include "core/cli/program.h"
 #include "core/log/log_reader.h"
@@ -47,6 +48,12 @@ Status readLogArguments(const std::vector<std::string>& arguments, Suite& suite,
     suite.log = argument;
   }
   return {};
+}
+
+/// What no packet of the log moves, and what of it became none.
+void tellAccount(const OpenedRecording& recording, const Cell& cell) {
+  const auto account = logAccount(recording.log, &cell);
+  if (account.ok() && account->isNotable()) cli::warn(account->sentence());
 }
 
 /// What another program recorded becomes a log, and warnings say what it could not keep.
@@ -124,6 +131,8 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
         cell->keeps_files, recording.folder);
   }
   made.cell_ = std::move(*cell);
+  if (the_suite.log) tellAccount(recording, made.cell_);
+  for (const auto& [run, log] : made.run_logs_) tellAccount(log, made.cell_);
   if (draws && !options.incomplete) made.incomplete_ = incompleteText(made.cell_);
 
   std::optional<Timeline> session;

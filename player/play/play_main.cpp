@@ -6,6 +6,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
+#include "core/check/log_account.h"
 #include "core/cli/import_progress.h"
 #include "core/cli/program.h"
 #include "core/foreign/recordings/opened_recording.h"
@@ -231,6 +232,8 @@ Result<PlayReport> playWithControl(Arguments& my) {
     if (!found) return found.error();
     for (const std::string& warning : found->warnings) cli::warn(warning);
     if (!found->not_kept.empty()) cli::warn(found->not_kept);
+    const auto account = logAccount(found->log, nullptr);
+    if (account && account->imported && account->isNotable()) cli::warn(account->sentence());
     log = found->log;
     opened.push_back(std::move(*found));
   }

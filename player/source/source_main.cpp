@@ -7,6 +7,7 @@
 
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
+#include "core/check/log_account.h"
 #include "core/cli/import_progress.h"
 #include "core/cli/program.h"
 #include "core/foreign/recordings/opened_recording.h"
@@ -219,6 +220,8 @@ Result<PlayReport> send(Arguments& my) {
     if (!opened) return opened.error();
     for (const std::string& warning : opened->warnings) cli::warn(warning);
     if (!opened->not_kept.empty()) cli::warn(opened->not_kept);
+    const auto account = logAccount(opened->log, nullptr);
+    if (account && account->imported && account->isNotable()) cli::warn(account->sentence());
     LogSourceOptions log = my.log;
     log.log = opened->log;
     Result<PlayReport> report = sendLog(log, my.options, surroundings);

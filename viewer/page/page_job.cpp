@@ -47,6 +47,20 @@ Status readWhole(const Bytes& bytes, const std::string& name, PageReport& report
   return {};
 }
 
+/// What of a log no span makes smaller.
+std::string attachedText(const Bytes& bytes) {
+  const auto reader = LogReader::openBytes(bytes, "the page's log");
+  std::uint64_t attached = 0;
+  if (reader) {
+    for (const LogAttachment& each : reader->attachments()) attached += each.data_bytes;
+  }
+  if (attached < bytes.size() / 10) return {};
+  return fmt::format(
+      ", of them {} attachments, which `rocinante log cut --no-attachments` leaves "
+      "out",
+      sizeText(attached));
+}
+
 void noteFaults(const Cell& cell, PageReport& report) {
   for (const Finding& fault : cell.faults) {
     report.warnings.push_back(fault.text + (fault.file.empty() ? "" : " (" + fault.file + ")"));
@@ -105,6 +119,10 @@ Result<MadePage> pageFor(const PageJob& job) {
                  job.log.string()};
   }
   if (!cell) return cell.error();
+  auto held = LogReader::openBytes(parts.log, job.log.string());
+  if (!held) return held.error();
+  Timeline session = Timeline::of(std::move(*held));
+  report.account = logAccount(session, &*cell);
   noteFaults(*cell, report);
   auto findings = judged(*cell, parts.log, job.log.string(), report);
   if (!findings) return findings.error();
@@ -125,10 +143,10 @@ Result<MadePage> pageFor(const PageJob& job) {
   if (page.size() > job.most_bytes) {
     return Error{
         ErrorKind::unsupported,
-        fmt::format("the page would have {}, more than --size {}; the log alone has {}: "
+        fmt::format("the page would have {}, more than --size {}; the log alone has {}{}: "
                     "make a page of a part with --from and --until{}, or allow more",
                     sizeText(page.size()), sizeText(job.most_bytes), sizeText(parts.log.size()),
-                    job.thin ? "" : ", of a smaller cell with --thin"),
+                    attachedText(parts.log), job.thin ? "" : ", of a smaller cell with --thin"),
         job.output.string()};
   }
   return made;

@@ -8,6 +8,7 @@
 #include "core/base/model_search.h"
 #include "core/base/parallel_for.h"
 #include "core/base/result.h"
+#include "core/check/log_account.h"
 
 namespace rocinante {
 
@@ -27,6 +28,7 @@ struct PageJob : ModelSearch {
 struct PageReport {
   std::uint64_t page_bytes = 0, log_bytes = 0, cell_bytes = 0, viewer_bytes = 0;
   std::vector<std::string> warnings;       ///< faults of the cell
+  LogAccount account;                      ///< of the log
   std::uint64_t findings = 0, errors = 0;  ///< what `check` finds; errors are among the findings
   std::string left_out;                    ///< of the cell, for `thin`
   bool is_whole = true;  ///< nothing of the cell is missing, nothing of the log damaged
@@ -44,7 +46,7 @@ Result<MadePage> pageFor(const PageJob& job);
 /// The same, and writes it.
 Result<PageReport> makePage(const PageJob& job);
 
-/// Writes the log that a page carries, byte for byte. Returns its size.
+/// Writes the log that a page carries. Returns its size.
 Result<std::uint64_t> extractLog(const std::filesystem::path& page,
                                  const std::filesystem::path& output, bool overwrite);
 

@@ -210,6 +210,7 @@ Result<RenderReport> render(const RenderJob& given,
     if (!opened) return opened.error();
     session = std::move(*opened);
   }
+  RenderReport report;
   StateDamage hiding;
   auto moments = momentsOf(job, session ? &*session : nullptr, *rate, hiding);
   if (!moments) return moments.error();
@@ -240,13 +241,13 @@ Result<RenderReport> render(const RenderJob& given,
       return Error{set.error().kind, set.error().what, "--joints " + text};
     }
   }
+  if (session) report.account = logAccount(*session, &*cell);
   auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);
   if (!maker) return maker.error();
   if (Status shown = showBeside(job, *maker, hiding); !shown) return shown.error();
   showBackdrop(backdrop, job.backdrop.opacity, *maker);
   if (Status made = makeFolders(files); !made) return made.error();
 
-  RenderReport report;
   report.key = maker->key();
   report.inputs = maker->inputsHash();
   report.warnings = warningsOf(*maker);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/check/log_account.h"
 #include "viewer/backdrop/backdrop_request.h"
 #include "viewer/program/render_moments.h"
 #include "viewer/render/frame_maker.h"
@@ -58,6 +59,7 @@ struct RenderReport {
   RendererKey key;
   std::string inputs;  ///< FrameMaker::inputsHash()
   std::vector<std::string> warnings;
+  LogAccount account;  ///< of the log
   /// False when damage of the log may make a frame stale or missing, and when a mesh is missing.
   bool is_whole = true;
 };

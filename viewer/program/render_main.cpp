@@ -40,6 +40,7 @@ constexpr const char* kExamples =
 constexpr std::size_t kWarningsShown = 5;
 
 void printWarnings(const RenderReport& report) {
+  if (report.account.isNotable()) cli::warn(report.account.sentence());
   for (std::size_t i = 0; i < report.warnings.size() && i < kWarningsShown; ++i) {
     cli::warn(report.warnings[i]);
   }
@@ -104,6 +105,8 @@ void printJson(const RenderReport& report) {
   if (!report.videos.empty()) json["videos"] = Json::array();
   for (const auto& video : report.videos) json["videos"].push_back(video.string());
   json["warnings"] = report.warnings;
+  json["at_rest"] = report.account.at_rest;
+  json["left_out"] = leftOutJson(report.account.left_out);
   std::fputs(jsonText(json).c_str(), stdout);
 }
 

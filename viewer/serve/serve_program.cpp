@@ -15,6 +15,7 @@
 #include "core/base/hash.h"
 #include "core/base/size_text.h"
 #include "core/bundle/cell_or_log.h"
+#include "core/check/log_account.h"
 #include "core/foreign/live/cell_decoders.h"
 #include "core/log/log_reader.h"
 #include "viewer/page/page_cell.h"
@@ -144,6 +145,8 @@ Result<ServeReport> serveUntilStopped(const ServeRequest& request,
     log = std::move(*opened);
     content.log = log.file();
     content.log_bytes = log.size();
+    const auto account = logAccount(request.log, &*cell);
+    if (account && account->isNotable()) surroundings.told(account->sentence());
   }
   auto page = pageFor(request, *cell);
   // Foxglove clients of a live session need no page; whoever named a viewer wants one.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/bundle/attached_cell.h"
+#include "core/check/log_account.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/worker_threads.h"
@@ -230,6 +231,10 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
     auto opened = openSession(recording.log, progress, stop);
     if (!opened.ok()) return recording.named(opened.error());
     session = std::move(*opened);
+    if (!session->growing()) {
+      const LogAccount account = logAccount(*session, &*cell);
+      if (account.isNotable()) content.warnings.push_back(account.sentence());
+    }
   }
   auto feed = openFeed(request, *cell, content.warnings);
   if (!feed.ok()) return feed.error();
