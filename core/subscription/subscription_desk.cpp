@@ -82,20 +82,63 @@ SubscriptionDesk::Outcome SubscriptionDesk::judge(ByteView datagram, const Socke
   if (!mint_.accepts(request.cookie, from, now)) {
     return challenge(request, datagram.size(), from, now);
   }
-  const auto found = guests_.find(from);
-  Guest* const guest = found == guests_.end() ? nullptr : &found->second;
-  if (guest != nullptr && !mayAsk(*guest, now)) {
+  Guests::value_type* const guest = guestFor(from, now);
+  if (guest == nullptr && request.verb == SubscriptionVerb::subscribe) {
+    return refuse(request, "too many subscribers came and left: try again in 5 s");
+  }
+  if (guest == nullptr || !mayAsk(guest->second, now)) {
     ++counts_.ignored;
     return {};
   }
   if (!options_.allow.allows(from)) return refuse(request, "this address is not allowed");
   switch (request.verb) {
     case SubscriptionVerb::subscribe:
-      return subscribe(request, from, now);
+      return subscribe(request, *guest, now);
     case SubscriptionVerb::keep:
-      return keep(request, guest, from, now);
+      return keep(request, *guest, now);
     default:
-      return leave(guest, now);
+      return leave(*guest, now);
+  }
+}
+
+SubscriptionDesk::HostKey SubscriptionDesk::hostOf(const SocketAddress& address) {
+  HostKey host{};
+  const std::size_t bytes = address.is_ipv6 ? 8 : address.address.size();
+  std::copy_n(address.address.begin(), bytes, host.begin());
+  host.back() = address.is_ipv6 ? 6 : 4;
+  return host;
+}
+
+SubscriptionDesk::Guests::value_type* SubscriptionDesk::guestFor(const SocketAddress& from,
+                                                                 SteadyTime now) {
+  if (const auto found = guests_.find(from); found != guests_.end()) return &*found;
+  const auto has_room = [&] {
+    const auto host = hosts_.find(hostOf(from));
+    return guests_.size() < options_.subscribers + options_.departed &&
+           (host == hosts_.end() ||
+            host->second.others < std::max<std::size_t>(options_.departed / 2, 1));
+  };
+  if (!has_room()) forgetDeparted(now);
+  if (!has_room()) return nullptr;
+  Guest guest;
+  guest.asked = now;
+  guest.until = now + kGreetingGap;
+  ++hosts_[hostOf(from)].others;
+  return &*guests_.emplace(from, std::move(guest)).first;
+}
+
+void SubscriptionDesk::setSubscribed(Guests::value_type& guest, bool subscribed) {
+  if (guest.second.subscribed == subscribed) return;
+  guest.second.subscribed = subscribed;
+  Host& host = hosts_[hostOf(guest.first)];
+  if (subscribed) {
+    --host.others;
+    ++host.subscribers;
+    ++subscribers_;
+  } else {
+    ++host.others;
+    --host.subscribers;
+    --subscribers_;
   }
 }
 
@@ -130,31 +173,23 @@ SubscriptionDesk::Outcome SubscriptionDesk::refuse(const SubscriptionMessage& re
 }
 
 SubscriptionDesk::Outcome SubscriptionDesk::subscribe(const SubscriptionMessage& request,
-                                                      const SocketAddress& from, SteadyTime now) {
-  auto found = guests_.find(from);
-  const bool is_new = found == guests_.end() || !found->second.subscribed;
+                                                      Guests::value_type& who, SteadyTime now) {
+  Guest& guest = who.second;
+  const bool is_new = !guest.subscribed;
   if (is_new && subscribers_ >= options_.subscribers) {
     return refuse(request, "this relay has as many subscribers as it takes");
   }
-  if (found == guests_.end()) {
-    if (guests_.size() >= options_.subscribers + options_.departed) forgetDeparted(now);
-    if (guests_.size() >= options_.subscribers + options_.departed) {
-      return refuse(request, "too many subscribers came and left: try again in 5 s");
-    }
-    found = guests_.emplace(from, Guest()).first;
-    found->second.asked = now;
-    found->second.requests -= 1;
+  if (is_new && hosts_[hostOf(who.first)].subscribers >= options_.of_host) {
+    return refuse(request, "this host has as many subscriptions as one host gets");
   }
-  Guest& guest = found->second;
   Outcome outcome;
   outcome.wish = {request.source, request.device, request.rate_hz};
   if (is_new) {
-    ++subscribers_;
     outcome.change = Change::begun;
   } else {
     outcome.change = guest.wish == outcome.wish ? Change::repeated : Change::replaced;
   }
-  guest.subscribed = true;
+  setSubscribed(who, true);
   guest.wish = outcome.wish;
   guest.lease_s = request.lease_s;
   guest.until = now + std::chrono::seconds(guest.lease_s);
@@ -170,25 +205,23 @@ SubscriptionDesk::Outcome SubscriptionDesk::subscribe(const SubscriptionMessage&
   return outcome;
 }
 
-SubscriptionDesk::Outcome SubscriptionDesk::keep(const SubscriptionMessage& request, Guest* guest,
-                                                 const SocketAddress& from, SteadyTime now) {
-  if (guest == nullptr || !guest->subscribed || guest->until <= now) {
-    return refuse(request, "no subscription");
-  }
-  guest->until = now + std::chrono::seconds(guest->lease_s);
+SubscriptionDesk::Outcome SubscriptionDesk::keep(const SubscriptionMessage& request,
+                                                 Guests::value_type& who, SteadyTime now) {
+  Guest& guest = who.second;
+  if (!guest.subscribed || guest.until <= now) return refuse(request, "no subscription");
+  guest.until = now + std::chrono::seconds(guest.lease_s);
   SubscriptionMessage answer = answerTo(request, SubscriptionVerb::kept);
-  answer.lease_s = guest->lease_s;
-  answer.cookie = mint_.cookieFor(from, now);
+  answer.lease_s = guest.lease_s;
+  answer.cookie = mint_.cookieFor(who.first, now);
   Outcome outcome;
   outcome.answer = written(answer);
   return outcome;
 }
 
-SubscriptionDesk::Outcome SubscriptionDesk::leave(Guest* guest, SteadyTime now) {
-  if (guest == nullptr || !guest->subscribed) return {};
-  guest->subscribed = false;
-  guest->until = now + kGreetingGap;
-  --subscribers_;
+SubscriptionDesk::Outcome SubscriptionDesk::leave(Guests::value_type& who, SteadyTime now) {
+  if (!who.second.subscribed) return {};
+  setSubscribed(who, false);
+  who.second.until = now + kGreetingGap;
   Outcome outcome;
   outcome.change = Change::ended;
   return outcome;
@@ -198,10 +231,10 @@ std::vector<SocketAddress> SubscriptionDesk::expire(SteadyTime now) {
   std::vector<SocketAddress> ended;
   if (now - swept_ < std::chrono::milliseconds(100)) return ended;
   swept_ = now;
-  for (auto& [address, guest] : guests_) {
-    if (!guest.subscribed || guest.until > now) continue;
-    leave(&guest, now);
-    ended.push_back(address);
+  for (auto& guest : guests_) {
+    if (!guest.second.subscribed || guest.second.until > now) continue;
+    leave(guest, now);
+    ended.push_back(guest.first);
   }
   forgetDeparted(now);
   return ended;
@@ -209,7 +242,10 @@ std::vector<SocketAddress> SubscriptionDesk::expire(SteadyTime now) {
 
 void SubscriptionDesk::forgetDeparted(SteadyTime now) {
   std::erase_if(guests_, [&](const auto& each) {
-    return !each.second.subscribed && each.second.until <= now;
+    if (each.second.subscribed || each.second.until > now) return false;
+    const auto host = hosts_.find(hostOf(each.first));
+    if (--host->second.others == 0 && host->second.subscribers == 0) hosts_.erase(host);
+    return true;
   });
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -34,7 +36,10 @@ class SubscriptionDesk {
     double restate_s = 2;  ///< told to subscribers: seconds between restatements
     AddressFilter allow;   ///< others are refused
     std::size_t subscribers = 1024;
-    std::size_t departed = 4096;  ///< addresses remembered for kGreetingGap after they left
+    std::size_t of_host = 256;  ///< subscriptions of one IP address, or of one IPv6 network (/64)
+    /// Addresses that left, or that asked without a subscription, remembered for kGreetingGap; of
+    /// one host at most half.
+    std::size_t departed = 4096;
     /// Signs an answer; what it returns is valid until its next call. Empty: nothing is signed.
     std::function<ByteView(ByteView)> sign{};
   };
@@ -63,7 +68,7 @@ class SubscriptionDesk {
     std::uint64_t requests = 0;    ///< well formed
     std::uint64_t malformed = 0;   ///< not a request
     std::uint64_t challenged = 0;  ///< without a valid cookie, answered with one
-    std::uint64_t ignored = 0;     ///< too short, or too many of one address
+    std::uint64_t ignored = 0;     ///< too short, or too many of one address or host
     std::uint64_t refused = 0;
     std::uint64_t bytes_in = 0;
     std::uint64_t bytes_out = 0;  ///< of answers
@@ -84,7 +89,7 @@ class SubscriptionDesk {
   struct Guest {
     bool subscribed = false;
     std::uint32_t lease_s = 0;
-    SteadyTime until{};  ///< of the lease; of one that left: when it may be forgotten
+    SteadyTime until{};  ///< of the lease; without one: when it may be forgotten
     std::optional<SteadyTime> greeted;
     SubscriptionWish wish;
     double requests = kRequestsPerSecond;  ///< that it may send now
@@ -94,12 +99,19 @@ class SubscriptionDesk {
     std::size_t operator()(const SocketAddress& address) const;
   };
   using Guests = std::unordered_map<SocketAddress, Guest, AddressHash>;
+  struct Host {
+    std::size_t subscribers = 0, others = 0;
+  };
+  using HostKey = std::array<std::uint8_t, 17>;
 
   Outcome judge(ByteView datagram, const SocketAddress& from, SteadyTime now);
-  Outcome subscribe(const SubscriptionMessage& request, const SocketAddress& from, SteadyTime now);
-  Outcome keep(const SubscriptionMessage& request, Guest* guest, const SocketAddress& from,
-               SteadyTime now);
-  Outcome leave(Guest* guest, SteadyTime now);
+  Outcome subscribe(const SubscriptionMessage& request, Guests::value_type& guest, SteadyTime now);
+  Outcome keep(const SubscriptionMessage& request, Guests::value_type& guest, SteadyTime now);
+  Outcome leave(Guests::value_type& guest, SteadyTime now);
+  static HostKey hostOf(const SocketAddress& address);
+  /// The address, which has a valid cookie; null when there is no room to remember it.
+  Guests::value_type* guestFor(const SocketAddress& from, SteadyTime now);
+  void setSubscribed(Guests::value_type& guest, bool subscribed);
   std::string written(const SubscriptionMessage& answer) const;
   Outcome challenge(const SubscriptionMessage& request, std::size_t request_bytes,
                     const SocketAddress& from, SteadyTime now);
@@ -111,6 +123,7 @@ class SubscriptionDesk {
   Options options_;
   CookieMint mint_;
   Guests guests_;
+  std::map<HostKey, Host> hosts_;
   std::size_t subscribers_ = 0;
   SteadyTime swept_{};
   double signable_challenges_ = kSignedChallengesPerSecond;

@@ -153,6 +153,68 @@ TEST(SubscriptionDesk, AnswersAtMostTwentyRequestsASecondOfOneAddress) {
   EXPECT_LE(answered, 40);
 }
 
+// With a valid cookie, and without a subscription: refused, or not allowed.
+TEST(SubscriptionDesk, AnswersNoMoreToAnAddressThatHasNoSubscription) {
+  for (const bool is_allowed : {true, false}) {
+    SubscriptionDesk::Options options = smallDesk();
+    if (!is_allowed) {
+      ASSERT_TRUE(options.allow.add("192.0.2.0/24"));
+    }
+    SubscriptionDesk desk(options);
+    Client client{desk, addressOf(1), {}};
+    client.ask(SubscriptionVerb::keep, 0);
+    int answered = 0;
+    for (int i = 0; i < 1000; ++i) {
+      answered += client.ask(SubscriptionVerb::keep, 0.001 * i).answer.empty() ? 0 : 1;
+    }
+    EXPECT_GE(answered, 30);
+    EXPECT_LE(answered, 40);
+    EXPECT_EQ(desk.counts().ignored, 1000U - static_cast<unsigned>(answered));
+  }
+}
+
+TEST(SubscriptionDesk, OneHostDoesNotTakeAllSubscriptions) {
+  SubscriptionDesk::Options options = smallDesk();
+  options.of_host = 3;
+  SubscriptionDesk desk(options);
+  const auto from = [](const char* host, int port) {
+    return SocketAddress::parse(host, static_cast<std::uint16_t>(port)).value();
+  };
+  const auto joins = [&](const SocketAddress& address) {
+    Client client{desk, address, {}};
+    return verbOf(client.join(0)) == SubscriptionVerb::accepted;
+  };
+  for (int port = 1; port <= 3; ++port) {
+    EXPECT_TRUE(joins(from("192.0.2.1", port)));
+    EXPECT_TRUE(joins(from(("2001:db8::" + std::to_string(port)).c_str(), 1)));
+  }
+  EXPECT_FALSE(joins(from("192.0.2.1", 4)));
+  EXPECT_FALSE(joins(from("2001:db8::ffff", 1))) << "a host has a network of its own";
+  EXPECT_TRUE(joins(from("192.0.2.2", 1)));
+  EXPECT_TRUE(joins(from("2001:db8:0:1::1", 1)));
+  Client again{desk, from("192.0.2.1", 1), {}};
+  EXPECT_EQ(verbOf(again.join(1)), SubscriptionVerb::accepted);
+  again.ask(SubscriptionVerb::leave, 1);
+  EXPECT_TRUE(joins(from("192.0.2.1", 4)));
+}
+
+// A host that asks from all of its ports leaves room for others.
+TEST(SubscriptionDesk, OneHostDoesNotTakeAllMemory) {
+  SubscriptionDesk::Options options = smallDesk();
+  options.departed = 20;
+  SubscriptionDesk desk(options);
+  SocketAddress greedy = addressOf(1);
+  for (int port = 1; port < 2000; ++port) {
+    greedy.port = static_cast<std::uint16_t>(port);
+    Client client{desk, greedy, {}};
+    client.ask(SubscriptionVerb::keep, 0);
+    client.ask(SubscriptionVerb::keep, 0);
+  }
+  EXPECT_EQ(desk.counts().refused, 10U);
+  Client other{desk, addressOf(2), {}};
+  EXPECT_EQ(verbOf(other.join(0)), SubscriptionVerb::accepted);
+}
+
 TEST(SubscriptionDesk, IgnoresShortSubscriptionsAndWhatIsNoRequest) {
   SubscriptionDesk desk(smallDesk());
   for (const char* text : {"RKS1 subscribe id=0000000000000001 lease=9\n", "RK1 arm 1 -\n", "",
