@@ -93,29 +93,30 @@ std::size_t HandJoints::count() const {
   return count;
 }
 
-SessionState withHand(const SessionState& said, LogTime moment, const HandJoints& hand) {
-  // The packet's views are into these, so they are filled before any is taken.
-  std::vector<std::vector<std::string_view>> names;
-  std::vector<std::vector<double>> numbers;
-  std::vector<Statement> statements;
-  names.reserve(hand.devices().size());
-  numbers.reserve(hand.devices().size());
-  for (const auto& [device, values] : hand.devices()) {
-    names.emplace_back();
-    numbers.emplace_back();
+JointStatements::JointStatements(JointsByDevice joints) : joints_(std::move(joints)) {
+  // The statements are views into these, so they are filled before any is taken.
+  names_.reserve(joints_.size());
+  numbers_.reserve(joints_.size());
+  for (const auto& [device, values] : joints_) {
+    auto& names = names_.emplace_back();
+    auto& numbers = numbers_.emplace_back();
     for (const auto& [name, value] : values) {
-      names.back().emplace_back(name);
-      numbers.back().push_back(value);
+      names.emplace_back(name);
+      numbers.push_back(value);
     }
-    Statement& statement = statements.emplace_back();
+    Statement& statement = statements_.emplace_back();
     statement.kind = StatementKind::joint;
     statement.name = device;
-    statement.names = names.back();
-    statement.numbers = numbers.back();
+    statement.names = names;
+    statement.numbers = numbers;
   }
+}
+
+SessionState withHand(const SessionState& said, LogTime moment, const HandJoints& hand) {
+  const JointStatements statements(hand.devices());
   Packet packet;
   packet.header.source = kHandSource;
-  packet.statements = statements;
+  packet.statements = statements.all();
   SessionState state = said;
   state.apply(moment, packet);
   return state;

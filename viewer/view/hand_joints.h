@@ -16,11 +16,31 @@ namespace rocinante {
 /// The SOURCE of what withHand() folds; none that sends.
 inline constexpr std::string_view kHandSource = "rocinante-view";
 
+/// Values by Model::findJointValue's names, by device: radians and metres. No device without
+/// values.
+using JointsByDevice =
+    std::map<std::string, std::map<std::string, double, std::less<>>, std::less<>>;
+
+/// The `joint` statements that say them, one a device. Views into `joints`, which is copied.
+class JointStatements {
+ public:
+  explicit JointStatements(JointsByDevice joints);
+  JointStatements(const JointStatements&) = delete;
+  JointStatements& operator=(const JointStatements&) = delete;
+  std::span<const Statement> all() const { return statements_; }
+
+ private:
+  JointsByDevice joints_;
+  std::vector<std::vector<std::string_view>> names_;
+  std::vector<std::vector<double>> numbers_;
+  std::vector<Statement> statements_;
+};
+
 /// Joint values set by hand, by the window's sliders or by `--joints`: radians and metres, not
 /// bounded by limits. A plain value. docs/decisions/018.
 class HandJoints {
  public:
-  using Values = std::map<std::string, double, std::less<>>;  ///< by Model::findJointValue's names
+  using Values = JointsByDevice::mapped_type;
 
   /// bad_argument for a value that the model has not (drivenValue) or that is not finite.
   Status set(const std::string& device, const Model& model, const std::string& value_name,
@@ -32,7 +52,7 @@ class HandJoints {
   void clear() { devices_.clear(); }
 
   bool empty() const { return devices_.empty(); }
-  const std::map<std::string, Values, std::less<>>& devices() const { return devices_; }
+  const JointsByDevice& devices() const { return devices_; }
   std::optional<double> find(std::string_view device, std::string_view value_name) const;
   /// How many values of how many devices are set.
   std::size_t count() const;
@@ -40,7 +60,7 @@ class HandJoints {
   bool operator==(const HandJoints&) const = default;
 
  private:
-  std::map<std::string, Values, std::less<>> devices_;  // none with an empty map
+  JointsByDevice devices_;
 };
 
 /// `said` with the values folded over it, as one more packet by kHandSource at `moment`, which is

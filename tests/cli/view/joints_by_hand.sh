@@ -43,5 +43,5 @@ rocinante golden compare window.png render.png
 rocinante golden compare evidence.png render.png
 rocinante golden compare rest.png home.png
 rocinante golden compare rest.png render.png --quiet | sed 's/:.*//' || true
-rocinante log cat driven.mcap | grep -o 'joints lift .*' | awk '!seen[$0]++'
+rocinante log cat driven.mcap | grep -o 'joint lift .*' | awk '!seen[$0]++'
 rocinante log cat driven.mcap | grep -o 'RK1 me@' | sort -u

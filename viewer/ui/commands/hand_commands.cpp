@@ -46,8 +46,7 @@ Status moveJoints(CommandWords words, const CommandStage& stage) {
   if (!target) return target.error();
   const auto values = parseNumbers(words[1]);
   if (!values) return values.error();
-  if (TimelineCursor* cursor = stage.model.cursor()) cursor->pause(stage.now);
-  return stage.model.hand.setAll(*target->device, *values);
+  return stage.model.setByHand(target->device->name, *values, stage.now);
 }
 
 Status giveBack(CommandWords words, const CommandStage& stage) {
@@ -59,16 +58,21 @@ Status giveBack(CommandWords words, const CommandStage& stage) {
   const auto target = targetOf(stage.model, words[0]);
   if (!target) return target.error();
   if (target->value_name.empty()) {
-    hand.reset(*target->device);
+    hand.reset(target->device->name);
     return {};
   }
   const auto driven = drivenValue(*target->device->model, target->value_name);
   if (!driven) return driven.error();
-  hand.reset(*target->device, target->value_name);
+  hand.reset(target->device->name, target->value_name);
   return {};
 }
 
 Status driveDevices(CommandWords words, const CommandStage& stage) {
+  if (words.empty()) {
+    if (stage.model.hand.driving() == nullptr) return stage.model.hand.driveAgain();
+    stage.model.hand.stopDriving();
+    return {};
+  }
   const std::string& word = words[0];
   if (word == "off") {
     stage.model.hand.stopDriving();
@@ -81,13 +85,9 @@ Status driveDevices(CommandWords words, const CommandStage& stage) {
 }
 
 Status backHome(CommandWords /*words*/, const CommandStage& stage) {
-  ViewModel& model = stage.model;
-  // While driving live, the devices go home; otherwise packets and models have them again.
-  if (model.hand.use() == HandUse::sent) {
-    for (const PosedDevice& device : model.scene().devices) model.hand.reset(device);
-  } else {
-    model.hand.resetAll();
-  }
+  // First: letting go would be said to receivers.
+  stage.model.hand.stopDriving();
+  stage.model.hand.resetAll();
   return {};
 }
 
@@ -119,7 +119,7 @@ std::vector<Command> handCommands() {
        .means = "joints moved by hand: give them back",
        .run = giveBack},
       {.name = "give-back",
-       .means = "all joints moved by hand: give them back",
+       .means = "all joints moved by hand: give them back; ends driving",
        .run = backHome,
        .shortcuts = {{"backspace", "", ""}}},
       {.name = "units",
@@ -128,8 +128,8 @@ std::vector<Command> handCommands() {
        .run = setUnits,
        .shortcuts = {{"U", "", "degrees and mm, or radians and m"}}},
       {.name = "drive",
-       .arguments = "EP[,NAME]|off",
-       .means = "send what the sliders say to an endpoint",
+       .arguments = "[EP[,NAME]|off]",
+       .means = "driving: send what is moved by hand to an endpoint, until Esc",
        .run = driveDevices},
   };
   for (Command& command : commands) command.group = CommandGroup::picture;

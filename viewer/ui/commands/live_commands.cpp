@@ -4,7 +4,9 @@ namespace rocinante {
 namespace {
 
 Status goToNow(CommandWords /*words*/, const CommandStage& stage) {
-  if (stage.model.goToNow()) return {};
+  const bool drives = stage.model.hand.driving() != nullptr;
+  stage.model.hand.stopDriving();
+  if (stage.model.goToNow() || drives) return {};
   return badWord("`now` needs a growing session");
 }
 
@@ -22,7 +24,7 @@ Status saveSession(CommandWords words, const CommandStage& stage) {
 std::vector<Command> liveCommands() {
   std::vector<Command> commands{
       {.name = "now",
-       .means = "now, of a growing session",
+       .means = "now, of a growing session; ends driving",
        .run = goToNow,
        .shortcuts = {{"N", "", ""}}},
       {.name = "save",

@@ -145,8 +145,12 @@ Status selectPath(CommandWords words, const CommandStage& stage) {
 
 Status clearSelection(CommandWords /*words*/, const CommandStage& stage) {
   ViewModel& model = stage.model;
-  if (model.panels.palette.shown || model.panels.open.shown || model.panels.help_shown) {
+  if (model.hand.driving() != nullptr) {
+    model.hand.stopDriving();
+  } else if (model.panels.palette.shown || model.panels.open.shown || model.panels.help_shown) {
     model.panels.palette.shown = model.panels.open.shown = model.panels.help_shown = false;
+  } else if (!model.panels.notes.empty()) {
+    model.panels.notes.clear();
   } else if (model.picking.active()) {
     model.picking.end();
   } else if (model.publishing.takesClicks()) {
@@ -205,10 +209,10 @@ Status swapWithInset(CommandWords words, const CommandStage& stage) {
 }
 
 Status setDetail(CommandWords words, const CommandStage& stage) {
-  stage.requests.rung = parseDetailRung(words[0]);
+  stage.requests.rung = words[0] == "auto" ? std::optional(-1) : parseDetailRung(words[0]);
   if (stage.requests.rung) return {};
   return badWord(
-      fmt::format("`{}` is not a level of detail from 0 to {}", words[0], kCoarsestRung));
+      fmt::format("`{}` is not a level of detail from 0 to {}, or auto", words[0], kCoarsestRung));
 }
 
 std::vector<std::string> deviceChoices(const ViewModel& model) {
@@ -287,7 +291,8 @@ std::vector<Command> pictureCommands() {
        .run = selectPath,
        .choices = deviceChoices},
       {.name = "clear",
-       .means = "close what is open, else clear the selection",
+       .means =
+           "end driving, else close what is open, else dismiss notes, else clear the selection",
        .run = clearSelection,
        .shortcuts = {{"escape", "", ""}}},
       {.name = "insets",
@@ -310,8 +315,8 @@ std::vector<Command> pictureCommands() {
        .means = "a look of the picture, as --style",
        .run = setOneStyle},
       {.name = "detail",
-       .arguments = "LEVEL",
-       .means = "a fixed level of detail",
+       .arguments = "LEVEL|auto",
+       .means = "a fixed level of detail, or as --target-fps allows",
        .run = setDetail,
        .choices = detailChoices},
   };

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/session/session_time.h"
 #include "viewer/ui/commands/command_groups.h"
 
 namespace rocinante {
@@ -35,7 +34,7 @@ Status pauseLog(CommandWords /*words*/, const CommandStage& stage) {
 
 Status seekMoment(CommandWords words, const CommandStage& stage) {
   TimelineCursor& cursor = cursorOf(stage);
-  const auto moment = parseSessionTime(words[0], stage.model.origin(), cursor.end());
+  const auto moment = stage.model.momentNamed(fmt::format("{}", fmt::join(words, " ")));
   if (!moment.ok()) return badWord(moment.error().text());
   cursor.seek(*moment, stage.now);
   return {};
@@ -120,10 +119,9 @@ Result<std::optional<std::pair<LogTime, LogTime>>> spanOf(CommandWords words,
   using Span = std::optional<std::pair<LogTime, LogTime>>;
   if (words[0] == "all" && words.size() == 1) return Span();
   if (words.size() != 2) return badWord("it takes two times, or `all`");
-  const LogTime end = cursorOf(stage).end();
-  const auto from = parseSessionTime(words[0], stage.model.origin(), end);
+  const auto from = stage.model.momentNamed(words[0]);
   if (!from.ok()) return from.error();
-  const auto until = parseSessionTime(words[1], stage.model.origin(), end);
+  const auto until = stage.model.momentNamed(words[1]);
   if (!until.ok()) return until.error();
   return Span(std::pair(*from, *until));
 }
@@ -194,7 +192,10 @@ std::vector<Command> timeCommands() {
        .shortcuts = {{"space", "", ""}}},
       {.name = "play", .means = "play the log", .run = playLog},
       {.name = "pause", .means = "stay at this moment", .run = pauseLog},
-      {.name = "seek", .arguments = "T", .means = "go to a session time", .run = seekMoment},
+      {.name = "seek",
+       .arguments = "T...",
+       .means = "go to a session time, or to an event by its text",
+       .run = seekMoment},
       {.name = "start",
        .means = "the start of the log",
        .run = seekStart,

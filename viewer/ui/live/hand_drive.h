@@ -3,11 +3,14 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <span>
+#include <optional>
+#include <set>
 #include <string>
-#include <vector>
 
-#include "viewer/ui/live/sending_source.h"
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/net/datagram_sink.h"
+#include "viewer/view/hand_joints.h"
 
 namespace rocinante {
 
@@ -17,41 +20,53 @@ struct DriveSettings {
   std::string run;              ///< RUN; empty: a random one
 };
 
-/// Sends joint values as an ordinary source: `joints DEVICE`. Values may be set as often as a mouse
-/// moves; at most 30 datagrams a second leave for each device. Main thread.
+/// Sends the joints that the hand has moved, and no other, as a source of its own: `joint DEVICE
+/// NAME=q`, so that a datagram alone says which joint it moves (docs/decisions/036). Values may be
+/// set as often as a mouse moves; at most 30 datagrams a second leave, and everything is restated
+/// every two seconds. Ends without a word when it is destroyed. Main thread.
 class HandDrive {
  public:
-  /// As SendingSource::open().
+  /// Fails as openSink() does; bad_argument for an invalid SOURCE.
   static Result<HandDrive> open(const Endpoint& to, const DriveSettings& settings);
   /// The same into a sink that is already open.
   static Result<HandDrive> into(std::unique_ptr<DatagramSink> sink, const DriveSettings& settings);
 
-  /// Positional values of a device, to be sent when they are due; refused ones are told by
+  /// A finite value of a joint, to be sent when it is due; one that no packet can hold is told by
   /// trouble().
-  void set(const std::string& device, std::span<const double> values);
-  /// Sends what is due at `now`; `wall` becomes TIME. To be called at least ten times a second.
-  void tick(SteadyTime now, WallTime wall) { sending_.tick(now, wall); }
-  /// Sends what changed, due or not.
-  void finish(SteadyTime now, WallTime wall) { sending_.finish(now, wall); }
+  void set(const std::string& device, const std::string& joint, double value);
+  /// The hand lets go: nothing is sent of them any more, and receivers forget what was. Unknown
+  /// ones are ignored.
+  void release(const std::string& device, const std::string& joint);
+  void release(const std::string& device);
+  void releaseAll();
 
-  const Endpoint& endpoint() const { return sending_.endpoint(); }
-  const std::string& source() const { return sending_.name(); }
-  std::uint64_t sent() const { return sending_.sent(); }
-  bool drives(const std::string& device) const { return devices_.contains(device); }
-  std::vector<std::string> devices() const;
+  /// Sends what is due at `now`; `wall` becomes TIME. To be called at least ten times a second.
+  void tick(SteadyTime now, WallTime wall);
+
+  const Endpoint& endpoint() const { return sink_->endpoint(); }
+  const std::string& source() const { return settings_.source; }
+  std::uint64_t sent() const { return sequence_; }
+  /// What is sent.
+  const JointsByDevice& joints() const { return joints_; }
   /// Why the last datagram was not sent, or values were refused; empty when all is well.
-  const std::string& trouble() const { return sending_.trouble(); }
+  const std::string& trouble() const { return trouble_; }
 
  private:
-  struct Driven {
-    SourceDevice device;
-    std::vector<double> values;
-  };
+  HandDrive(std::unique_ptr<DatagramSink> sink, DriveSettings settings)
+      : sink_(std::move(sink)), settings_(std::move(settings)) {}
 
-  explicit HandDrive(SendingSource sending) : sending_(std::move(sending)) {}
+  void sendChanged(WallTime wall);
+  void restateAll(WallTime wall);
+  void send(const std::string& text);
 
-  SendingSource sending_;
-  std::map<std::string, Driven, std::less<>> devices_;
+  std::unique_ptr<DatagramSink> sink_;
+  DriveSettings settings_;
+  JointsByDevice joints_;
+  std::set<std::string> changed_;  ///< devices
+  bool released_ = false;          ///< something since the last restatement
+  std::uint64_t sequence_ = 0, restatements_ = 0;
+  std::optional<SteadyTime> sent_at_, restated_at_;
+  std::string trouble_;
 };
 
 }  // namespace rocinante

@@ -17,13 +17,12 @@ namespace {
 /// Ten times a second, as Source::flush() asks for, with room for a late frame.
 constexpr Nanoseconds kLongestPause = std::chrono::milliseconds(80);
 
-/// Different at each start, so that receivers can tell a restart from late packets.
-std::string freshRun() {
+}  // namespace
+
+std::string SendingSource::freshRun() {
   std::random_device random;
   return fmt::format("{:08x}{:02x}", random(), random() & 0xFFU);
 }
-
-}  // namespace
 
 Result<SendingSource> SendingSource::open(const Endpoint& to, const SendingSettings& settings) {
   auto sink = openSink(to);

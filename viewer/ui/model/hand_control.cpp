@@ -24,18 +24,11 @@ void HandControl::take(HandJoints joints) {
   changed_ = true;
 }
 
-Status HandControl::set(const PosedDevice& device, const DeviceState* received,
-                        const std::string& value_name, double value) {
+Status HandControl::set(const PosedDevice& device, const std::string& value_name, double value) {
   if (device.model == nullptr) return withoutModel(device.name);
   if (use_ == HandUse::none) return notDrawn();
-  HandJoints wanted = joints_;
-  if (use_ == HandUse::sent && !joints_.devices().contains(device.name)) {
-    // The other joints stay where they are, whatever another source says about them later.
-    const auto values = positionalValues(*device.model, jointsOf(*device.model, received));
-    if (Status taken = wanted.setAll(device.name, *device.model, values); !taken) return taken;
-  }
-  if (Status set = wanted.set(device.name, *device.model, value_name, value); !set) return set;
-  joints_ = std::move(wanted);
+  if (Status set = joints_.set(device.name, *device.model, value_name, value); !set) return set;
+  if (drive_) drive_->set(device.name, value_name, value);
   changed_ = true;
   return {};
 }
@@ -44,41 +37,44 @@ Status HandControl::setAll(const PosedDevice& device, std::span<const double> va
   if (device.model == nullptr) return withoutModel(device.name);
   if (use_ == HandUse::none) return notDrawn();
   if (Status set = joints_.setAll(device.name, *device.model, values); !set) return set;
+  if (drive_) {
+    for (const std::string& name : positionalNames(*device.model)) {
+      drive_->set(device.name, name, *joints_.find(device.name, name));
+    }
+  }
   changed_ = true;
   return {};
 }
 
-void HandControl::reset(const PosedDevice& device, const std::string& value_name) {
+void HandControl::reset(const std::string& device, const std::string& value_name) {
+  joints_.reset(device, value_name);
+  if (drive_) drive_->release(device, value_name);
   changed_ = true;
-  if (use_ != HandUse::sent || device.model == nullptr) {
-    return joints_.reset(device.name, value_name);
-  }
-  if (!joints_.find(device.name, value_name)) return;
-  const auto value = device.model->findJointValue(value_name);
-  if (!value) return;
-  const JointVector zero = zeroJoints(*device.model);
-  const double home = zero.values[zero.first_value[value->joint] + value->component];
-  static_cast<void>(joints_.set(device.name, *device.model, value_name, home));
 }
 
-void HandControl::reset(const PosedDevice& device) {
+void HandControl::reset(const std::string& device) {
+  joints_.reset(device);
+  if (drive_) drive_->release(device);
   changed_ = true;
-  if (use_ != HandUse::sent || device.model == nullptr) return joints_.reset(device.name);
-  if (!joints_.devices().contains(device.name)) return;
-  const auto home = positionalValues(*device.model, zeroJoints(*device.model));
-  static_cast<void>(joints_.setAll(device.name, *device.model, home));
 }
 
 void HandControl::resetAll() {
   joints_.clear();
+  if (drive_) drive_->releaseAll();
   changed_ = true;
 }
 
 void HandControl::setSituation(bool live, bool playing) {
-  const HandUse before = use_;
-  use_ = !live ? HandUse::drawn : drive_ ? HandUse::sent : HandUse::none;
-  const bool ends = playing || (use_ == HandUse::none && before != HandUse::none);
-  if (ends && !joints_.empty()) resetAll();
+  if (playing) stopDriving();
+  const HandUse before = std::exchange(use_, !live    ? HandUse::drawn
+                                             : drive_ ? HandUse::sent
+                                                      : HandUse::none);
+  // What was drawn over the past was never meant to be sent, nor the other way round.
+  const bool drawn_stays = use_ == before || (use_ == HandUse::drawn && before != HandUse::sent);
+  const bool ends = playing || !drawn_stays;
+  if (!ends || joints_.empty()) return;
+  joints_.clear();
+  changed_ = true;
 }
 
 const SessionState* HandControl::over(const SessionState& received, LogTime moment) {
@@ -97,40 +93,31 @@ Status HandControl::drive(const std::string& endpoint, const std::string& source
   settings.source = source;
   auto opened = HandDrive::open(*to, settings);
   if (!opened) return opened.error();
-  drive_.emplace(std::move(*opened));
-  changed_ = true;
+  drive(std::move(*opened));
+  last_endpoint_ = endpoint;
+  last_source_ = source;
   return {};
 }
 
+void HandControl::drive(HandDrive opened) {
+  drive_.emplace(std::move(opened));
+  changed_ = entered_ = true;
+}
+
+Status HandControl::driveAgain() {
+  if (!last_endpoint_.empty()) return drive(last_endpoint_, last_source_);
+  return Error{ErrorKind::bad_argument, "say where to: `drive EP`, as drive 127.0.0.1:19960", {}};
+}
+
 void HandControl::stopDriving() {
+  if (!drive_) return;
   drive_.reset();
+  entered_ = false;
   changed_ = true;
 }
 
-void HandControl::sendDue(const PosedScene& scene, const SessionState& shown, SteadyTime now,
-                          WallTime wall) {
-  if (!drive_) return;
-  const auto say = [&](const std::string& name) {
-    const PosedDevice* const device = scene.findDevice(name);
-    if (device == nullptr || device->model == nullptr) return;
-    JointVector joints = jointsOf(*device->model, shown.findDevice(name));
-    const auto set = joints_.devices().find(name);
-    if (set != joints_.devices().end()) {
-      for (const auto& [value_name, value] : set->second) {
-        const auto at = device->model->findJointValue(value_name);
-        if (at) joints.values[joints.first_value[at->joint] + at->component] = value;
-      }
-    } else if (use_ == HandUse::sent) {
-      return;  // packets have it now
-    }
-    drive_->set(name, positionalValues(*device->model, joints));
-  };
-  for (const auto& [name, values] : joints_.devices()) say(name);
-  // Those given back to the log or the model are still driven, to where that puts them.
-  for (const std::string& name : drive_->devices()) {
-    if (!joints_.devices().contains(name)) say(name);
-  }
-  drive_->tick(now, wall);
+void HandControl::sendDue(SteadyTime now, WallTime wall) {
+  if (drive_) drive_->tick(now, wall);
 }
 
 }  // namespace rocinante

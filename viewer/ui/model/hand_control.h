@@ -42,17 +42,17 @@ class HandControl {
   /// Replaces all values: those of `--joints`.
   void take(HandJoints joints);
   /// Sets one value, in radians or metres. bad_argument for one that the device has not, and when
-  /// values by hand do nothing.
-  Status set(const PosedDevice& device, const DeviceState* received, const std::string& value_name,
-             double value);
+  /// values by hand do nothing. While driving it is sent, and no other joint is.
+  Status set(const PosedDevice& device, const std::string& value_name, double value);
   /// All joints of the device, positional.
   Status setAll(const PosedDevice& device, std::span<const double> values);
-  /// Gives values back to packets and model; while driving live, back to the model's own place.
-  void reset(const PosedDevice& device, const std::string& value_name);
-  void reset(const PosedDevice& device);
+  /// Gives values back to packets and model; while driving they are not sent any more.
+  void reset(const std::string& device, const std::string& value_name);
+  void reset(const std::string& device);
   void resetAll();
 
-  /// Called for each update of the window, before over().
+  /// Called for each update of the window, before over(). `live`: now is shown. `playing`: the log
+  /// moves the picture, which ends driving and gives joints back.
   void setSituation(bool live, bool playing);
   /// Something changed since the last call.
   bool takeChanged() { return std::exchange(changed_, false); }
@@ -60,13 +60,19 @@ class HandControl {
   /// the next call.
   const SessionState* over(const SessionState& received, LogTime moment);
 
-  /// Starts to send the devices that were moved by hand, and those that will be. Replaces a present
-  /// destination.
+  /// Enters the mode in which what the hand moves from now on is sent (docs/decisions/036).
+  /// Replaces a present destination.
   Status drive(const std::string& endpoint, const std::string& source);
+  void drive(HandDrive opened);
+  /// The same again, to where it was last; bad_argument when it never was.
+  Status driveAgain();
+  /// Ends the mode: nothing is sent any more.
   void stopDriving();
   const HandDrive* driving() const { return drive_ ? &*drive_ : nullptr; }
-  /// Sends what the sliders say and is due.
-  void sendDue(const PosedScene& scene, const SessionState& shown, SteadyTime now, WallTime wall);
+  /// The mode was entered since the last call: the window goes to now, or pauses its log.
+  bool takeEntered() { return std::exchange(entered_, false); }
+  /// Sends what is due.
+  void sendDue(SteadyTime now, WallTime wall);
 
   Units units;
   std::optional<ValueEdit> edit;
@@ -79,7 +85,8 @@ class HandControl {
  private:
   HandJoints joints_;
   HandUse use_ = HandUse::drawn;
-  bool changed_ = false;
+  bool changed_ = false, entered_ = false;
+  std::string last_endpoint_, last_source_;
   std::unique_ptr<SessionState> what_if_;  // does not move: the scene borrows from it
   std::optional<HandDrive> drive_;
 };

@@ -11,6 +11,12 @@
 
 namespace rocinante {
 
+/// What a terminal was told about the files that are shown or were refused.
+struct PictureNote {
+  std::string text;
+  bool is_error = false;
+};
+
 /// What the panels themselves remember between two frames: which are there and where, what is being
 /// typed, what they list. Nothing of it is in the scene's picture. Not thread-safe.
 struct PanelState {
@@ -29,6 +35,7 @@ struct PanelState {
   std::array<char, 64> event_filter{};   ///< the same for events
   std::set<std::string> open_devices;    ///< whose links are listed
   std::vector<std::string> lines;        ///< that the last frame had over the picture
+  std::vector<PictureNote> notes;        ///< over the picture until they are dismissed
   std::string complaint;                 ///< one sentence to show; empty: none
   std::vector<std::string> doubts;       ///< doubts about written files, printed at the end
 };

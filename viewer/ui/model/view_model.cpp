@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/cell/view_path.h"
 #include "core/math/transform.h"
 #include "core/session/marks.h"
+#include "core/session/moment_name.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/view/limit_levels.h"
 
@@ -96,6 +98,7 @@ void ViewModel::receive(const SessionState& state) {
 }
 
 Result<bool> ViewModel::update(SteadyTime now) {
+  enterDriving(now);
   bool changed = !shown_.has_value() || std::exchange(style_changed_, false);
   changed = std::exchange(beside_was_shown_, beside_shown) != beside_shown || changed;
   LogTime moment = shownTime();
@@ -128,7 +131,9 @@ Result<bool> ViewModel::update(SteadyTime now) {
     receive(nothing_said_);
   }
   shown_ = moment;
-  hand.setSituation(shows_live, cursor_ && cursor_->playing());
+  // What the past has is never sent.
+  if (feed_ && !shows_live) hand.stopDriving();
+  hand.setSituation(shows_live, !shows_live && cursor_ && cursor_->playing());
   changed = hand.takeChanged() || changed;
   changed = publishing.takeChanged() || changed;
   changed = std::exchange(scene_is_old_, false) || changed;
@@ -208,15 +213,38 @@ Selection ViewModel::inspected() const {
   return {};
 }
 
-Status ViewModel::setByHand(const std::string& device, const std::string& value_name, double value,
-                            SteadyTime now) {
+void ViewModel::enterDriving(SteadyTime now) {
+  if (!hand.takeEntered()) return;
+  if (feed_) {
+    goToNow();
+  } else if (cursor_) {
+    cursor_->pause(now);
+  }
+}
+
+Status ViewModel::setByHand(const std::string& device,
+                            const std::function<Status(const PosedDevice&)>& set, SteadyTime now) {
   const PosedDevice* const posed = scene_.findDevice(device);
   if (posed == nullptr) {
     return Error{ErrorKind::bad_argument, "there is no such device now", device};
   }
-  if (cursor_) cursor_->pause(now);
-  hand.setSituation(feed_.has_value() && !cursor_, false);
-  return hand.set(*posed, received_->findDevice(device), value_name, value);
+  enterDriving(now);
+  const bool shows_live = feed_ && showsNow();
+  if (cursor_ && !shows_live) cursor_->pause(now);
+  hand.setSituation(shows_live, false);
+  return set(*posed);
+}
+
+Status ViewModel::setByHand(const std::string& device, const std::string& value_name, double value,
+                            SteadyTime now) {
+  return setByHand(
+      device, [&](const PosedDevice& posed) { return hand.set(posed, value_name, value); }, now);
+}
+
+Status ViewModel::setByHand(const std::string& device, std::span<const double> values,
+                            SteadyTime now) {
+  return setByHand(
+      device, [&](const PosedDevice& posed) { return hand.setAll(posed, values); }, now);
 }
 
 LogStudy* ViewModel::study() {
@@ -306,6 +334,12 @@ Result<std::optional<LogTime>> ViewModel::packetBeside(bool after) {
   }
 }
 
+Result<LogTime> ViewModel::momentNamed(const std::string& text) {
+  if (session_ && !isSessionTime(text)) return parseMoment(text, *session_);
+  // The end of a live session is where the network is.
+  return parseSessionTime(text, origin(), cursor_ ? cursor_->end() : origin());
+}
+
 const Event* ViewModel::eventBeside(LogTime moment, bool after) const {
   if (after) {
     const auto next = std::ranges::upper_bound(events_, moment, {}, &Event::time);
@@ -320,6 +354,12 @@ void ViewModel::useLooksByDefault() {
   style.shadows = style.contact = style.camera_cone = true;
   setStyle(style);
   looks_by_default_ = true;
+}
+
+void ViewModel::dropLooksByDefault() {
+  RenderStyle style = style_;
+  style.shadows = style.contact = false;
+  setStyle(style);
 }
 
 void ViewModel::setStyle(const RenderStyle& style) {
@@ -435,8 +475,15 @@ std::vector<std::string> ViewModel::cameraNames() const {
 bool ViewModel::setVisible(const std::string& path, std::optional<bool> visible) {
   const auto hidden_before = hidden_;
   const auto shown_before = shown_paths_;
-  hidden_.erase(path);
-  shown_paths_.erase(path);
+  const auto wanted = parseViewPath(path);
+  if (!wanted) return false;
+  // A user may have written it in another way.
+  const auto isWanted = [&](const std::string& other) {
+    const auto named = parseViewPath(other);
+    return named.ok() && *named == *wanted;
+  };
+  std::erase_if(hidden_, isWanted);
+  std::erase_if(shown_paths_, isWanted);
   if (visible) (*visible ? shown_paths_ : hidden_).insert(path);
   if (updateChoice()) return true;
   hidden_ = hidden_before;
@@ -461,6 +508,13 @@ bool ViewModel::layerVisibleByDefault(const CellLayer& layer) const {
 std::optional<bool> ViewModel::chosenVisibility(const std::string& path) const {
   if (hidden_.contains(path)) return false;
   if (shown_paths_.contains(path)) return true;
+  const auto wanted = parseViewPath(path);
+  const auto names = [&](const std::string& other) {
+    const auto named = parseViewPath(other);
+    return wanted.ok() && named.ok() && *named == *wanted;
+  };
+  if (std::ranges::any_of(hidden_, names)) return false;
+  if (std::ranges::any_of(shown_paths_, names)) return true;
   return std::nullopt;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -93,6 +95,8 @@ class ViewModel {
   /// The shown moment as of the last update(); the newest datagram's in live mode.
   LogTime shownTime() const { return shown_.value_or(LogTime{}); }
   const std::vector<Event>& events() const { return events_; }
+  /// parseMoment() in the shown session.
+  Result<LogTime> momentNamed(const std::string& text);
   /// The nearest event after or before a moment, or null.
   const Event* eventBeside(LogTime moment, bool after) const;
   /// The time of the datagram after or before the shown moment, if any.
@@ -159,9 +163,11 @@ class ViewModel {
   /// What the device's panel shows: the selection; without one, and without packets, the first
   /// device that has joints.
   Selection inspected() const;
-  /// HandControl::set for a device by name; pauses the log.
+  /// HandControl::set for a device by name; pauses the log, and leaves a live session at now.
   Status setByHand(const std::string& device, const std::string& value_name, double value,
                    SteadyTime now);
+  /// The same by HandControl::setAll.
+  Status setByHand(const std::string& device, std::span<const double> values, SteadyTime now);
 
   /// The picture's camera: a named one, until the mouse moves it.
   CameraView cameraView();
@@ -202,6 +208,8 @@ class ViewModel {
   /// Shadows and contact, as looks of the window's own choice, until the user chooses one of them;
   /// and the camera's cone in maps.
   void useLooksByDefault();
+  /// Ends them: they took far too long.
+  void dropLooksByDefault();
   /// Shadows and contact are the window's choice, which a frame may leave out to be drawn in time.
   bool hasLooksByDefault() const { return looks_by_default_; }
   RenderStyle frameStyle() const;
@@ -246,6 +254,10 @@ class ViewModel {
   /// Makes scene_ of state_, which is of this moment, with the ghosts beside.
   Status pose(LogTime moment);
   void follow();
+  /// Shows what is driven: now, or the log's moment at which it was begun.
+  void enterDriving(SteadyTime now);
+  Status setByHand(const std::string& device, const std::function<Status(const PosedDevice&)>& set,
+                   SteadyTime now);
   /// Asks for the nearest distance of what is shown, and takes the last answer; true when its line
   /// in the picture changed.
   bool lookForNearest();

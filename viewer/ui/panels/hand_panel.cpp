@@ -15,6 +15,17 @@ namespace rocinante {
 namespace {
 
 const ImVec4 kFaultColor{1, 0.6F, 0.4F, 1};
+const ImVec4 kDriveColor{1, 0.35F, 0.3F, 1};
+
+/// "arm/elbow, arm/wrist", or how many.
+std::string drivenText(const JointsByDevice& joints) {
+  std::vector<std::string> names;
+  for (const auto& [device, values] : joints) {
+    for (const auto& value : values) names.push_back(device + "/" + value.first);
+  }
+  return names.size() <= 3 ? fmt::format("{}", fmt::join(names, ", "))
+                           : countText(names.size(), "joint");
+}
 
 /// The device's joints as `--joints` takes them.
 std::string copiedJoints(const ViewModel& model, const PosedDevice& device) {
@@ -35,14 +46,14 @@ void fill(std::array<char, kSize>& text, const std::string& with) {
 
 void drawDrivePopup(HandControl& hand) {
   if (!ImGui::BeginPopup("drive")) return;
-  ImGui::TextUnformatted("Send what the sliders say");
+  ImGui::TextUnformatted("Send what is moved by hand");
   ImGui::SetNextItemWidth(px(300));
   ImGui::InputText("to", hand.drive_endpoint.data(), hand.drive_endpoint.size());
   explain("an endpoint: 127.0.0.1:19960, udp://GROUP:PORT?interface=lo");
   ImGui::SetNextItemWidth(px(300));
   ImGui::InputText("as", hand.drive_source.data(), hand.drive_source.size());
   explain("the name of the source");
-  if (ImGui::Button("Send")) {
+  if (ImGui::Button("Drive")) {
     const Status begun = hand.drive(hand.drive_endpoint.data(), hand.drive_source.data());
     hand.trouble = begun ? std::string() : begun.error().text();
     if (begun) ImGui::CloseCurrentPopup();
@@ -54,7 +65,7 @@ void drawDrivePopup(HandControl& hand) {
 void drawDrive(HandControl& hand) {
   if (hand.driving() != nullptr) {
     if (ImGui::SmallButton("stop")) hand.stopDriving();
-    explain("send nothing more");
+    explain("end driving: nothing is sent any more (Esc)");
     return;
   }
   if (ImGui::SmallButton("drive")) {
@@ -63,7 +74,7 @@ void drawDrive(HandControl& hand) {
     hand.trouble.clear();
     ImGui::OpenPopup("drive");
   }
-  explain("send what the sliders say as a source");
+  explain("driving: what is moved by hand is sent as a source, until Esc");
   drawDrivePopup(hand);
 }
 
@@ -82,7 +93,7 @@ void drawHandButtons(ViewModel& model, const PosedDevice& device) {
   if (device.model->positionalCount() == 0) return;
   HandControl& hand = model.hand;
   ImGui::BeginDisabled(!hand.joints().devices().contains(device.name));
-  if (ImGui::SmallButton("reset")) hand.reset(device);
+  if (ImGui::SmallButton("reset")) hand.reset(device.name);
   ImGui::EndDisabled();
   explain("give all joints of this device back; Backspace: those of all devices");
   ImGui::SameLine();
@@ -110,6 +121,15 @@ void drawHandButtons(ViewModel& model, const PosedDevice& device) {
   }
 }
 
+void drawDriveFrame(const ViewModel& model) {
+  if (model.hand.driving() == nullptr) return;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float width = px(5);
+  ImGui::GetForegroundDrawList()->AddRect(ImVec2(width / 2, width / 2),
+                                          ImVec2(size.x - width / 2, size.y - width / 2),
+                                          ImGui::GetColorU32(kDriveColor), 0, 0, width);
+}
+
 HandBanner handBanner(const ViewModel& model) {
   const HandControl& hand = model.hand;
   HandBanner banner;
@@ -121,21 +141,14 @@ HandBanner handBanner(const ViewModel& model) {
     banner.hint = "playing ends it; Backspace gives the joints back to the log";
   }
   if (const HandDrive* drive = hand.driving()) {
-    const auto devices = drive->devices();
-    const std::string driven = devices.empty()       ? "what is moved by hand"
-                               : devices.size() <= 3 ? fmt::format("{}", fmt::join(devices, ", "))
-                                                     : countText(devices.size(), "device");
-    if (banner.what.empty()) {
-      banner.what = fmt::format("sending {} as `{}` to {}", driven, drive->source(),
-                                drive->endpoint().text());
-    } else {
-      banner.hint = fmt::format("sent as `{}` to {}; playing sends what the log has",
-                                drive->source(), drive->endpoint().text());
-    }
-    if (!drive->trouble().empty()) {
-      banner.color = kFaultColor;
-      banner.hint = drive->trouble();
-    }
+    const std::string who =
+        fmt::format("driving {} as `{}`", drive->endpoint().text(), drive->source());
+    banner.color = kDriveColor;
+    banner.what = drive->joints().empty() ? who + ": what is moved by hand is sent"
+                                          : fmt::format("{}: {}", who, drivenText(drive->joints()));
+    banner.hint = model.isLive() ? "Esc, Backspace or N ends it; leaving now does, too"
+                                 : "Esc or Backspace ends it; playing does, too";
+    if (!drive->trouble().empty()) banner.hint = drive->trouble();
   }
   return banner;
 }

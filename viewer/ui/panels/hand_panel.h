@@ -14,6 +14,9 @@ void drawMovers(const ViewModel& model, const DeviceState* received);
 /// Draws the buttons over a device's sliders: reset, copy as `--joints`, units, drive.
 void drawHandButtons(ViewModel& model, const PosedDevice& device);
 
+/// Draws a red frame round the window while it drives.
+void drawDriveFrame(const ViewModel& model);
+
 /// What is said over the picture while joints are moved by hand; empty: nothing.
 struct HandBanner {
   ImVec4 color;

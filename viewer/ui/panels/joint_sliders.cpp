@@ -177,11 +177,13 @@ void drawSlider(ViewModel& model, const PosedDevice& device, const HandRow& one,
   const auto mouse = static_cast<double>((ImGui::GetIO().MousePos.x - corner.x - inset) / reach);
   if (ImGui::IsItemActivated()) {
     hand.before_press = one.by_hand ? std::optional(one.row.value) : std::nullopt;
-    // A press beside the thumb brings it there; on the thumb it only takes it.
+    // A press beside the thumb brings it there; on the thumb it only takes it. Nothing that is
+    // driven jumps to where the mouse was pressed.
     const double here = range.partOf(one.row, one.row.value);
     const bool on_thumb = std::abs(here - mouse) * static_cast<double>(reach) <= px(7);
-    hand.grabbed_at = on_thumb || ImGui::GetIO().KeyShift ? mouse - here : 0;
-    if (!on_thumb && !ImGui::GetIO().KeyShift) set(range.valueAt(std::clamp(mouse, 0.0, 1.0)));
+    const bool takes = on_thumb || ImGui::GetIO().KeyShift || hand.driving() != nullptr;
+    hand.grabbed_at = takes ? mouse - here : 0;
+    if (!takes) set(range.valueAt(std::clamp(mouse, 0.0, 1.0)));
   } else if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0) {
     double part = mouse - hand.grabbed_at;
     if (ImGui::GetIO().KeyShift) {
@@ -198,11 +200,12 @@ void drawSlider(ViewModel& model, const PosedDevice& device, const HandRow& one,
     if (hand.before_press) {
       set(*hand.before_press);
     } else {
-      hand.reset(device, one.row.name);
+      hand.reset(device.name, one.row.name);
     }
     beginEdit(model, device.name, before);
   }
-  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) hand.reset(device, one.row.name);
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+    hand.reset(device.name, one.row.name);
   drawJointTrack(one, range, corner, width, height, true, hovered || ImGui::IsItemActive());
   if (!ImGui::IsItemActive()) explain(rowTip(one, hand.units, true).c_str());
 }
@@ -276,7 +279,7 @@ void drawRow(ViewModel& model, const PosedDevice& device, const HandRow& one, St
   ImGui::TableNextColumn();
   if (one.by_hand) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-    if (ImGui::SmallButton("x")) model.hand.reset(device, row.name);
+    if (ImGui::SmallButton("x")) model.hand.reset(device.name, row.name);
     ImGui::PopStyleColor();
     explain("give this joint back");
   }

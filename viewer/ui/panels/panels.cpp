@@ -143,6 +143,7 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
   if (status.loading) drawLoading(*status.loading, model.is_empty);
   const float bottom = size.y - static_cast<float>(covered.bottom);
   drawPictureLines(pictureLines(model, status, now), middle, right_end, bottom, model.panels.lines);
+  drawDriveFrame(model);
   if (model.panels.asks_mark) drawMarkPrompt(model, requests);
   if (model.panels.help_shown) drawHelp(model);
   if (model.panels.open.shown) drawOpenList(model, requests);

@@ -17,6 +17,7 @@ namespace rocinante {
 struct LoadingStatus {
   std::string name;
   LoadProgress progress;
+  std::string waits_for{};  ///< a sentence; empty: for nothing else
 };
 
 /// The program's status for the panels.

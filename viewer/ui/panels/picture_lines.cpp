@@ -1,5 +1,6 @@
 #include "viewer/ui/panels/picture_lines.h"
 
+#include <fmt/format.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -44,6 +45,19 @@ LineSize sizeOf(const PictureLine& line, const LineRoom& room) {
   result.size.x += 2 * padding.x + 1;
   result.size.y += 2 * padding.y;
   return result;
+}
+
+/// The first notes of a kind, one a line, and how many more there are; empty: none.
+std::string notesText(const std::vector<PictureNote>& notes, bool errors) {
+  constexpr std::size_t kMost = 4;
+  std::string text;
+  std::size_t count = 0;
+  for (const PictureNote& note : notes) {
+    if (note.is_error != errors || ++count > kMost) continue;
+    text += (text.empty() ? "" : "\n") + note.text;
+  }
+  if (count > kMost) text += fmt::format("\nand {} more in the terminal", count - kMost);
+  return text;
 }
 
 /// Returns what is below the line.
@@ -117,6 +131,12 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   }
   if (!model.keepingTrouble().empty()) add("kept", model.keepingTrouble(), "", kFault);
   if (!model.panels.complaint.empty()) add("complaint", model.panels.complaint, "", kFault);
+  for (const bool errors : {true, false}) {
+    const std::string text = notesText(model.panels.notes, errors);
+    if (!text.empty()) {
+      add(errors ? "errors" : "notes", text, "Esc dismisses it", errors ? kFault : kHint);
+    }
+  }
   if (!status.notice.empty()) {
     add("notice", status.notice, "", status.notice_is_fault ? kFault : kDone);
   }

@@ -1,6 +1,7 @@
 #include "viewer/ui/panels/scene_panel.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <optional>
@@ -8,18 +9,25 @@
 #include <vector>
 
 #include "core/packet/packet_text.h"
+#include "viewer/ui/model/shown_layers.h"
 #include "viewer/ui/panels/others_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {
 namespace {
 
-/// A check box for the present visibility. Marks a user's choice that differs from packets and
-/// cell, and can reset it.
-void drawVisibility(ViewModel& model, const std::string& path, bool by_default, const char* label) {
+/// A check box for what the picture shows: of a part, it is half checked. Marks a user's choice
+/// that differs from packets and cell, and can reset it.
+void drawVisibility(ViewModel& model, const std::string& path, ShownPart shown, bool by_default,
+                    const char* label) {
   const auto chosen = model.chosenVisibility(path);
-  bool visible = chosen.value_or(by_default);
-  if (ImGui::Checkbox(label, &visible)) model.setVisible(path, visible);
+  const bool is_mixed = shown == ShownPart::some;
+  bool visible =
+      shown == ShownPart::nothing ? chosen.value_or(by_default) : shown != ShownPart::hidden;
+  ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, is_mixed);
+  // A click on a part shows all.
+  if (ImGui::Checkbox(label, &visible)) model.setVisible(path, visible || is_mixed);
+  ImGui::PopItemFlag();
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("cell and packets: %s\nyour choice: %s", by_default ? "shown" : "hidden",
                       !chosen   ? "none"
@@ -87,10 +95,12 @@ void drawLayers(ViewModel& model) {
       !ImGui::CollapsingHeader("Layers", ImGuiTreeNodeFlags_DefaultOpen)) {
     return;
   }
-  for (const CellLayer& layer : model.cell().layers) {
+  const auto shown = shownLayers(model.cell(), model.scene(), model.choice());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const CellLayer& layer = model.cell().layers[i];
     ImGui::PushID(layer.name.c_str());
-    drawVisibility(model, "layer/" + encodeName(layer.name), model.layerVisibleByDefault(layer),
-                   layer.name.c_str());
+    drawVisibility(model, "layer/" + encodeName(layer.name), shown[i],
+                   model.layerVisibleByDefault(layer), layer.name.c_str());
     ImGui::PopID();
   }
 }
@@ -122,7 +132,8 @@ void drawLinkRow(ViewModel& model, const PosedDevice& device, std::size_t number
   const Link& link = device.model->links[number];
   const Selection here{device.name, link.name};
   ImGui::Indent();
-  drawVisibility(model, here.path(), device.link_visible[number], "##visible");
+  drawVisibility(model, here.path(), shownLink(device, number, model.choice()),
+                 device.link_visible[number], "##visible");
   ImGui::SameLine();
   const bool selected = model.selected == here;
   if (ImGui::Selectable(link.name.c_str(), selected)) {
@@ -133,7 +144,8 @@ void drawLinkRow(ViewModel& model, const PosedDevice& device, std::size_t number
 
 void drawDeviceRow(ViewModel& model, const PosedDevice& device) {
   const Selection here{device.name, ""};
-  drawVisibility(model, here.path(), device.visible, "##visible");
+  drawVisibility(model, here.path(), shownDevice(device, model.choice()), device.visible,
+                 "##visible");
   ImGui::SameLine();
   ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth |
                              ImGuiTreeNodeFlags_NoTreePushOnOpen;

@@ -97,15 +97,14 @@ void drawTime(ViewModel& model, TimelineCursor& cursor, SteadyTime now, float ro
         ImGuiInputTextFlags_EnterReturnsTrue);
     const bool left = ImGui::IsItemDeactivated();
     if (entered) {
-      const auto moment =
-          parseSessionTime(model.panels.time_text.data(), model.origin(), cursor.end());
+      const auto moment = model.momentNamed(model.panels.time_text.data());
       if (moment.ok()) {
         cursor.seek(*moment, now);
         model.time_view.follow(cursor.position(now));
       }
     }
     if (entered || left) model.panels.asks_time = false;
-    explain("Enter goes there; -1s is a second before the end");
+    explain("Enter goes there; -1s is a second before the end, picked is the event of that name");
     return;
   }
   const std::string at = shownSeconds(cursor.position(now) - model.origin());

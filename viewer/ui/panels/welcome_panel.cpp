@@ -63,7 +63,9 @@ void drawLoading(const LoadingStatus& loading, bool is_empty) {
   const auto total = static_cast<float>(now.bytes_total);
   const float part = total > 0 ? static_cast<float>(now.bytes_done) / total : 0;
   ImGui::ProgressBar(part, ImVec2(-1, px(6)), "");
-  if (now.files_total == 0) {
+  if (!loading.waits_for.empty()) {
+    ImGui::TextDisabled("%s", loading.waits_for.c_str());
+  } else if (now.files_total == 0) {
     ImGui::TextDisabled("reading");
   } else {
     ImGui::TextDisabled("%s",

@@ -38,6 +38,7 @@ void DetailChoice::apply(const ViewerRequests& requests) {
   }
   if (requests.rung) {
     fixed_ = *requests.rung >= 0;
+    governor_.allowAll();
     rung_ = existingRung(fixed_ ? *requests.rung : governor_.rung());
     governor_.forget();
   }

@@ -92,16 +92,14 @@ std::vector<std::string> caseArguments(const EvidenceRequest& request, const fs:
     words.emplace_back(option);
     words.push_back(value);
   };
+  // Names in a suite count from its folder. A suite that exists must be of these files.
   std::error_code fault;
-  if (!fs::exists(suite, fault)) {
-    // Names in a suite count from its folder.
-    const auto named = [&](const fs::path& file) {
-      const fs::path folder = fs::absolute(suite, fault).parent_path();
-      return fs::absolute(file, fault).lexically_relative(folder).string();
-    };
-    if (request.cell != request.log) add("--cell", named(request.cell));
-    if (!request.log.empty()) add("--log", named(request.log));
-  }
+  const auto named = [&](const fs::path& file) {
+    const fs::path folder = fs::absolute(suite, fault).parent_path();
+    return fs::absolute(file, fault).lexically_relative(folder).string();
+  };
+  add("--cell", named(request.cell));
+  if (!request.log.empty()) add("--log", named(request.log));
   if (!request.at.empty()) add("--at", request.at + "s");
   words.push_back("--camera=" +
                   (request.camera.empty() ? viewpointText(request.view) : request.camera));

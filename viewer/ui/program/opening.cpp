@@ -16,6 +16,7 @@ Status Opening::open(const std::vector<std::filesystem::path>& files) {
     return Error{ErrorKind::refused, "wait until " + loader_.name() + " is loaded", {}};
   }
   model_.panels.open.used = true;
+  model_.panels.notes.clear();
   auto request = requestOf(files, shown_);
   if (!request.ok()) return request.error();
   loader_.start(std::move(*request));
@@ -39,7 +40,7 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
 
 std::optional<LoadingStatus> Opening::status() const {
   if (!loader_.busy()) return std::nullopt;
-  return LoadingStatus{loader_.name(), loader_.progress()};
+  return LoadingStatus{loader_.name(), loader_.progress(), {}};
 }
 
 }  // namespace rocinante

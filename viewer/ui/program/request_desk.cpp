@@ -119,7 +119,10 @@ void RequestDesk::finish(SteadyTime now) {
 }
 
 void RequestDesk::openFiles(const std::vector<std::filesystem::path>& files, SteadyTime now) {
-  if (Status begun = my_.opening.open(files); !begun) say(begun.error().text(), true, now);
+  const Status begun = my_.opening.open(files);
+  if (begun) return;
+  if (begun.error().kind == ErrorKind::refused) return say(begun.error().text(), true, now);
+  my_.model.panels.notes.push_back({begun.error().text(), true});
 }
 
 }  // namespace rocinante

@@ -5,6 +5,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+
 #include "viewer/ui/commands/key_commands.h"
 #include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/window/interface_context.h"
@@ -88,6 +90,12 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
                                            ViewerRequests& requests) {
   const auto click = applyMouse(model, width_px, height_px);
   const ImGuiIO& io = ImGui::GetIO();
+  // Whatever has the keyboard, Esc ends driving.
+  const bool ended =
+      model.hand.driving() != nullptr && std::ranges::any_of(presses, [](const KeyPress& press) {
+        return press.key == GLFW_KEY_ESCAPE;
+      });
+  if (ended) model.hand.stopDriving();
   if (io.WantTextInput) return click;
   if (model.panels.palette.shown || model.panels.open.shown) {
     // They get the keyboard in a moment, and close themselves.
@@ -108,6 +116,7 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
       list_open = false;
       continue;
     }
+    if (ended && press.key == GLFW_KEY_ESCAPE) continue;
     tell(runKey(press, stage));
     if (!model.panels.palette.shown && !model.panels.open.shown) continue;
     // What follows is typed into it.

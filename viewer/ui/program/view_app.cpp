@@ -1,5 +1,6 @@
 #include "viewer/ui/program/view_app.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -85,6 +86,7 @@ class ViewApp {
   void prepareView();
   Status drawFrame(double app_ms);
   Status refine();
+  void endLook(const Governor::Runaway& runaway);
   Status compose(bool same_picture);
   bool frameDue(bool changed) const;
   void writeDown();
@@ -121,6 +123,7 @@ class ViewApp {
   FrameTimes times_;          ///< of the frame that last drew the scene
   ViewerStatus status_;
   CoveredEdges covered_;
+  RenderStyle style_;  ///< of the last frame
   int width_ = 1, height_ = 1;
 };
 
@@ -130,7 +133,9 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   auto renderer = Renderer::create(window, model.cell(), options.profile);
   if (!renderer.ok()) return renderer.error();
   for (const std::string& warning : renderer->warnings()) {
-    cli::warn(model.cell().shown(warning));
+    const std::string shown = model.cell().shown(warning);
+    cli::warn(shown);
+    model.panels.notes.push_back({shown, false});
   }
   std::unique_ptr<ViewApp> app(
       new ViewApp(content, window, options, session, std::move(*renderer)));
@@ -183,6 +188,11 @@ void ViewApp::prepareView() {
   }
   interface_.useTheme(model_.panels.is_light);
   if (detail_.prepare(picture_.renderer())) picture_.changed();
+  // What a frame cost says nothing of another look.
+  if (const RenderStyle& style = model_.style(); style != style_) {
+    style_ = style;
+    detail_.forget();
+  }
   detail_.setLooksByDefault(model_.hasLooksByDefault());
   detail_.tell(status_);
 }
@@ -197,6 +207,20 @@ Status ViewApp::refine() {
   composer_.forget();
   frame_due_.happened(now());
   return {};
+}
+
+/// Tells once of a look that is not drawn any more.
+void ViewApp::endLook(const Governor::Runaway& runaway) {
+  const std::string took = fmt::format("a frame took {:.1f} s after {:.0f} ms",
+                                       runaway.cost_ms / 1000, runaway.typical_ms);
+  if (runaway.with_looks) model_.dropLooksByDefault();
+  const std::string text =
+      runaway.with_looks
+          ? took + ": shadows and contact are off (D turns shadows on)"
+          : fmt::format("{}: level {} is not drawn any more (`detail auto` tries again)", took,
+                        runaway.rung);
+  cli::warn(text);
+  evidence_.say(text, true, now());
 }
 
 /// Copies the picture to the window, with the interface over it. Screenshots are read from a buffer
@@ -277,6 +301,7 @@ Status ViewApp::drawFrame(double app_ms) {
   times_ = times;
   // The first picture's time is mostly that of compiling.
   if (!picture_.isPlain()) detail_.frameDrawn(times.total());
+  if (const auto runaway = detail_.takeRunaway()) endLook(*runaway);
   detail_.tell(status_);
   return {};
 }
@@ -358,15 +383,30 @@ void ViewApp::finishPreview() {
   advance();
 }
 
-/// What was opened or dropped, once it has come; a script waits for it where it says so.
+/// What was opened or dropped, once it has come; a script waits for it where it says so. It takes
+/// the place of what is shown when nothing is made of that any more, and unless it is an empty
+/// picture in place of a good one.
 Result<std::unique_ptr<ViewContent>> ViewApp::takeOpened() {
+  if (evidence_.isMaking() || requests_.isSaving()) return nullptr;
   auto loaded = opening_.take(scripted());
   if (!loaded.ok()) return loaded.error();
   if (!*loaded) return nullptr;
   record_.addFilesCame();
-  if ((*loaded)->content != nullptr) return std::move((*loaded)->content);
-  evidence_.say((*loaded)->fault, true, now());
   frame_due_.happened(now());
+  std::unique_ptr<ViewContent> content = std::move((*loaded)->content);
+  std::vector<PictureNote>& notes = model_.panels.notes;
+  if (content == nullptr) {
+    cli::warn((*loaded)->fault);
+    notes.push_back({(*loaded)->fault, true});
+    return nullptr;
+  }
+  if (model_.is_empty || isHopeless(model_.cell()) || !isHopeless(content->model->cell())) {
+    return content;
+  }
+  notes.push_back(
+      {content->request.named().string() + " is not shown: it has nothing to draw", true});
+  for (PictureNote& note : content->model->panels.notes) notes.push_back(std::move(note));
+  for (const std::string& warning : content->warnings) cli::warn(warning);
   return nullptr;
 }
 
@@ -390,7 +430,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (!changed.ok()) return changed.error();
     if (showBackdrop()) changed = true;
     const double app_ms = millisecondsSince(began);
-    model_.hand.sendDue(model_.scene(), model_.state(), now(), std::chrono::system_clock::now());
+    model_.hand.sendDue(now(), std::chrono::system_clock::now());
     if (auto published = publish_.tell(now()); !published) return published.error();
     if (*changed) picture_.changed();
     if (!frameDue(*changed)) {
@@ -420,6 +460,9 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     }
     if (script_.isTimed()) finishPreview();
     status_.loading = opening_.status();
+    if (status_.loading && (evidence_.isMaking() || requests_.isSaving())) {
+      status_.loading->waits_for = "it is shown when what is being made of this is written";
+    }
     if (auto drawn = drawFrame(app_ms); !drawn) return drawn.error();
     if (scripted()) {
       if (auto kept = script_.afterFrame([this] { return composer_.composed().read(); }); !kept) {
@@ -435,6 +478,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
   }
   // What is yet to be written and to be ended nobody has to look at.
   window_->hide();
+  model_.hand.stopDriving();
   requests_.finish(now());
   return next;
 }

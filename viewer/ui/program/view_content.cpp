@@ -13,7 +13,8 @@
 #include "core/cli/worker_threads.h"
 #include "core/foreign/live/cell_decoders.h"
 #include "core/foreign/recordings/opened_recording.h"
-#include "core/session/session_time.h"
+#include "core/report/account.h"
+#include "core/session/moment_name.h"
 #include "core/signing/trust_judge.h"
 #include "viewer/bake/cell_cache.h"
 
@@ -38,15 +39,12 @@ Result<std::optional<LiveFeed>> openFeed(const ContentRequest& request, const Ce
   return std::optional<LiveFeed>(std::move(*feed));
 }
 
-void warnOfFaults(const Cell& cell, std::vector<std::string>& warnings) {
-  std::size_t errors = 0;
-  for (const Finding& fault : cell.faults) {
-    if (fault.severity != Severity::error) continue;
-    if (++errors <= 3) warnings.push_back(fault.print());
-  }
-  if (errors > 3) {
-    warnings.push_back(fmt::format("{} errors in all; rocinante check lists them", errors));
-  }
+bool hasGeometry(const Model& model) {
+  return std::ranges::any_of(model.links, [](const Link& link) {
+    const auto has_mesh = [](const Visual& visual) { return visual.mesh != nullptr; };
+    return std::ranges::any_of(link.visuals, has_mesh) ||
+           std::ranges::any_of(link.collisions, has_mesh);
+  });
 }
 
 /// The log, which is made of a recording of another program first. Names its joints by the cell.
@@ -177,15 +175,49 @@ Status applyArguments(const ContentRequest& request, ViewModel& model,
   if (request.at.empty()) return {};
   TimelineCursor* cursor = model.cursor();
   if (cursor == nullptr) {
-    return Error{ErrorKind::bad_argument, "--at needs a log", "--at " + request.at};
+    return Error{ErrorKind::bad_argument, "this needs a log",
+                 (request.at_event ? "--event " : "--at ") + request.at};
   }
-  const auto moment = parseSessionTime(request.at, model.origin(), cursor->end());
+  if (model.session() == nullptr) return {};
+  const auto moment = request.at_event ? momentOfEvent(request.at, *model.session())
+                                       : parseMoment(request.at, *model.session());
   if (!moment.ok()) return moment.error();
   cursor->seek(*moment, SteadyTime{});
   return {};
 }
 
 }  // namespace
+
+std::vector<PictureNote> notesOf(const Cell& cell) {
+  std::vector<PictureNote> notes;
+  std::size_t errors = 0;
+  for (const Finding& fault : cell.faults) {
+    if (fault.severity != Severity::error) continue;
+    if (++errors <= 3) notes.push_back({fault.print(), true});
+  }
+  if (errors > 3) {
+    notes.push_back({fmt::format("{} errors in all; rocinante check lists them", errors), true});
+  }
+  std::string left_out = accountSentence(accountOf(cell.faults));
+  if (!left_out.empty()) notes.push_back({cell.shown(std::move(left_out)), false});
+  return notes;
+}
+
+bool isHopeless(const Cell& cell) {
+  const bool has_errors = std::ranges::any_of(
+      cell.faults, [](const Finding& fault) { return fault.severity == Severity::error; });
+  if (!has_errors) return false;
+  const bool draws =
+      std::ranges::any_of(cell.models,
+                          [](const auto& named) {
+                            return named.second != nullptr && hasGeometry(*named.second);
+                          }) ||
+      std::ranges::any_of(cell.devices, [&](const CellDevice& device) {
+        const Model* const model = cell.modelOf(device);
+        return model != nullptr && hasGeometry(*model);
+      });
+  return !draws;
+}
 
 Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress,
                                 const std::stop_token& stop) {
@@ -221,10 +253,10 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
         cell->keeps_files, recording.folder);
   }
   ViewContent content;
-  warnOfFaults(*cell, content.warnings);
-  content.warnings.insert(content.warnings.end(), recording.warnings.begin(),
-                          recording.warnings.end());
-  if (!recording.not_kept.empty()) content.warnings.push_back(recording.not_kept);
+  std::vector<PictureNote> notes = notesOf(*cell);
+  for (const std::string& warning : recording.warnings) notes.push_back({warning, false});
+  if (!recording.not_kept.empty()) notes.push_back({recording.not_kept, false});
+  for (const PictureNote& note : notes) content.warnings.push_back(note.text);
 
   std::optional<Timeline> session;
   if (!request.log.empty()) {
@@ -242,6 +274,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
                                request.show);
   if (!model.ok()) return model.error();
   content.model = std::make_unique<ViewModel>(std::move(*model));
+  content.model->panels.notes = std::move(notes);
   if (auto shown = showBeside(request, *file, progress, stop, content); !shown) {
     return shown.error();
   }

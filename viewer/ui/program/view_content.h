@@ -36,6 +36,7 @@ struct ContentRequest {
   std::string publish, publish_as;  ///< an endpoint and a SOURCE for other windows; empty: neither
   std::vector<std::string> hide, show, styles;
   std::string camera, at;
+  bool at_event = false;  ///< `at` is the name of an event, never a time
   BackdropRequest backdrop;
   ModelSearch where;
 
@@ -48,10 +49,17 @@ struct ContentRequest {
 struct ViewContent {
   ContentRequest request;  ///< `cell` and `log` as they were found
   std::unique_ptr<ViewModel> model;
-  std::unique_ptr<Backdrop> backdrop;                  ///< null: none
-  std::vector<std::string> warnings;                   ///< one sentence each, to be printed
+  std::unique_ptr<Backdrop> backdrop;  ///< null: none
+  /// One sentence each, to be printed. The model's panels have those that stay over the picture.
+  std::vector<std::string> warnings;
   std::shared_ptr<const PrivateFolder> beside_folder;  ///< a temporary log beside lies in it
 };
+
+/// Errors of the cell and its files, and what of them is left out.
+std::vector<PictureNote> notesOf(const Cell& cell);
+
+/// The cell has nothing to draw, and errors that say why.
+bool isHopeless(const Cell& cell);
 
 /// Reads files and starts a live feed; any thread. `progress` may be called by other threads. Once
 /// `stop` is asked for, reading or importing a log ends soon, with an error.

@@ -7,6 +7,7 @@
 #include "core/bundle/cell_or_log.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
+#include "core/foreign/recordings/cell_and_log.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "viewer/gl/shader_cache.h"
 #include "viewer/ui/live/kept_folder.h"
@@ -50,7 +51,7 @@ struct Arguments {
   std::string drive, publish, as;
   std::string backdrop;
   BackdropRequest backdrop_terms;
-  std::string profile = "fast", camera, at, size, detail = "auto";
+  std::string profile = "fast", camera, at, event, size, detail = "auto";
   std::vector<std::string> styles;
   double target_fps = 30;
   std::vector<std::string> hide, show;
@@ -81,7 +82,8 @@ Result<ContentRequest> contentRequest(const Arguments& arguments) {
   request.show = arguments.show;
   request.styles = arguments.styles;
   request.camera = arguments.camera;
-  request.at = arguments.at;
+  request.at_event = !arguments.event.empty();
+  request.at = request.at_event ? arguments.event : arguments.at;
   request.joints = arguments.joints;
   if (!arguments.backdrop.empty()) {
     auto backdrop = parseBackdrop(arguments.backdrop);
@@ -247,7 +249,12 @@ int viewMain(int argc, char** argv) {
       ->check(CLI::IsMember({"fast", "reproducible"}))
       ->capture_default_str();
   app.add_option("--camera", arguments.camera, "a camera of the cell or a view of the session");
-  app.add_option("--at", arguments.at, "start at this session time");
+  auto* at = app.add_option("--at", arguments.at,
+                            "start at this session time (12.5s, -1s, RFC 3339), or at the event "
+                            "with this text");
+  app.add_option("--event", arguments.event, "start at the event whose text matches")
+      ->option_text("PATTERN")
+      ->excludes(at);
   auto* backdrop = app.add_option("--backdrop", arguments.backdrop,
                                   "pictures of a real camera behind and over the model: a picture, "
                                   "a folder with times, or a video (by ffmpeg)")
@@ -298,6 +305,7 @@ int viewMain(int argc, char** argv) {
     cli::catchStopSignals();
     const cli::StopDeadline until_stopped("stopped");
     arguments.is_live = live->count() > 0;
+    orderCellAndLog(arguments.cell, arguments.log);
     const bool is_recording = isLog(arguments.cell) || isForeignRecording(arguments.cell);
     if (arguments.log.empty() && !arguments.is_live && is_recording) {
       arguments.log = arguments.cell;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <optional>
 
 #include "core/packet/decoder.h"
 #include "core/session/message_folder.h"
@@ -32,78 +32,114 @@ class Driving : public testing::Test {
     }
     return state;
   }
+  std::optional<double> turn() const {
+    const SessionState state = folded();
+    const DeviceState* const arm = state.findDevice("arm");
+    if (arm == nullptr || !arm->named_joints.contains("turn")) return std::nullopt;
+    return arm->named_joints.at("turn").value;
+  }
 
   std::shared_ptr<test::KeptDatagrams::Kept> kept_ = std::make_shared<test::KeptDatagrams::Kept>();
 };
 
-TEST_F(Driving, SendsTheJointsAsAnOrdinarySource) {
+TEST_F(Driving, SendsTheMovedJointsByNameAndNoOther) {
   HandDrive drive = open();
-  const std::vector<double> values{0.5, -1.25};
-  drive.set("arm 1", values);
+  drive.set("arm 1", "elbow", -1.25);
   drive.tick(at(0ns), wall(0ns));
   ASSERT_EQ(kept_->texts.size(), 1U);
-  EXPECT_EQ(kept_->texts[0], "RK1 me@run1 0 1700000000\norder arm%201\njoints arm%201 0.5 -1.25\n");
-  EXPECT_EQ(drive.devices(), std::vector<std::string>{"arm 1"});
+  EXPECT_EQ(kept_->texts[0], "RK1 me@run1 0 1700000000\njoint arm%201 elbow=-1.25\n");
+  drive.set("arm 1", "wrist/roll", 0.5);
+  drive.tick(at(40ms), wall(40ms));
+  ASSERT_EQ(kept_->texts.size(), 2U);
+  EXPECT_EQ(kept_->texts[1],
+            "RK1 me@run1 1 1700000000.04\njoint arm%201 elbow=-1.25 wrist%2Froll=0.5\n");
+  EXPECT_EQ(drive.sent(), 2U);
   EXPECT_TRUE(drive.trouble().empty());
 }
 
 TEST_F(Driving, AMouseThatMovesAThousandTimesASecondSendsThirtyAndTheLastValue) {
   HandDrive drive = open();
   for (int ms = 0; ms < 1000; ++ms) {
-    const std::vector<double> values{ms * 0.001};
-    drive.set("arm", values);
+    drive.set("arm", "turn", ms * 0.001);
     drive.tick(at(ms * 1ms), wall(ms * 1ms));
   }
   drive.tick(at(1100ms), wall(1100ms));
   EXPECT_LE(kept_->texts.size(), 32U);
   EXPECT_GE(kept_->texts.size(), 28U);
-  EXPECT_EQ(folded().findDevice("arm")->joints->value, std::vector<double>{0.999});
+  EXPECT_EQ(turn(), 0.999);
 }
 
-TEST_F(Driving, RestatesForThoseWhoComeLater) {
+TEST_F(Driving, RestatesForThoseWhoComeLaterAsLongAsSomethingIsDriven) {
   HandDrive drive = open();
-  const std::vector<double> values{1};
-  drive.set("arm", values);
-  for (Nanoseconds since = 0ns; since < 5s; since += 50ms) {
-    drive.set("arm", values);  // the same again is no news
-    drive.tick(at(since), wall(since));
-  }
-  const auto restated = std::ranges::count_if(kept_->texts, [](const std::string& text) {
-    return text.find(" restated ") != std::string::npos;
-  });
-  EXPECT_GE(restated, 2);
-  EXPECT_EQ(static_cast<std::size_t>(restated) + 1, kept_->texts.size());
+  drive.tick(at(0ns), wall(0ns));
+  drive.tick(at(10s), wall(10s));
+  EXPECT_TRUE(kept_->texts.empty()) << "nothing was moved";
+  const auto run = [&](Nanoseconds from, Nanoseconds until) {
+    kept_->texts.clear();
+    for (Nanoseconds since = from; since < until; since += 50ms) drive.tick(at(since), wall(since));
+  };
+  drive.set("arm", "turn", 1);
+  run(10s, 15s);
+  ASSERT_EQ(kept_->texts.size(), 3U);
+  EXPECT_EQ(kept_->texts[1], "RK1 me@run1 1 1700000012 restated part=r0:1/1\njoint arm turn=1\n");
+  EXPECT_EQ(turn(), 1);
+  drive.set("arm", "turn", 1);  // the same again is no news
+  run(15s, 15500ms);
+  EXPECT_TRUE(kept_->texts.empty());
+}
+
+TEST_F(Driving, WhatIsLetGoIsTakenBackAtOnceAndNeverSentAgain) {
+  HandDrive drive = open();
+  drive.set("arm", "turn", 1);
+  drive.set("arm", "lift", 2);
+  drive.tick(at(0ns), wall(0ns));
+  drive.release("arm", "turn");
+  drive.release("arm", "nothing");
+  drive.tick(at(100ms), wall(100ms));
+  ASSERT_EQ(kept_->texts.size(), 2U);
+  EXPECT_EQ(kept_->texts[1], "RK1 me@run1 1 1700000000.1 restated part=r0:1/1\njoint arm lift=2\n");
+  EXPECT_FALSE(turn());
+  drive.releaseAll();
+  for (Nanoseconds since = 200ms; since < 9s; since += 50ms) drive.tick(at(since), wall(since));
+  ASSERT_EQ(kept_->texts.size(), 3U);
+  EXPECT_EQ(kept_->texts[2], "RK1 me@run1 2 1700000000.2 restated part=r1:1/1\n");
+  EXPECT_EQ(folded().findDevice("arm"), nullptr);
 }
 
 TEST_F(Driving, WhatCannotBeSentIsToldAndMadeUpFor) {
   HandDrive drive = open();
   kept_->refuses = true;
-  const std::vector<double> values{1};
-  drive.set("arm", values);
+  drive.set("arm", "turn", 1);
   drive.tick(at(0ns), wall(0ns));
   EXPECT_EQ(drive.trouble(), "no route (nowhere)");
   kept_->refuses = false;
   for (Nanoseconds since = 100ms; since < 5s; since += 50ms) drive.tick(at(since), wall(since));
   EXPECT_TRUE(drive.trouble().empty());
-  ASSERT_FALSE(kept_->texts.empty());
-  EXPECT_EQ(folded().findDevice("arm")->joints->value, values);
+  EXPECT_EQ(turn(), 1);
   kept_->full = true;
-  drive.set("arm", std::vector<double>{2});
+  drive.set("arm", "turn", 2);
   drive.tick(at(6s), wall(6s));
   EXPECT_EQ(drive.trouble(), "the system has no room for more datagrams");
 }
 
-TEST_F(Driving, RefusesANameThatNoPacketCanHave) {
-  EXPECT_FALSE(HandDrive::into(std::make_unique<test::KeptDatagrams>(kept_), {"", "run"}).ok());
-  HandDrive drive = open();
-  drive.set("arm", std::vector<double>(2000, 0.123456789));
-  EXPECT_NE(drive.trouble().find("arm is not sent"), std::string::npos) << drive.trouble();
+TEST_F(Driving, RefusesNamesThatNoPacketCanHave) {
+  for (const std::string& name : {std::string(), std::string("a\nb"), std::string(300, 'x'),
+                                  std::string("\xff"), std::string(5000, 'x')}) {
+    EXPECT_FALSE(HandDrive::into(std::make_unique<test::KeptDatagrams>(kept_), {name, "run"}).ok());
+    HandDrive drive = open();
+    drive.set("arm", name, 1);
+    EXPECT_NE(drive.trouble().find("no packet can hold it"), std::string::npos) << name;
+    drive.set(name, "turn", 1);
+    drive.tick(at(0ns), wall(0ns));
+    EXPECT_TRUE(drive.joints().empty());
+  }
+  EXPECT_TRUE(kept_->texts.empty());
 }
 
 TEST_F(Driving, ChoosesANewRunAtEachStart) {
   for (int i = 0; i < 2; ++i) {
     HandDrive drive = open({"me", ""});
-    drive.set("arm", std::vector<double>{1});
+    drive.set("arm", "turn", 1);
     drive.tick(at(0ns), wall(0ns));
   }
   ASSERT_EQ(kept_->texts.size(), 2U);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/kept_datagrams.h"
 #include "tests/viewer/support/test_session.h"
 #include "viewer/ui/commands/key_commands.h"
 #include "viewer/ui/model/view_model.h"
@@ -45,7 +46,7 @@ TEST_F(MovedByHand, WithoutALogTheFirstDeviceWithJointsIsThereToBeMoved) {
   EXPECT_DOUBLE_EQ(turnOf(model), 0.5);
   EXPECT_FALSE(*model.update(SteadyTime{}));  // at rest again
   const PosedDevice arm = model.scene().devices[0];
-  model.hand.reset(arm, "turn");
+  model.hand.reset(arm.name, "turn");
   EXPECT_TRUE(*model.update(SteadyTime{}));
   EXPECT_DOUBLE_EQ(turnOf(model), 0);
   EXPECT_FALSE(model.setByHand("leg", "turn", 0.5, SteadyTime{}));
@@ -87,42 +88,153 @@ TEST_F(MovedByHand, KeysGiveJointsBackAndSwitchUnits) {
   EXPECT_EQ(model.hand.units, Units{});
 }
 
-TEST(HandControl, InALiveSessionMovesOnlyWhatItDrives) {
-  Model model;
-  model.links.resize(3);
-  for (std::size_t i = 0; i < 2; ++i) {
-    Joint joint;
-    joint.name = i == 0 ? "first" : "second";
-    joint.type = JointType::continuous;
-    joint.parent = i;
-    joint.child = i + 1;
-    model.joints.push_back(joint);
-    model.update_order.push_back(i);
+/// An arm of two joints, and a window that drives it.
+class DrivingByHand : public testing::Test {
+ protected:
+  DrivingByHand() {
+    model_.links.resize(3);
+    for (std::size_t i = 0; i < 2; ++i) {
+      Joint joint;
+      joint.name = i == 0 ? "first" : "second";
+      joint.type = JointType::continuous;
+      joint.parent = i;
+      joint.child = i + 1;
+      model_.joints.push_back(joint);
+      model_.update_order.push_back(i);
+    }
+    device_.name = "arm";
+    device_.model = &model_;
   }
-  PosedDevice device;
-  device.name = "arm";
-  device.model = &model;
-  DeviceState received;
-  received.joints = Item<std::vector<double>>{{0.1, 0.2}, "robot", {}};
+  void drive(HandControl& hand) {
+    auto drive = HandDrive::into(std::make_unique<test::KeptDatagrams>(kept_), {"me", "run1"});
+    ASSERT_TRUE(drive.ok());
+    hand.drive(std::move(*drive));
+  }
+  /// What is sent within the next seconds: "first=1 second=2", datagram by datagram.
+  std::string sentWithin(HandControl& hand, Nanoseconds seconds) {
+    kept_->texts.clear();
+    for (const SteadyTime until = now_ + seconds; now_ < until; now_ += 20ms) {
+      hand.sendDue(now_, WallTime{});
+    }
+    std::string all;
+    for (const std::string& text : kept_->texts) {
+      const std::size_t at = text.find("joint arm ");
+      all += (all.empty() ? "" : "; ") + (at == std::string::npos ? "-" : text.substr(at + 10));
+      if (all.ends_with('\n')) all.pop_back();
+    }
+    return all;
+  }
+
+  Model model_;
+  PosedDevice device_;
+  SteadyTime now_{};
+  std::shared_ptr<test::KeptDatagrams::Kept> kept_ = std::make_shared<test::KeptDatagrams::Kept>();
+};
+
+TEST_F(DrivingByHand, InALiveSessionMovesOnlyWhatItDrives) {
   HandControl hand;
   hand.setSituation(true, false);
-  EXPECT_FALSE(hand.set(device, &received, "first", 1));
-  ASSERT_TRUE(hand.drive("127.0.0.1:9", "me")) << "discard";
+  EXPECT_FALSE(hand.set(device_, "first", 1));
+  drive(hand);
+  EXPECT_TRUE(hand.takeEntered());
+  EXPECT_FALSE(hand.takeEntered());
   hand.setSituation(true, false);
-  ASSERT_TRUE(hand.set(device, &received, "first", 1));
-  // The other joint is held where it was.
-  EXPECT_EQ(hand.joints().find("arm", "second"), 0.2);
+  EXPECT_EQ(sentWithin(hand, 5s), "") << "nothing was moved";
+  ASSERT_TRUE(hand.set(device_, "first", 1));
+  // The other joint is not sent, wherever it was last heard.
+  EXPECT_FALSE(hand.joints().find("arm", "second"));
+  EXPECT_EQ(sentWithin(hand, 5s), "first=1; first=1; first=1");
   const SessionState packets;
   EXPECT_EQ(hand.over(packets, LogTime{}), &packets);
-  // Given back is the model's own place: what packets say is what this window sent.
-  hand.reset(device, "first");
-  EXPECT_EQ(hand.joints().find("arm", "first"), 0.0);
+  // Given back is let go: nothing drives to the model's own place.
+  hand.reset("arm", "first");
+  EXPECT_EQ(sentWithin(hand, 5s), "-");
+  EXPECT_FALSE(hand.joints().find("arm", "first"));
   hand.stopDriving();
   hand.setSituation(true, false);
   EXPECT_TRUE(hand.joints().empty());
   EXPECT_FALSE(hand.drive("nonsense", "me"));
   EXPECT_FALSE(hand.drive("127.0.0.1:9", ""));
+  EXPECT_FALSE(hand.driveAgain());
   EXPECT_EQ(hand.driving(), nullptr);
+}
+
+TEST_F(DrivingByHand, EndsAtOnceWithWhatWasStillToBeSent) {
+  HandControl hand;
+  drive(hand);
+  hand.setSituation(true, false);
+  ASSERT_TRUE(hand.set(device_, "first", 1));
+  hand.stopDriving();
+  EXPECT_EQ(sentWithin(hand, 10s), "");
+  hand.setSituation(true, false);
+  EXPECT_FALSE(hand.set(device_, "first", 2));
+  EXPECT_EQ(sentWithin(hand, 10s), "");
+}
+
+TEST_F(DrivingByHand, APlayingLogEndsIt) {
+  HandControl hand;
+  drive(hand);
+  hand.setSituation(false, false);
+  ASSERT_TRUE(hand.setAll(device_, std::vector<double>{1, 2}));
+  EXPECT_EQ(sentWithin(hand, 100ms), "first=1 second=2");
+  hand.setSituation(false, true);
+  EXPECT_EQ(hand.driving(), nullptr);
+  EXPECT_TRUE(hand.joints().empty());
+  EXPECT_EQ(sentWithin(hand, 10s), "");
+}
+
+TEST_F(DrivingByHand, WhatWasDrawnOverThePastIsNotSent) {
+  HandControl hand;
+  hand.setSituation(false, false);
+  ASSERT_TRUE(hand.set(device_, "first", 1));
+  drive(hand);
+  hand.setSituation(true, false);
+  EXPECT_TRUE(hand.joints().empty());
+  ASSERT_TRUE(hand.set(device_, "second", 2));
+  EXPECT_EQ(sentWithin(hand, 1s), "second=2");
+}
+
+TEST_F(MovedByHand, EveryKeyThatEndsDrivingEndsIt) {
+  for (const char* key : {"escape", "backspace", "N"}) {
+    for (const bool with_log : {false, true}) {
+      SCOPED_TRACE(key);
+      ViewModel model = open(with_log);
+      if (with_log) model.cursor()->play(SteadyTime{});
+      const auto kept = std::make_shared<test::KeptDatagrams::Kept>();
+      auto drive = HandDrive::into(std::make_unique<test::KeptDatagrams>(kept), {"me", "run1"});
+      ASSERT_TRUE(drive.ok());
+      model.hand.drive(std::move(*drive));
+      ASSERT_TRUE(model.update(SteadyTime{}).ok());
+      ASSERT_NE(model.hand.driving(), nullptr);
+      EXPECT_FALSE(with_log && model.cursor()->playing()) << "entering pauses the log";
+      model.selected = {"arm", ""};
+      ASSERT_TRUE(model.setByHand("arm", "turn", 0.5, SteadyTime{}));
+      ViewerRequests requests;
+      const CommandStage stage{model, SteadyTime{}, 480, requests};
+      EXPECT_TRUE(runKey(*parseKey(key), stage));
+      EXPECT_EQ(model.hand.driving(), nullptr);
+      EXPECT_EQ(model.selected.device, "arm") << "and nothing else";
+      model.hand.sendDue(SteadyTime(1s), WallTime{});
+      EXPECT_TRUE(kept->texts.empty());
+    }
+  }
+}
+
+TEST_F(MovedByHand, ThePlayKeyNeverSends) {
+  ViewModel model = open(true);
+  const auto kept = std::make_shared<test::KeptDatagrams::Kept>();
+  auto drive = HandDrive::into(std::make_unique<test::KeptDatagrams>(kept), {"me", "run1"});
+  ASSERT_TRUE(drive.ok());
+  model.hand.drive(std::move(*drive));
+  ASSERT_TRUE(model.setByHand("arm", "turn", 0.5, SteadyTime{}));
+  ViewerRequests requests;
+  EXPECT_TRUE(runKey(*parseKey("space"), {model, SteadyTime{}, 480, requests}));
+  for (Nanoseconds since = 0ns; since < 3s; since += 20ms) {
+    ASSERT_TRUE(model.update(SteadyTime(since)).ok());
+    model.hand.sendDue(SteadyTime(since), WallTime{});
+  }
+  EXPECT_TRUE(kept->texts.empty());
+  EXPECT_EQ(model.hand.driving(), nullptr);
 }
 
 }  // namespace

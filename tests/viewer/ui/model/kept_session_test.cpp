@@ -14,6 +14,7 @@
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/udp_queue.h"
+#include "tests/viewer/support/kept_datagrams.h"
 #include "tests/viewer/support/test_session.h"
 #include "viewer/ui/model/view_model.h"
 
@@ -115,6 +116,51 @@ TEST_F(KeptSession, TimeLineAndCurvesGrowWithIt) {
     EXPECT_EQ(picture->fault, "");
   }
   EXPECT_EQ(model_->findings(), nullptr) << "judged by its first moments";
+}
+
+TEST_F(KeptSession, DrivingStaysAtNowAndEndsInThePast) {
+  open({});
+  send(0, "joints arm 0.5");
+  waitUntil([&] { return model_->cursor() != nullptr; });
+  EXPECT_FALSE(model_->setByHand("arm", "turn", 1, steadyClockNow()));
+  EXPECT_TRUE(model_->showsNow()) << "a refused move leaves now";
+  const auto kept = std::make_shared<test::KeptDatagrams::Kept>();
+  const auto drive = [&] {
+    auto opened = HandDrive::into(std::make_unique<test::KeptDatagrams>(kept), {"me", "run1"});
+    ASSERT_TRUE(opened.ok());
+    model_->hand.drive(std::move(*opened));
+  };
+  const auto step = [&] {
+    ASSERT_TRUE(model_->update(steadyClockNow()).ok());
+    model_->hand.sendDue(steadyClockNow(), WallTime{});
+  };
+  model_->cursor()->pause(steadyClockNow());
+  step();
+  ASSERT_TRUE(model_->setByHand("arm", "turn", 9, steadyClockNow())) << "what if, in the past";
+  drive();
+  step();
+  EXPECT_TRUE(model_->showsNow()) << "entering goes to now";
+  EXPECT_TRUE(kept->texts.empty()) << kept->texts.front();
+  ASSERT_TRUE(model_->setByHand("arm", "turn", 1, steadyClockNow()));
+  step();
+  EXPECT_TRUE(model_->showsNow());
+  ASSERT_EQ(kept->texts.size(), 1U);
+  EXPECT_TRUE(kept->texts[0].ends_with("\njoint arm turn=1\n")) << kept->texts[0];
+  EXPECT_EQ(joint(), 0.5) << "the picture is what packets say";
+  // Space, the time line, an event: whatever leaves now ends it.
+  model_->cursor()->toggle(steadyClockNow());
+  step();
+  EXPECT_EQ(model_->hand.driving(), nullptr);
+  EXPECT_FALSE(model_->hand.drawn()) << "what was driven is not drawn over the past";
+  model_->cursor()->seek(model_->cursor()->start(), steadyClockNow());
+  model_->cursor()->play(steadyClockNow());
+  for (int i = 0; i < 5; ++i) {
+    send(i + 1, "joints arm " + std::to_string(i));
+    step();
+  }
+  EXPECT_TRUE(model_->goToNow());
+  step();
+  EXPECT_EQ(kept->texts.size(), 1U);
 }
 
 TEST_F(KeptSession, WhatIsDrawnIsOfTheStateThatIsThere) {

@@ -61,6 +61,45 @@ TEST_F(OpenedFiles, AreRefusedWithASentence) {
             "this window shows a live session; open the file in another one");
 }
 
+TEST_F(OpenedFiles, TheirErrorsAreNotesOverThePicture) {
+  const auto opened = [&](const std::string& cell) {
+    test::writeText(folder_ / "c.cell.toml", "format = 1\n" + cell);
+    return loadContent(*requestOf({folder_ / "c.cell.toml"}, {}), {});
+  };
+  const std::string arm = "[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n";
+  const auto whole = opened(arm);
+  ASSERT_TRUE(whole.ok());
+  EXPECT_TRUE(whole->model->panels.notes.empty());
+  EXPECT_FALSE(isHopeless(whole->model->cell()));
+  // Something is drawn.
+  const auto half = opened(arm + "[[device]]\nname = \"b\"\nmodel = \"gone.urdf\"\n");
+  ASSERT_TRUE(half.ok());
+  ASSERT_EQ(half->model->panels.notes.size(), 1U);
+  EXPECT_TRUE(half->model->panels.notes[0].is_error);
+  EXPECT_NE(half->model->panels.notes[0].text.find("gone.urdf"), std::string::npos);
+  EXPECT_EQ(half->warnings, std::vector<std::string>{half->model->panels.notes[0].text});
+  EXPECT_FALSE(isHopeless(half->model->cell()));
+  const auto typo = opened("[[devise]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n");
+  ASSERT_TRUE(typo.ok());
+  EXPECT_FALSE(typo->model->panels.notes.empty());
+  EXPECT_TRUE(isHopeless(typo->model->cell()));
+}
+
+TEST_F(OpenedFiles, WhatIsLeftOutOfThemIsANote) {
+  Cell cell;
+  Finding ignored;
+  ignored.rule = "model.left-out";
+  ignored.severity = Severity::note;
+  ignored.text = "maps of <pbr> are not drawn";
+  ignored.left_out = "element `pbr`";
+  cell.faults = {ignored};
+  EXPECT_FALSE(isHopeless(cell)) << "no error";
+  const auto notes = notesOf(cell);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_FALSE(notes[0].is_error);
+  EXPECT_NE(notes[0].text.find("element `pbr`"), std::string::npos) << notes[0].text;
+}
+
 TEST_F(OpenedFiles, AreLoadedInAThread) {
   ContentLoader loader;
   EXPECT_FALSE(loader.busy());
