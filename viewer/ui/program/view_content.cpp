@@ -175,8 +175,8 @@ Status applyArguments(const ContentRequest& request, ViewModel& model,
   if (request.at.empty()) return {};
   TimelineCursor* cursor = model.cursor();
   if (cursor == nullptr) {
-    return Error{ErrorKind::bad_argument, "this needs a log",
-                 (request.at_event ? "--event " : "--at ") + request.at};
+    const std::string option = request.at_event ? "--event" : "--at";
+    return Error{ErrorKind::bad_argument, option + " needs a log", option + " " + request.at};
   }
   if (model.session() == nullptr) return {};
   const auto moment = request.at_event ? momentOfEvent(request.at, *model.session())
