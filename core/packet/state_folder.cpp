@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/packet/newness.h"
 #include "core/packet/packet_limits.h"
 
 namespace rocinante {
@@ -22,10 +23,6 @@ bool noteLate(std::uint64_t& recent, std::uint64_t below) {
   if ((recent & bit) != 0) return false;
   recent |= bit;
   return true;
-}
-
-bool isRestart(std::uint64_t sequence, std::uint64_t highest) {
-  return sequence == 0 || (sequence < highest && highest - sequence > limits::kReorderWindow);
 }
 
 }  // namespace

@@ -48,12 +48,37 @@ bool FilteredOutput::passesImmediate(std::string_view source, const Statement& s
   });
 }
 
-/// What is never conflated goes with the datagram that brought it. Events are in the source's own
-/// datagram: whatever its length, since listeners ignore those of `by=`.
+FilteredOutCounts& FilteredOutCounts::operator+=(const FilteredOutCounts& others) {
+  stopped += others.stopped;
+  unreadable += others.unreadable;
+  return *this;
+}
+
+/// After the statement was folded.
+bool FilteredOutput::isStopped(const Step& step, std::string_view source,
+                               const Statement& statement) const {
+  if (statement.kind == StatementKind::event || isImmediate(statement.kind)) {
+    return !passesImmediate(source, statement);
+  }
+  bool any_written = false, any_passes = false;
+  forEachWritten(step.state, source, statement, [&](ItemKey&& key) {
+    if (ownerOf(step.state, key) == nullptr) return;
+    any_written = true;
+    any_passes = any_passes || passes(options_.filters, step.state, key);
+  });
+  return any_written && !any_passes;
+}
+
+bool FilteredOutput::isImmediate(StatementKind kind) {
+  return kind == StatementKind::order || kind == StatementKind::remove ||
+         kind == StatementKind::erase;
+}
+
+/// What is never conflated goes with the datagram that brought it, or waits for the link. Events
+/// are in the source's own datagram: whatever its length, since listeners ignore those of `by=`.
 void FilteredOutput::takeImmediate(const Step& step, const Packet& packet,
                                    const Statement& statement, RelayDraft& draft) {
   if (!passesImmediate(packet.header.source, statement)) return;
-  std::string line = statementText(statement) + '\n';
   if (statement.kind == StatementKind::remove) {
     pending_.removed(statement.name);
     forgetOrders(statement.name);
@@ -65,6 +90,11 @@ void FilteredOutput::takeImmediate(const Step& step, const Packet& packet,
     erases_.push_back(
         {step.now + kEraseAgain, kErasesAgain, draft.source, std::string(statement.name)});
   }
+  if (bucket_) {
+    paced_.add(packet.header.source, statement);
+    return;
+  }
+  const std::string line = statementText(statement) + '\n';
   const bool fits = draft.text.size() + line.size() <= roomFor(step, draft.source);
   if (!fits && !draft.text.empty() && statement.kind != StatementKind::event) {
     send(step, draft, false);
@@ -76,6 +106,12 @@ void FilteredOutput::applied(const SessionState& state, const ThroughBySource& t
                              const Packet& packet, LogTime now, std::vector<std::string>& out) {
   const Step step{state, through, now, out};
   RelayDraft draft{std::string(packet.header.source), {}, {}};
+  filtered_out_.unreadable += packet.faults.size();
+  if (!options_.filters.empty()) {
+    for (const Statement& each : packet.statements) {
+      filtered_out_.stopped += isStopped(step, packet.header.source, each) ? 1 : 0;
+    }
+  }
   if (packet.header.by.empty()) {
     for (const Statement& each : packet.statements) {
       if (each.kind == StatementKind::event) takeImmediate(step, packet, each, draft);
@@ -84,10 +120,7 @@ void FilteredOutput::applied(const SessionState& state, const ThroughBySource& t
   // A source's restatement does not pass: the relay's own says what it said.
   if (!packet.header.part) {
     for (const Statement& each : packet.statements) {
-      if (each.kind == StatementKind::order || each.kind == StatementKind::remove ||
-          each.kind == StatementKind::erase) {
-        takeImmediate(step, packet, each, draft);
-      }
+      if (isImmediate(each.kind)) takeImmediate(step, packet, each, draft);
       forEachWritten(state, packet.header.source, each, [&](ItemKey&& key) {
         if (ownerOf(state, key) == nullptr || !passes(options_.filters, state, key)) return;
         pending_.written(state, std::move(key), now);
@@ -112,7 +145,9 @@ bool FilteredOutput::saysOrder(const SessionState& state,
 
 void FilteredOutput::send(const Step& step, RelayDraft& draft, bool restating) {
   step.out.push_back(header_.datagramOf(draft, step.state, step.through, restating));
-  if (bucket_) bucket_->spend(step.out.back().size() + options_.head_bytes);
+  if (bucket_) {
+    bucket_->spend(step.out.back().size() + options_.head_bytes + options_.link_bytes);
+  }
   draft.text.clear();
   ++live_datagrams_;
 }
@@ -138,14 +173,31 @@ void FilteredOutput::sendUnit(const Step& step, RelayDraft& draft) {
 
 /// Sends `draft`, filled with what is ready, and the rest as far as the link allows.
 void FilteredOutput::sendReady(const Step& step, RelayDraft& draft) {
-  while (pending_.anyReady()) {
-    if (draft.text.empty() && bucket_ && !bucket_->allows(step.now)) return;
-    sendUnit(step, draft);
-    // On a slow link a datagram is one device: the next may have newer values when its turn comes.
-    if (bucket_ && !draft.text.empty()) send(step, draft, false);
-    if (bucket_ && restating_ && live_datagrams_ >= kLiveForEachRestated) sendRestating(step);
-  }
+  if (bucket_) return sendPaced(step);
+  while (pending_.anyReady()) sendUnit(step, draft);
   if (!draft.text.empty()) send(step, draft, false);
+}
+
+/// Changes go before values that are newer, and a datagram is one device: the next may have newer
+/// values when its turn comes.
+void FilteredOutput::sendPaced(const Step& step) {
+  const auto room = [&](const std::string& source) { return roomFor(step, source); };
+  while (bucket_->allows(step.now)) {
+    RelayDraft draft;
+    const bool any_others = paced_.anyChanges() || pending_.anyReady();
+    if (paced_.anyEvents() && !(values_first_ && any_others)) {
+      draft = paced_.takeEvents(room);
+      values_first_ = true;
+    } else if (any_others) {
+      if (paced_.anyChanges()) draft = paced_.takeChanges(room);
+      if (!paced_.anyChanges() && pending_.anyReady()) sendUnit(step, draft);
+      values_first_ = false;
+    } else {
+      return;
+    }
+    if (!draft.text.empty()) send(step, draft, false);
+    if (restating_ && live_datagrams_ >= kLiveForEachRestated) sendRestating(step);
+  }
 }
 
 void FilteredOutput::restate(const SessionState& state, const ThroughBySource& through,
@@ -162,7 +214,8 @@ void FilteredOutput::restate(const SessionState& state, const ThroughBySource& t
   if (options_.bytes_per_second) {
     const double bytes = *options_.bytes_per_second * secondsOf(RestatingPace::kLongest) /
                          (kLiveForEachRestated + 1);
-    most = static_cast<std::size_t>(bytes) / (datagramBytes() + options_.head_bytes);
+    most = static_cast<std::size_t>(bytes) /
+           (datagramBytes() + options_.head_bytes + options_.link_bytes);
   }
   forgets_nothing_ = restating_->left() > most;
   if (forgets_nothing_) restating_->leaveOutParts();
@@ -171,7 +224,10 @@ void FilteredOutput::restate(const SessionState& state, const ThroughBySource& t
 void FilteredOutput::sendRestating(const Step& step) {
   while (restating_ && !restating_->ended()) {
     if (!pace_.allows(step.now) || (bucket_ && !bucket_->allows(step.now))) return;
-    if (bucket_ && pending_.anyReady() && live_datagrams_ < kLiveForEachRestated) return;
+    // What a change undoes must not be said behind it again.
+    if (paced_.anyChanges()) return;
+    const bool any_waits = pending_.anyReady() || paced_.anyEvents();
+    if (bucket_ && any_waits && live_datagrams_ < kLiveForEachRestated) return;
     std::vector<ItemKey> said;
     std::vector<RelayDraft> drafts = restating_->next(step.state, &said, told_);
     for (RelayDraft& draft : drafts) send(step, draft, true);
@@ -199,6 +255,10 @@ void FilteredOutput::repeatErases(const Step& step) {
     Statement erase;
     erase.kind = StatementKind::erase;
     erase.name = each.id;
+    if (bucket_) {
+      paced_.add(each.source, erase);
+      continue;
+    }
     RelayDraft draft{each.source, statementText(erase) + '\n', {}};
     send(step, draft, true);
   }
@@ -218,7 +278,9 @@ void FilteredOutput::advance(const SessionState& state, const ThroughBySource& t
 LogTime FilteredOutput::due() const {
   LogTime due = pending_.due();
   for (const RepeatedErase& each : erases_) due = std::min(due, each.due);
-  if (pending_.anyReady()) due = std::min(due, bucket_->allowsAt());
+  if (pending_.anyReady() || paced_.anyChanges() || paced_.anyEvents()) {
+    due = std::min(due, bucket_->allowsAt());
+  }
   if (restating_) {
     due = std::min(due, std::max(pace_.allowsAt(), bucket_ ? bucket_->allowsAt() : LogTime::min()));
   }

@@ -6,6 +6,7 @@
 
 #include "core/relay/device_values.h"
 #include "core/relay/output_header.h"
+#include "core/relay/paced_statements.h"
 #include "core/relay/pending_items.h"
 #include "core/relay/restating_pace.h"
 #include "core/relay/token_bucket.h"
@@ -16,12 +17,21 @@ namespace rocinante {
 struct RelayOutputOptions {
   std::vector<RelayFilter> filters;  ///< all must pass an item
   PendingItems::Options pacing;
-  std::optional<double> bytes_per_second;  ///< with the heads of IP and UDP
+  std::optional<double> bytes_per_second;  ///< with the heads of IP and UDP, and `link_bytes`
   std::size_t head_bytes = 28;  ///< of each datagram: 28 over IPv4, 48 over IPv6, and a signature
+  std::size_t link_bytes = 0;   ///< that the link adds to each datagram
   std::size_t signature_bytes = 0;  ///< kept free in each datagram for who signs it
 
   /// Whole: source datagrams are sent byte for byte.
   bool isWhole() const;
+};
+
+/// Lines of applied packets that a filtered output has no words for.
+struct FilteredOutCounts {
+  std::uint64_t stopped = 0;     ///< statements that a filter does not pass
+  std::uint64_t unreadable = 0;  ///< lines with a fault; a whole output sends these on
+
+  FilteredOutCounts& operator+=(const FilteredOutCounts& others);
 };
 
 /// A filtered output of a relay (docs/decisions/014): writes the items that the fold applied and
@@ -50,6 +60,10 @@ class FilteredOutput {
 
   /// Values that a newer one of the same item replaced before they were sent.
   std::uint64_t conflated() const { return pending_.conflated(); }
+  const FilteredOutCounts& filteredOut() const { return filtered_out_; }
+  /// Statements that wait for the link, since they are never conflated; none without
+  /// bytes_per_second.
+  PacedCounts paced() const { return paced_.counts(); }
 
  private:
   /// An `erase` that is said again, since no restatement of this output would forget the drawing.
@@ -67,6 +81,8 @@ class FilteredOutput {
     std::vector<std::string>& out;
   };
 
+  static bool isImmediate(StatementKind kind);
+  bool isStopped(const Step& step, std::string_view source, const Statement& statement) const;
   bool passesImmediate(std::string_view source, const Statement& statement) const;
   void takeImmediate(const Step& step, const Packet& packet, const Statement& statement,
                      RelayDraft& draft);
@@ -75,6 +91,7 @@ class FilteredOutput {
   void sendUnit(const Step& step, RelayDraft& draft);
   void forgetOrders(std::string_view device);
   bool saysOrder(const SessionState& state, const ToldOrders::key_type& device_and_source) const;
+  void sendPaced(const Step& step);
   void sendRestating(const Step& step);
   void repeatErases(const Step& step);
   static bool isDrawn(const SessionState& state, const RepeatedErase& erase);
@@ -87,6 +104,9 @@ class FilteredOutput {
   RelayOutputOptions options_;
   ItemStyle style_;
   PendingItems pending_;
+  FilteredOutCounts filtered_out_;
+  PacedStatements paced_;      ///< with a bucket only
+  bool values_first_ = false;  ///< events and values take turns
   std::optional<TokenBucket> bucket_;
   std::optional<Restating> restating_;
   RestatingPace pace_;

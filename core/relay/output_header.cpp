@@ -60,6 +60,15 @@ std::size_t OutputHeader::roomInParts(const SessionState& state, const ThroughBy
   return std::max(kLeastRoom, datagram_bytes - std::min(datagram_bytes, header));
 }
 
+/// An event that waited until its SEQUENCE was used: newest-wins would drop another datagram with
+/// it, and ignore the events of one with `by=`.
+std::string OutputHeader::unnumbered(const RelayDraft& draft, PacketHeader header,
+                                     const ThroughBySource& through) {
+  header.sequence.reset();
+  if (!options_.output.empty()) header.via = {via_, count_++};
+  return headerText(header) + throughText(name_, draft.source, through) + '\n' + draft.text;
+}
+
 std::string OutputHeader::datagramOf(const RelayDraft& draft, const SessionState& state,
                                      const ThroughBySource& through, bool restating) {
   PacketHeader header = headerOf(draft.source, state);
@@ -70,6 +79,7 @@ std::string OutputHeader::datagramOf(const RelayDraft& draft, const SessionState
   if (!same_run) sent = {std::string(header.run), {}, {}};
   const std::optional<std::uint64_t>& sequence = header.sequence;
   const bool is_new = !sequence || !sent.sequence || *sequence != *sent.sequence;
+  if (draft.has_events && !is_new) return unnumbered(draft, header, through);
   const bool own = !restating && is_new;
   header.reset = sent.highest && (!sequence || *sequence < *sent.highest + (own ? 1 : 0));
   header.restated = !own;

@@ -23,7 +23,8 @@ class OutputHeader {
   explicit OutputHeader(Options options);
 
   /// The datagram of `draft`: the source's own when its SEQUENCE is new to this output and the
-  /// draft does not belong to a restatement, else `restated by=NAME`.
+  /// draft does not belong to a restatement, else `restated by=NAME`; of a draft with events, the
+  /// source's own with SEQUENCE `-`.
   /// Says `reset` while the listener may remember a higher SEQUENCE, after the fold went back.
   std::string datagramOf(const RelayDraft& draft, const SessionState& state,
                          const ThroughBySource& through, bool restating);
@@ -36,6 +37,9 @@ class OutputHeader {
                           std::string_view part_id, std::size_t datagram_bytes) const;
 
  private:
+  std::string unnumbered(const RelayDraft& draft, PacketHeader header,
+                         const ThroughBySource& through);
+
   /// What the listener remembers of a source, when nothing was lost.
   struct Sent {
     std::string run;

@@ -1,5 +1,7 @@
 #include "core/relay/relay.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -48,6 +50,16 @@ std::uint64_t Relay::conflated(OutputId output) const {
   return filtered == nullptr ? 0 : filtered->conflated();
 }
 
+FilteredOutCounts Relay::filteredOut(OutputId output) const {
+  const auto& filtered = outputs_.at(output).filtered;
+  return filtered == nullptr ? FilteredOutCounts() : filtered->filteredOut();
+}
+
+PacedCounts Relay::paced(OutputId output) const {
+  const auto& filtered = outputs_.at(output).filtered;
+  return filtered == nullptr ? PacedCounts() : filtered->paced();
+}
+
 void Relay::greet(OutputId output) {
   outputs_.at(output).is_waiting = true;
   due_ = LogTime::min();
@@ -67,12 +79,32 @@ void Relay::send(OutputId output, std::vector<std::string>& texts) {
   texts.clear();
 }
 
-bool Relay::isLooped(const PacketHeader& header, std::string_view through) const {
-  if (header.by == options_.name || isLoop(through, encoded_name_)) return true;
+std::string RelayLoop::text() const {
+  constexpr std::string_view kDropped = "what comes back is dropped and counted as looped";
+  if (!after) {
+    return fmt::format("this relay hears itself: its own datagrams about {} come back; {}", source,
+                       kDropped);
+  }
+  return fmt::format(
+      "datagrams of {} that this relay passed on come back after {:.3f} s: relays form a loop, or "
+      "the source is heard by two ways; {}",
+      source, secondsOf(*after), kDropped);
+}
+
+bool Relay::namesThis(const PacketHeader& header, std::string_view through) const {
+  if (header.by == options_.name || hasPassed(through, encoded_name_)) return true;
   if (!header.via) return false;
   const std::string_view relay = header.via->relay;
   return relay.size() > options_.name.size() && relay.starts_with(options_.name) &&
          relay[options_.name.size()] == ':';
+}
+
+bool Relay::isLooped(const EchoMemory::Arrival& arrival, std::string_view through) {
+  std::optional<Nanoseconds> after;
+  const bool is_own = namesThis(arrival.header, through);
+  if (!is_own && !isTooLong(through)) after = echoes_.echoAfter(arrival, state_);
+  if (!loop_ && (is_own || after)) loop_ = {std::string(arrival.header.source), after};
+  return is_own || after || isTooLong(through);
 }
 
 /// Kept for what this relay says of the source itself: otherwise two relays that listen to each
@@ -88,7 +120,7 @@ void Relay::noteThrough(std::string_view source, std::string_view through) {
   }
 }
 
-void Relay::receive(ByteView datagram, LogTime now) {
+void Relay::receive(ByteView datagram, LogTime now, ArrivalWay way) {
   ++counts_.received;
   const Packet* const packet = decoder_.decode(datagram);
   if (packet == nullptr) {
@@ -96,7 +128,8 @@ void Relay::receive(ByteView datagram, LogTime now) {
     return;
   }
   const std::string_view through = throughOf(textOf(datagram));
-  if (isLooped(packet->header, through)) {
+  const EchoMemory::Arrival arrival{datagram, packet->header, through, way, now};
+  if (isLooped(arrival, through)) {
     ++counts_.looped;
     return;
   }
@@ -110,6 +143,7 @@ void Relay::receive(ByteView datagram, LogTime now) {
     case Applied::yes:
       ++counts_.applied;
   }
+  echoes_.passed(arrival);
   const std::vector<Event> events = state_.takeEvents();
   if (options_.applied) options_.applied(*packet, events);
   noteThrough(packet->header.source, through);

@@ -12,6 +12,7 @@
 
 #include "core/packet/packet_text.h"
 #include "core/packet/session_state.h"
+#include "core/relay/echo_memory.h"
 #include "core/relay/filtered_output.h"
 
 namespace rocinante {
@@ -24,6 +25,17 @@ struct RelayInputCounts {
   std::uint64_t refused = 0;  ///< of a source for which the fold has no room
   std::uint64_t other = 0;    ///< not packet text
   std::uint64_t looped = 0;   ///< passed this relay before, or more than eight others
+};
+
+/// The first sign that a relay receives what it passed on.
+struct RelayLoop {
+  std::string source;
+  /// Since it was passed on. Empty: the datagram named this relay, so that no other way but a loop
+  /// can have brought it.
+  std::optional<Nanoseconds> after;
+
+  /// As a sentence for the user.
+  std::string text() const;
 };
 
 /// A relay without sockets and threads (docs/decisions/014): folds what it is given and writes what
@@ -62,11 +74,15 @@ class Relay {
   bool isWhole(OutputId output) const { return outputs_.at(output).filtered == nullptr; }
   /// Values that this output folded into newer ones instead of sending them; 0 of a whole one.
   std::uint64_t conflated(OutputId output) const;
+  /// What this output has no words for; nothing of a whole one.
+  FilteredOutCounts filteredOut(OutputId output) const;
+  /// Statements of this output that wait for its link; none of a whole one.
+  PacedCounts paced(OutputId output) const;
   /// Sends the output everything that it passes, soon.
   void greet(OutputId output);
 
   /// Folds the datagram, and passes it on if it was applied. `now` must not go back.
-  void receive(ByteView datagram, LogTime now);
+  void receive(ByteView datagram, LogTime now, ArrivalWay way = kUnknownWay);
   /// What has become due: conflated values, restatements, greetings.
   void advance(LogTime now);
   /// When advance() has something to do; LogTime::max(): never.
@@ -77,6 +93,7 @@ class Relay {
   void clearOutgoing();
 
   const RelayInputCounts& counts() const { return counts_; }
+  const std::optional<RelayLoop>& loop() const { return loop_; }
   const SessionState& state() const { return state_; }
 
  private:
@@ -92,7 +109,8 @@ class Relay {
     bool is_waiting = false;  ///< for its turn to restate
   };
 
-  bool isLooped(const PacketHeader& header, std::string_view through) const;
+  bool namesThis(const PacketHeader& header, std::string_view through) const;
+  bool isLooped(const EchoMemory::Arrival& arrival, std::string_view through);
   void noteThrough(std::string_view source, std::string_view through);
   void passOn(ByteView datagram, const Packet& packet, LogTime now);
   void restateSoon(LogTime now);
@@ -109,6 +127,8 @@ class Relay {
   PacketTextDecoder decoder_;
   SessionState state_;
   ThroughBySource through_;
+  EchoMemory echoes_;
+  std::optional<RelayLoop> loop_;
   std::map<OutputId, Output> outputs_;
   std::size_t whole_ = 0;  ///< outputs
   OutputId last_output_ = 0;

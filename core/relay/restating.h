@@ -15,6 +15,8 @@ struct RelayDraft {
   std::string text;  ///< statement lines, each with its LF
   /// part=ID:index/count of a restatement; `id` is the Restating's.
   std::optional<RestatementPart> part;
+  /// It has events, which listeners take from the source's own datagrams only.
+  bool has_events = false;
 };
 
 /// One restatement of all sources of a state, written part by part while the state moves on

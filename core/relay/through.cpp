@@ -28,14 +28,18 @@ std::string_view throughOf(std::string_view packet) {
   return {};
 }
 
-bool isLoop(std::string_view through, std::string_view name) {
-  std::size_t relays = 0;
+bool hasPassed(std::string_view through, std::string_view name) {
   while (!through.empty()) {
     const std::size_t comma = std::min(through.find(','), through.size());
-    if (++relays > kMaxRelays || through.substr(0, comma) == name) return true;
+    if (through.substr(0, comma) == name) return true;
     through.remove_prefix(std::min(comma + 1, through.size()));
   }
   return false;
+}
+
+bool isTooLong(std::string_view through) {
+  const auto commas = static_cast<std::size_t>(std::count(through.begin(), through.end(), ','));
+  return !through.empty() && commas + 1 > kMaxRelays;
 }
 
 std::string throughWith(std::string_view through, std::string_view name) {

@@ -12,8 +12,11 @@ inline constexpr std::size_t kMaxRelays = 8;
 /// The value of the word in packet text; empty when its header has none.
 std::string_view throughOf(std::string_view packet);
 
-/// True when the encoded `name` is one of `through`, or they are more than kMaxRelays.
-bool isLoop(std::string_view through, std::string_view name);
+/// True when the encoded `name` is one of `through`.
+bool hasPassed(std::string_view through, std::string_view name);
+
+/// True when `through` names more than kMaxRelays.
+bool isTooLong(std::string_view through);
 
 /// `through` with `name` after it.
 std::string throughWith(std::string_view through, std::string_view name);

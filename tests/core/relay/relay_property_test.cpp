@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <random>
+#include <tuple>
 
 #include "tests/core/packet/random_session.h"
 #include "tests/core/relay/relay_support.h"
@@ -79,6 +80,54 @@ RC_GTEST_PROP(RelayProperty, ListenersHaveTheStateTwoRestatementsAfterTheLossEnd
     if (came != expected) RC_LOG() << "output " << i;
     RC_ASSERT(came == expected);
   }
+}
+
+// What a filter does not let through changes its count: whatever is inserted into a packet, an
+// output sends more, or has left out more.
+RC_GTEST_PROP(RelayProperty, WhatIsInsertedIsSentOrCounted, (std::uint64_t seed)) {
+  std::mt19937_64 random(seed);
+  const std::vector<std::string> inserts = {
+      "joints inserted 1",
+      "joint inserted a=1",
+      "pose inserted 0 0 0 0 0 0 1",
+      "add inserted m",
+      "remove inserted",
+      "show inserted",
+      "hide layer/inserted",
+      "color inserted #ff0000",
+      "line inserted #ff0000 0 0 0",
+      "points inserted #ff0000 0 0 0",
+      "label inserted 0 0 0 \"x\"",
+      "erase inserted",
+      "event \"inserted\"",
+      "view inserted 0 0 1 0 0 0 45",
+      "order inserted a b",
+      "wobble inserted",
+      "joints inserted nan",
+      "pose inserted 0 0 0 0 0 0 0",
+  };
+  const std::string insert = inserts[random() % inserts.size()];
+  RelayFilter filter;
+  if (random() % 2 == 0) filter.devices = {random() % 2 == 0 ? "other" : "inserted"};
+  if (random() % 2 == 0) filter.sources = {random() % 2 == 0 ? "a" : "z"};
+  if (random() % 2 == 0) filter.kinds = statementKindsOf("pose").value();
+  const auto outcome = [&](bool is_inserted) {
+    RelayedListeners net;
+    RelayOutputOptions options;
+    options.filters.push_back(filter);
+    if (seed % 3 == 0) options.bytes_per_second = 1e6;
+    const auto id = net.open(std::move(options));
+    RandomSession session(seed);
+    for (int i = 0; i < 20; ++i) net.receive(1 + i * 0.01, session.next().text);
+    net.receive(2, "RK1 a@inserting 0 -\npose arm 0 0 1 0 0 0 1\n" +
+                       (is_inserted ? insert + "\n" : std::string()));
+    net.passTime(2.1);
+    std::string all;
+    for (const std::string& each : net.listeners[id].heard) all += each;
+    const FilteredOutCounts counts = net.relay.filteredOut(id);
+    return std::tuple(all, counts.stopped, counts.unreadable);
+  };
+  RC_ASSERT(outcome(true) != outcome(false));
 }
 
 RC_GTEST_PROP(RelayProperty, AWholeListenerThatLosesNothingHasTheIdentity, (std::uint64_t seed)) {

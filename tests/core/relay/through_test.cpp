@@ -13,12 +13,13 @@ TEST(Through, ReadsTheWordOfTheHeaderAlone) {
 }
 
 TEST(Through, KnowsALoop) {
-  EXPECT_FALSE(isLoop("", "a"));
-  EXPECT_FALSE(isLoop("ab,b", "a"));
-  EXPECT_TRUE(isLoop("b,a", "a"));
-  EXPECT_FALSE(isLoop("1,2,3,4,5,6,7,8", "a"));
-  EXPECT_TRUE(isLoop("1,2,3,4,5,6,7,8,9", "a"));
-  EXPECT_TRUE(isLoop(",,,,,,,,,,", "a"));
+  EXPECT_FALSE(hasPassed("", "a"));
+  EXPECT_FALSE(hasPassed("ab,b", "a"));
+  EXPECT_TRUE(hasPassed("b,a", "a"));
+  EXPECT_FALSE(isTooLong(""));
+  EXPECT_FALSE(isTooLong("1,2,3,4,5,6,7,8"));
+  EXPECT_TRUE(isTooLong("1,2,3,4,5,6,7,8,9"));
+  EXPECT_TRUE(isTooLong(",,,,,,,,,,"));
 }
 
 TEST(Through, AddsANameAndChangesNothingElse) {

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "core/packet/packet.h"
+#include "core/relay/restating.h"
+
+namespace rocinante {
+
+/// Statements that wait for a slow link, and how many had no room to wait.
+struct PacedCounts {
+  std::uint64_t waiting = 0;  ///< now
+  std::uint64_t most = 0;     ///< at any time
+  std::uint64_t dropped = 0;  ///< beyond PacedStatements::kMaxBytes; the link never gets these
+
+  /// Of several outputs: `most` is then the sum of each one's.
+  PacedCounts& operator+=(const PacedCounts& others);
+};
+
+/// What a slow output sends statement by statement instead of by item, in the order in which it
+/// came: every event, and each change that an item cannot hold (`remove`, `erase`, `order`), of
+/// which only the newest about one thing waits. Memory is bounded. One thread.
+class PacedStatements {
+ public:
+  /// Of both together; 5 minutes of 28.8 kbit/s.
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
+  /// Bytes that a datagram has for statements of this SOURCE.
+  using RoomFor = std::function<std::size_t(const std::string&)>;
+
+  void add(std::string_view source, const Statement& statement);
+
+  bool anyEvents() const { return !events_.empty(); }
+  bool anyChanges() const { return !changes_.empty(); }
+  /// The oldest that are of one SOURCE and fit into one datagram, at least one.
+  RelayDraft takeEvents(const RoomFor& room);
+  RelayDraft takeChanges(const RoomFor& room);
+
+  PacedCounts counts() const;
+
+ private:
+  struct Waiting {
+    std::string source;
+    std::string text;  ///< with its LF
+  };
+  /// What a change is about: kind, SOURCE ("" for all), name.
+  using Subject = std::tuple<StatementKind, std::string, std::string>;
+
+  bool hasRoom(std::size_t bytes) const { return bytes_ + bytes <= kMaxBytes; }
+  static std::size_t bytesOf(const Waiting& waiting);
+  void noteMost();
+
+  std::deque<Waiting> events_;
+  std::map<std::uint64_t, std::pair<Waiting, Subject>> changes_;  ///< by when they came
+  std::map<Subject, std::uint64_t> newest_;                       ///< the change about each
+  std::uint64_t came_ = 0;
+  std::size_t bytes_ = 0;
+  std::uint64_t most_ = 0;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace rocinante
