@@ -212,16 +212,23 @@ GltfAccessor::GltfAccessor(const GltfDocument& document, std::size_t number) {
   const auto sparse = accessor.find("sparse");
   if (sparse == accessor.end()) return;
   changed_ = runOf(document, (*sparse)["values"], element_bytes);
+  std::shared_ptr<const GltfDocument::Changes>& known = document.changes[number];
+  if (known) {
+    changes_ = known;
+    return;
+  }
+  auto changes = std::make_shared<GltfDocument::Changes>();
   GltfAccessor places(*this);
   places.type_ = static_cast<unsigned>(*gltfIndex((*sparse)["indices"], "componentType"));
   places.component_bytes_ = gltfComponentBytes(places.type_);
   places.base_ = runOf(document, (*sparse)["indices"], places.component_bytes_);
   const std::size_t changed = *gltfIndex(*sparse, "count");
-  changes_.reserve(changed);
+  changes->reserve(changed);
   for (std::size_t i = 0; i < changed; ++i) {
-    changes_.emplace_back(places.index(i), static_cast<std::uint32_t>(i));
+    changes->emplace_back(places.index(i), static_cast<std::uint32_t>(i));
   }
-  std::ranges::sort(changes_);
+  std::ranges::sort(*changes);
+  changes_ = known = std::move(changes);
 }
 
 GltfAccessor::Run GltfAccessor::runOf(const GltfDocument& document, const GltfJson& user,
@@ -237,10 +244,10 @@ GltfAccessor::Run GltfAccessor::runOf(const GltfDocument& document, const GltfJs
 
 const std::byte* GltfAccessor::find(std::size_t element, std::size_t component) const {
   const Run* run = &base_;
-  if (!changes_.empty()) {
+  if (changes_ != nullptr) {
     const auto at = std::ranges::lower_bound(
-        changes_, std::pair(static_cast<std::uint32_t>(element), std::uint32_t{0}));
-    if (at != changes_.end() && at->first == element) {
+        *changes_, std::pair(static_cast<std::uint32_t>(element), std::uint32_t{0}));
+    if (at != changes_->end() && at->first == element) {
       run = &changed_;
       element = at->second;
     }
@@ -274,8 +281,8 @@ double GltfAccessor::number(std::size_t element, std::size_t component) const {
 std::uint32_t GltfAccessor::index(std::size_t element, std::size_t component) const {
   const std::byte* at = find(element, component);
   if (at == nullptr) return 0;
-  if (type_ == 5121) return valueAt<std::uint8_t>(at);
-  if (type_ == 5123) return valueAt<std::uint16_t>(at);
+  if (component_bytes_ == 1) return valueAt<std::uint8_t>(at);
+  if (component_bytes_ == 2) return valueAt<std::uint16_t>(at);
   return valueAt<std::uint32_t>(at);
 }
 

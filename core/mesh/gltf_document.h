@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -20,9 +22,13 @@ using GltfJson = nlohmann::json;
 /// A glTF 2 file that is safe to read: every index, length and type of `root` was checked
 /// (gltf_guard.h), and every buffer is at hand.
 struct GltfDocument {
+  /// Of a sparse accessor: its changed elements and their places among the values, sorted.
+  using Changes = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   GltfJson root;
   std::vector<ByteView> buffers;  ///< of the file, or of `read`
   std::vector<Bytes> read;        ///< from other files and data URIs
+  /// By accessor, each found once: many primitives may share one. One thread.
+  mutable std::map<std::size_t, std::shared_ptr<const Changes>> changes{};
 
   /// A top-level array; an empty one when it is not there.
   const GltfJson& all(const char* array) const;
@@ -64,7 +70,7 @@ class GltfAccessor {
   std::size_t count() const { return count_; }
   std::size_t components() const { return components_; }
   /// Whether the file has any of its bytes; else every number is 0 (or compressed elsewhere).
-  bool hasBytes() const { return !base_.bytes.empty() || !changes_.empty(); }
+  bool hasBytes() const { return !base_.bytes.empty() || changes_ != nullptr; }
   /// Normalised integers are in [-1, 1]. In range: element < count(), component < components().
   double number(std::size_t element, std::size_t component) const;
   float single(std::size_t element, std::size_t component) const {
@@ -85,7 +91,7 @@ class GltfAccessor {
   unsigned type_ = 0;
   bool normalized_ = false;
   Run base_, changed_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> changes_;  ///< element to place, sorted
+  std::shared_ptr<const GltfDocument::Changes> changes_;  ///< null: not sparse
 };
 
 }  // namespace rocinante

@@ -165,6 +165,20 @@ void GltfMaterialReader::useImage(std::size_t number, Material& material) {
              faults_, material);
 }
 
+std::shared_ptr<const Bytes> GltfMaterialReader::pictureIn(std::size_t view) {
+  std::shared_ptr<const Bytes>& known = by_view_[view];
+  if (known) return known;
+  const GltfJson& run = document_.all("bufferViews")[view];
+  const ByteView buffer = document_.buffers[*gltfIndex(run, "buffer")];
+  const ByteView content = buffer.subspan(gltfIndex(run, "byteOffset").value_or(0),
+                                          gltfIndex(run, "byteLength").value_or(0));
+  std::size_t all = 0;
+  for (const ByteView each : document_.buffers) all += each.size();
+  if (content.size() > all - copied_) return nullptr;
+  copied_ += content.size();
+  return known = std::make_shared<const Bytes>(content.begin(), content.end());
+}
+
 void GltfMaterialReader::usePicture(std::size_t number, const GltfJson& image, Material& material) {
   auto [known, is_new] = pictures_.try_emplace(number);
   auto& [name, bytes] = known->second;
@@ -172,10 +186,7 @@ void GltfMaterialReader::usePicture(std::size_t number, const GltfJson& image, M
     name = path_;
     name += fmt::format("#{}", pictures_.size());
     if (const auto view = gltfIndex(image, "bufferView")) {
-      const GltfJson& run = document_.all("bufferViews")[*view];
-      const ByteView content = document_.buffers[*gltfIndex(run, "buffer")].subspan(
-          gltfIndex(run, "byteOffset").value_or(0), gltfIndex(run, "byteLength").value_or(0));
-      bytes = std::make_shared<const Bytes>(content.begin(), content.end());
+      bytes = pictureIn(*view);
     } else if (image.contains("uri")) {
       std::optional<Bytes> content = bytesOfDataUri(image["uri"].get_ref<const std::string&>());
       if (content) bytes = std::make_shared<const Bytes>(std::move(*content));

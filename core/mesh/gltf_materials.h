@@ -32,6 +32,7 @@ class GltfMaterialReader {
   void readTexture(const GltfJson& info, Material& material);
   void readSampler(const GltfJson& sampler, Material& material);
   void useImage(std::size_t number, Material& material);
+  std::shared_ptr<const Bytes> pictureIn(std::size_t view);
   void usePicture(std::size_t number, const GltfJson& image, Material& material);
 
   const GltfDocument& document_;
@@ -40,6 +41,8 @@ class GltfMaterialReader {
   FaultList& faults_;
   /// Names and bytes of pictures inside the file, by image.
   std::map<std::size_t, std::pair<std::filesystem::path, std::shared_ptr<const Bytes>>> pictures_;
+  std::map<std::size_t, std::shared_ptr<const Bytes>> by_view_;  ///< of those in buffers
+  std::size_t copied_ = 0;  ///< bytes; views that overlap must not multiply a file
 };
 
 /// The attribute with the texture coordinates that a primitive's material uses: "TEXCOORD_0" when

@@ -53,8 +53,8 @@ GltfTriangles gltfTriangles(const GltfDocument& document, const GltfJson& primit
 
   triangles.vertices = corners;
   std::ranges::sort(triangles.vertices);
-  const auto repeated = std::ranges::unique(triangles.vertices);
-  triangles.vertices.erase(repeated.begin(), repeated.end());
+  triangles.vertices.erase(std::unique(triangles.vertices.begin(), triangles.vertices.end()),
+                           triangles.vertices.end());
   triangles.vertices.shrink_to_fit();
   const bool is_whole = triangles.vertices.size() == positions.count();
   if (is_whole) return triangles;  // every corner is its own place
