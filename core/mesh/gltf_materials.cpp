@@ -25,7 +25,7 @@ double elementOf(const GltfJson& object, const char* key, std::size_t element, d
 }
 
 /// A float that shaders can use.
-float finite(double value, float otherwise) {
+float finiteOr(double value, float otherwise) {
   const auto single = static_cast<float>(value);
   return std::isfinite(single) ? single : otherwise;
 }
@@ -96,7 +96,7 @@ void GltfMaterialReader::readAlpha(const GltfJson& given, double opacity, Materi
     material.alpha_mode = AlphaMode::blend;
   } else if (mode == "MASK") {
     material.alpha_mode = AlphaMode::mask;
-    material.alpha_cutoff = finite(gltfNumber(given, "alphaCutoff", 0.5), 1e30F);
+    material.alpha_cutoff = finiteOr(gltfNumber(given, "alphaCutoff", 0.5), 1e30F);
   } else if (mode != "OPAQUE") {
     faults_.leaveOut(
         "value", mode, {},
@@ -119,10 +119,10 @@ void GltfMaterialReader::readTexture(const GltfJson& info, Material& material) {
     const double angle = gltfNumber(*placed, "rotation", 0);
     // Around the picture's top left corner with v down; ours is around the bottom left, v up.
     const SineCosine turn = sineCosine(angle);
-    material.map_scale = {finite(width, 1), finite(height, 1)};
-    material.map_rotation = finite(angle, 0);
-    material.map_offset = {finite(x + turn.sine * height, 0),
-                           finite(1 - y - turn.cosine * height, 0)};
+    material.map_scale = {finiteOr(width, 1), finiteOr(height, 1)};
+    material.map_rotation = finiteOr(angle, 0);
+    material.map_offset = {finiteOr(x + turn.sine * height, 0),
+                           finiteOr(1 - y - turn.cosine * height, 0)};
   }
   if (const auto source = gltfIndex(texture, "source")) {
     useImage(*source, material);

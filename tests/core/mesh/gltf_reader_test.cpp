@@ -42,7 +42,7 @@ std::string refusalOf(const GltfText& json) {
 }
 
 /// "field `roughnessFactor`" of each thing left out.
-std::vector<std::string> leftOutOf(const Findings& faults) {
+std::vector<std::string> namesLeftOut(const Findings& faults) {
   std::vector<std::string> names;
   for (const Finding& fault : faults) {
     if (!fault.left_out.empty()) names.push_back(fault.left_out);
@@ -55,7 +55,7 @@ TEST(GltfModels, AreReadWithoutAFault) {
                            "shared", "skin", "materials"}) {
     SCOPED_TRACE(name);
     const ReadMesh read = readGltfText(gltfModel(name));
-    EXPECT_THAT(leftOutOf(read.faults), IsEmpty());
+    EXPECT_THAT(namesLeftOut(read.faults), IsEmpty());
     EXPECT_THAT(read.faults, IsEmpty());
     expectSound(read.mesh);
   }
@@ -193,7 +193,7 @@ TEST(GltfModels, ThreeHundredPartsOfOneAccessorHoldNineHundredVertices) {
 
 TEST(GltfModels, MirroredAndInstancedShapesKeepTheirOutside) {
   const ReadMesh read = readGltfText(gltfModel("nodes"));
-  EXPECT_THAT(leftOutOf(read.faults), ElementsAre("node `elsewhere`", "scene `other`"));
+  EXPECT_THAT(namesLeftOut(read.faults), ElementsAre("node `elsewhere`", "scene `other`"));
   std::vector<std::string> groups;
   for (const MeshPart& part : read.mesh.parts) {
     groups.push_back(part.group);
@@ -234,7 +234,7 @@ TEST(GltfAccount, WhatIsNotUsedIsNamedOnceWithItsCount) {
   json["samplers"] = {{{"magFilter", 9728}}};
   const ReadMesh read = readGltfText(json);
   EXPECT_THAT(
-      leftOutOf(read.faults),
+      namesLeftOut(read.faults),
       testing::UnorderedElementsAre("animation", "camera", "extension `KHR_lights_punctual`",
                                     "extension `KHR_materials_unlit`", "field `normalTexture`",
                                     "field `roughnessFactor`", "field `targets`",
@@ -382,7 +382,7 @@ TEST(GltfGuard, NumbersOfStrangersEndInASentence) {
   json["materials"][1]["alphaMode"] = 5;
   json["samplers"] = {{{"wrapS", 1}}};
   json["textures"][0]["sampler"] = 0;
-  EXPECT_THAT(leftOutOf(readGltfText(json).faults),
+  EXPECT_THAT(namesLeftOut(readGltfText(json).faults),
               testing::IsSupersetOf({"value `GLASS`", "value `?`", "value `1`"}));
   json = gltfModel("shared");
   json["accessors"][0]["count"] = 20;  // of 35: what lies beyond is not there
