@@ -200,7 +200,8 @@ Result<std::optional<CapturedFrame>> CaptureFile::nextBlock() {
       case kCustomUncopied:
         break;
       default:
-        if (unknown_.size() < kMaxUnknown || unknown_.contains(type)) ++unknown_[type];
+        // Beyond a limit all count as one: no block has the type 0.
+        ++unknown_[unknown_.size() < kMaxUnknown || unknown_.contains(type) ? type : 0];
     }
   }
 }
@@ -318,7 +319,8 @@ Account CaptureFile::leftOut() const {
   for (const Interface& each : interfaces_) dropped += each.dropped;
   leaveOut(dropped, "frame", {}, "the capturing program dropped them", Severity::warning);
   for (const auto& [type, count] : unknown_) {
-    leaveOut(count, "block", fmt::format("{:#010x}", type), "of an unknown type", Severity::note);
+    leaveOut(count, "block", type == 0 ? "others" : fmt::format("{:#010x}", type),
+             "of an unknown type", Severity::note);
   }
   return account;
 }

@@ -6,13 +6,16 @@ namespace rocinante {
 namespace {
 
 constexpr unsigned kUdpHeader = 17;
+/// As many as an account lists: a hostile capture has any number.
+constexpr std::size_t kMaxKinds = Account::kMaxListed - 8;
 
 }  // namespace
 
 void FrameReader::count(std::uint32_t kind) {
   // Kinds come in rows: 10,000 TCP frames, one ARP.
   if (latest_ == nullptr || latest_kind_ != kind) {
-    latest_ = &left_out_[kind];
+    const bool is_new = left_out_.size() >= kMaxKinds && !left_out_.contains(kind);
+    latest_ = &left_out_[is_new ? std::uint32_t{kMoreKinds} : kind];
     latest_kind_ = kind;
   }
   if (latest_->count++ == 0) latest_->first = frames_;
@@ -151,6 +154,8 @@ Account FrameReader::leftOut(bool is_file) const {
                 .name = "UDP options",
                 .reason = "bytes behind the datagram are not recorded"},
                tally);
+    } else if (kind == kMoreKinds) {
+      leaveOut({.kind = "frame", .name = "other kinds", .reason = "not UDP"}, tally);
     } else if (kind >= kLinkType) {
       leaveOut({.kind = "frame",
                 .name = "link type " + std::to_string(kind - kLinkType),

@@ -66,6 +66,7 @@ class FrameReader {
     kCutShort,           ///< the capture kept too few bytes
     kNotChosen,          ///< by the filter
     kUdpOptions,         ///< bytes behind the datagram; the datagram is used
+    kMoreKinds,          ///< beyond those that an account lists
     kLinkType = 0x80000  ///< and the number
   };
 

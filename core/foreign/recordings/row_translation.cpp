@@ -140,9 +140,9 @@ void RowTranslation::findHomes(std::string_view topic, std::span<const std::stri
 }
 
 void RowTranslation::leaveOut(std::string_view name, std::string_view reason, Severity severity) {
-  // Beyond these an account lists nothing anyway, and a hostile file has any number.
-  if (named_.size() >= kMaxNamed || named_.contains(name)) return;
-  named_.emplace(name);
+  if (named_.contains(name)) return;
+  // Beyond these an account only counts, and a hostile file has any number.
+  if (named_.size() < kMaxNamed) named_.emplace(name);
   account_.leaveOut({.kind = kind_,
                      .name = std::string(name),
                      .reason = std::string(reason),

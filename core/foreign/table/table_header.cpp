@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 
 #include "core/base/plain_text.h"
 #include "core/foreign/table/csv_line.h"
@@ -124,6 +125,16 @@ std::optional<std::size_t> numbersIn(std::string_view line, const TableHeader& h
   }));
 }
 
+/// Whether the row has a field for each name, and a time where the header says.
+bool fitsRow(const TableHeader& header, std::string_view row) {
+  std::vector<CsvField> fields;
+  if (!splitCsvLine(row, fields, header.separator) || fields.size() != header.names.size()) {
+    return false;
+  }
+  TableNumbers numbers(header.separator);
+  return TableTimes(header.unit).read(numbers.withPoint(fields[header.time].text)).has_value();
+}
+
 std::string_view withoutHash(std::string_view line) {
   const std::size_t begin = line.find_first_not_of("# \t");
   return begin == line.npos ? std::string_view() : line.substr(begin);
@@ -209,8 +220,15 @@ Result<TableHeader> tableHeader(std::span<const std::string_view> first_lines) {
       continue;
     }
     // A sentence with the word "time" is no header, unless the first row fits it.
-    if (in_comment && numbersIn(line, *in_comment).value_or(0) > 0) return *in_comment;
-    if (auto header = headerIn(line)) {
+    if (in_comment && fitsRow(*in_comment, line)) return *in_comment;
+    auto header = headerIn(line);
+    // Blanks are in every text: only with its first row it is a table.
+    if (header && header->separator == ' ') {
+      const auto row = std::find_if(first_lines.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                    first_lines.end(), std::not_fn(isTableRemark));
+      if (row == first_lines.end() || !fitsRow(*header, *row)) header.reset();
+    }
+    if (header) {
       header->line = i;
       return *header;
     }
@@ -227,6 +245,8 @@ std::optional<std::string> tableRefusal(std::string_view text) {
   }
   if (rows.size() < 2) return std::nullopt;
   const bool has_columns = std::ranges::any_of(kSeparators, [&](char separator) {
+    // "x = [1, 2, 3]" and "{" begin other texts.
+    if (rows[0].find_first_of("={<") != rows[0].npos) return false;
     const auto header = headerWith(rows[0], separator);
     // Blanks are in every text: a row of numbers alone is none.
     const std::size_t least = header && separator == ' ' ? header->names.size() : 1;

@@ -194,6 +194,11 @@ TEST(TableRecording, ARefusalNamesWhatIsMissing) {
   EXPECT_THAT(table("1,2,3\n4,5,6\n").error().text(), HasSubstr("it has no header"));
   EXPECT_THAT(*tableRefusal("a;b\n1,5;2,5\n"), HasSubstr("the columns are `a`, `b`"));
   EXPECT_FALSE(tableRefusal("name = \"x\"\nsize = 3\n").has_value());
+  EXPECT_FALSE(tableRefusal("x = [1, 2, 3]\ny = [4, 5, 6]\n").has_value());
+  for (const char* const text :
+       {"time = 5\nx = 3\n", "# the time of day\nx = 3\n", "time flies\n"}) {
+    EXPECT_FALSE(looksLikeTable(text)) << text;
+  }
   EXPECT_FALSE(tableRefusal("<robot name=\"a\"/>\n<!-- 1,2 -->\n").has_value());
   EXPECT_THAT(*jsonLinesRefusal("{\"x\": 1, \"y\": 2}\n"), HasSubstr("the keys are `x`, `y`"));
 }
