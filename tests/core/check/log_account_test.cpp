@@ -57,8 +57,8 @@ class LogAccountTest : public testing::Test {
     for (const auto& [encoding, text] : said) {
       const auto channel = session.addChannel("/udp/" + encoding, encoding, {});
       EXPECT_TRUE(channel.ok());
-      EXPECT_TRUE(
-          session.write(*channel, 0, LogTime(Nanoseconds(++time)), time, bytesOf(text)).ok());
+      EXPECT_TRUE(session.write(*channel, 0, LogTime(Nanoseconds(time)), time, bytesOf(text)).ok());
+      ++time;
     }
     if (!left_out.empty()) {
       EXPECT_TRUE(session.log()
