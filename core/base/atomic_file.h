@@ -24,9 +24,9 @@ Status readFileInParts(const std::filesystem::path& path, std::uint64_t max_byte
 /// the program was killed, but perhaps not after a power cut.
 enum class Sync { now, later };
 
-/// Writes a part_file.h, syncs and renames: the file appears whole or not at all. refused when it
-/// exists and not `overwrite`, also one that came meanwhile; when it is not a regular file (a device
-/// would be replaced), or is a log that another process is writing (core/base/file_lock.h).
+/// Writes beside `path`, syncs and renames: the file appears whole or not at all. refused when it
+/// exists, or came meanwhile, and `overwrite` is false; is not a regular file (a device would be
+/// replaced), or is a log that another process is writing (core/base/file_lock.h).
 Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite,
                       Sync sync = Sync::now);
 

@@ -20,14 +20,14 @@ namespace {
 constexpr std::size_t kMaxWords = 1000;
 
 /// The last line of each commit's message: what the store owns.
-constexpr std::string_view kMark = "Rocinante-Store: 1";
+constexpr std::string_view kStoreMark = "Rocinante-Store: 1";
 
 /// Whether the store made a commit, by its message: it has the mark, or it is of a time before the
 /// mark.
 bool isOwnMessage(const std::string& message) {
   const std::vector<std::string> lines = partsOf(message, '\n');
   if (lines.empty()) return false;
-  if (lines.back() == kMark) return true;
+  if (lines.back() == kStoreMark) return true;
   for (const std::string_view subject : {"golden push: ", "golden gc: "}) {
     const std::string count = lines[0].starts_with(subject) ? lines[0].substr(subject.size()) : "";
     if (!count.empty() && count.find_first_not_of("0123456789") == count.npos) return true;
@@ -273,7 +273,7 @@ Result<std::string> GitStore::commit(const std::string& tree, const std::string&
                                  "-c",          "user.email=rocinante@invalid",
                                  "commit-tree", tree,
                                  "-m",          message,
-                                 "-m",          std::string(kMark)};
+                                 "-m",          std::string(kStoreMark)};
   if (!parent.empty()) words.insert(words.end(), {"-p", parent});
   const auto made = git(std::move(words));
   if (!made.ok()) return made.error();
