@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -21,7 +23,7 @@ constexpr const char* kExamples =
     "  rocinante relay --serve :19961                    the local group, to who subscribes\n"
     "  rocinante relay --from :19960 --to 10.0.0.7:19960 --to 239.1.2.3:5000?interface=eth0\n"
     "  rocinante relay --from :19960 --to 10.0.0.7:19960 --device 'arm*' --max-rate 10\n"
-    "  rocinante relay --from :19960 --to 10.0.0.7:19960 --bandwidth 28.8k\n"
+    "  rocinante relay --from :19960 --to 10.0.0.7:19960 --bandwidth 28.8k,overhead=8\n"
     "  rocinante relay --from :49152 --to 239.1.2.3:5000 --decoders kuka.decoders.toml\n"
     "  rocinante relay --serve :19961 --allow 10.0.0.0/8 --statement joints,pose\n";
 
@@ -66,9 +68,11 @@ void declare(CLI::App& app, Arguments& my) {
       ->option_text("WHAT=X,...");
   app.add_option("--max-rate", my.max_rate, "send the values of a device at most HZ times a second")
       ->option_text("HZ");
-  app.add_option("--bandwidth", my.bandwidth,
-                 "send at most this many bits a second to each output: 28.8k, 2M")
-      ->option_text("RATE");
+  app.add_option(
+         "--bandwidth", my.bandwidth,
+         "send at most this many bits a second to each output: 28.8k, 2M; overhead=N: bytes\n"
+         "that the link adds to each datagram (PPP 8, Ethernet 14)")
+      ->option_text("RATE[,overhead=N]");
   app.add_option("--restate", my.restate, "filtered outputs restate everything this often")
       ->option_text("TIME=2s");
   app.add_option(
@@ -123,6 +127,26 @@ Result<double> bytesPerSecond(const std::string& text) {
   return bits / 8;
 }
 
+/// RATE[,overhead=N]
+Status readBandwidth(const std::string& text, RelayOutputOptions& outputs) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const Result<double> bytes = bytesPerSecond(text.substr(0, comma));
+  if (!bytes) return bytes.error();
+  outputs.bytes_per_second = *bytes;
+  if (comma == text.size()) return {};
+  constexpr std::string_view kOverhead = "overhead=";
+  const std::string_view option = std::string_view(text).substr(comma + 1);
+  const std::string_view digits = option.substr(std::min(kOverhead.size(), option.size()));
+  std::size_t count = 0;
+  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+  if (!option.starts_with(kOverhead) || fault != std::errc() ||
+      end != digits.data() + digits.size() || count > 1000) {
+    return bad("behind its rate --bandwidth takes overhead=N, 0 to 1000 bytes a datagram", text);
+  }
+  outputs.link_bytes = count;
+  return {};
+}
+
 Status readMinChange(const std::vector<std::string>& texts, MinChange& least) {
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
@@ -165,9 +189,7 @@ Status readOutputs(const Arguments& my, RelayOutputOptions& outputs) {
     outputs.pacing.interval = Nanoseconds(static_cast<std::int64_t>(1e9 / *hz));
   }
   if (!my.bandwidth.empty()) {
-    const Result<double> bytes = bytesPerSecond(my.bandwidth);
-    if (!bytes) return bytes.error();
-    outputs.bytes_per_second = *bytes;
+    if (Status read = readBandwidth(my.bandwidth, outputs); !read) return read;
   }
   return {};
 }

@@ -75,6 +75,10 @@ void ServePort::end(const SocketAddress& from, Relay& relay) {
   const auto found = by_address_.find(from.text());
   if (found == by_address_.end()) return;
   conflated_ += relay.conflated(found->second);
+  filtered_out_ += relay.filteredOut(found->second);
+  PacedCounts paced = relay.paced(found->second);
+  paced.waiting = 0;
+  paced_ += paced;
   relay.close(found->second);
   std::erase(whole_, found->second);
   subscribers_.erase(found->second);
@@ -109,6 +113,18 @@ std::uint64_t ServePort::conflated(const Relay& relay) const {
   std::uint64_t conflated = conflated_;
   for (const auto& each : subscribers_) conflated += relay.conflated(each.first);
   return conflated;
+}
+
+FilteredOutCounts ServePort::filteredOut(const Relay& relay) const {
+  FilteredOutCounts counts = filtered_out_;
+  for (const auto& each : subscribers_) counts += relay.filteredOut(each.first);
+  return counts;
+}
+
+PacedCounts ServePort::paced(const Relay& relay) const {
+  PacedCounts paced = paced_;
+  for (const auto& each : subscribers_) paced += relay.paced(each.first);
+  return paced;
 }
 
 bool ServePort::waitForRoom() { return waitUntilWritable(socket_.fileDescriptor()); }

@@ -35,6 +35,10 @@ class ServePort {
   std::uint64_t dropped() const { return dropped_; }
   /// Values that its subscribers, of now and before, were spared by newer ones.
   std::uint64_t conflated(const Relay& relay) const;
+  /// What its subscribers, of now and before, did not get by their filters.
+  FilteredOutCounts filteredOut(const Relay& relay) const;
+  /// Statements that wait for the links of its subscribers; those of subscribers that left do not.
+  PacedCounts paced(const Relay& relay) const;
 
  private:
   struct Subscriber {
@@ -57,7 +61,9 @@ class ServePort {
   std::vector<Relay::OutputId> whole_;
   std::uint64_t forwarded_ = 0;
   std::uint64_t dropped_ = 0;
-  std::uint64_t conflated_ = 0;  ///< for subscribers that have gone
+  std::uint64_t conflated_ = 0;     ///< for subscribers that have gone
+  FilteredOutCounts filtered_out_;  ///< likewise
+  PacedCounts paced_;               ///< likewise
 };
 
 /// One `--to` endpoint. One thread.

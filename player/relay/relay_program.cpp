@@ -49,6 +49,17 @@ std::function<ByteView(ByteView)> signingWith(DatagramSigner* signer) {
   return [signer](ByteView datagram) { return signer->sign(datagram); };
 }
 
+/// Of what one endpoint receives from one sender.
+ArrivalWay wayOf(std::size_t input, const ReceivedDatagram& datagram) {
+  // A server does not tell who sends.
+  if (!datagram.subject.empty()) return kUnknownWay;
+  std::string_view address(reinterpret_cast<const char*>(datagram.sender.address.data()),
+                           datagram.sender.address.size());
+  const std::uint64_t place = (std::uint64_t{input} << 16U | datagram.sender.port) + 1;
+  const std::uint64_t way = std::hash<std::string_view>()(address) ^ place * 0x9E3779B97F4A7C15U;
+  return way == kUnknownWay ? 1 : way;
+}
+
 class RunningRelay {
  public:
   /// `signer` may be null, and must outlive the relay.
@@ -71,6 +82,7 @@ class RunningRelay {
   void sleep();
   void showProgress();
   Status checkLoop(const DatagramSink& sink) const;
+  Status checkSubscriptions() const;
 
   const RelayProgramOptions& options_;
   const SendSurroundings& surroundings_;
@@ -88,29 +100,55 @@ class RunningRelay {
   std::vector<pollfd> waiting_;
   SteadyTime began_{}, slept_{}, shown_{};
   bool progress_shown_ = false;
+  bool loop_told_ = false;
   std::uint64_t most_subscribers_ = 0;
 };
+
+/// A socket that listens at `from`, bound to `bound`, receives what is sent to `to`. Of NATS, the
+/// same server by the same name.
+bool hears(const Endpoint& from, const SocketAddress& bound, const Endpoint& to) {
+  if (from.isNats() || to.isNats()) {
+    return from.scheme == Endpoint::Scheme::nats && to.scheme == from.scheme &&
+           from.nats.server() == to.nats.server() &&
+           subjectMatches(from.nats.listenedSubject(), to.nats.subject + ".x");
+  }
+  if (from.isPcap() || to.isPcap()) return false;
+  if (bound.port != to.address.port || bound.is_ipv6 != to.address.is_ipv6) return false;
+  if (bound.isAny()) return !to.isMulticast() && isLocalAddress(to.address);
+  const bool other_interface =
+      !to.interface.empty() && !from.interface.empty() && to.interface != from.interface;
+  return !other_interface && bound.address == to.address.address;
+}
 
 /// A relay that sends to an address where it listens itself would hear every datagram again.
 Status RunningRelay::checkLoop(const DatagramSink& sink) const {
   const Endpoint& to = sink.endpoint();
-  if (to.isPcap()) return {};
-  const auto hears = [&](const SocketAddress& bound) {
-    if (bound.port != to.address.port || bound.is_ipv6 != to.address.is_ipv6) return false;
-    if (bound.isAny()) return !to.isMulticast() && isLocalAddress(to.address);
-    return bound.address == to.address.address;
-  };
-  bool loops = false;
-  for (const auto& each : sources_) {
-    const bool other_interface = !to.interface.empty() && !each->endpoint().interface.empty() &&
-                                 to.interface != each->endpoint().interface;
-    loops =
-        loops || (!each->endpoint().isPcap() && !other_interface && hears(each->boundAddress()));
+  bool loops = std::any_of(sources_.begin(), sources_.end(), [&](const auto& each) {
+    return hears(each->endpoint(), each->boundAddress(), to);
+  });
+  for (const auto& each : serve_) {
+    const UdpReceiver& served = each->socket();
+    loops = loops || hears(served.endpoint(), served.boundAddress(), to);
   }
-  for (const auto& each : serve_) loops = loops || hears(each->socket().boundAddress());
   if (!loops) return {};
   return Error{ErrorKind::bad_argument, "--to names an address where this relay itself listens",
                to.text()};
+}
+
+/// Nor does it ask itself for what it sends.
+Status RunningRelay::checkSubscriptions() const {
+  for (const auto& source : sources_) {
+    const Endpoint& from = source->endpoint();
+    if (!from.isSubscription()) continue;
+    Endpoint relay;
+    relay.address = from.address;
+    for (const auto& each : serve_) {
+      if (!hears(each->socket().endpoint(), each->socket().boundAddress(), relay)) continue;
+      return Error{ErrorKind::bad_argument, "--from subscribes at what this relay itself serves",
+                   from.text()};
+    }
+  }
+  return {};
 }
 
 Status RunningRelay::open() {
@@ -135,6 +173,7 @@ Status RunningRelay::open() {
     if (!port) return port.error();
     serve_.push_back(std::move(*port));
   }
+  if (Status checked = checkSubscriptions(); !checked) return checked;
   const LogTime now = clock_.at(steadyNow());
   for (const Endpoint& each : options_.to) {
     auto sink = openSink(each);
@@ -180,11 +219,12 @@ Status RunningRelay::receive(std::size_t input) {
 
 void RunningRelay::pass(std::size_t input, const ReceivedDatagram& datagram, LogTime now) {
   if (datagram.truncated) return relay_.receive({}, now);
+  const ArrivalWay way = wayOf(input, datagram);
   const MadePacket* const made =
       decoder_ ? decoder_->decode(input, datagram, LogTime(datagram.kernel_time.time_since_epoch()))
                : nullptr;
-  if (made == nullptr) return relay_.receive(datagram.payload, now);
-  relay_.receive(bytesOf(made->text), now);
+  if (made == nullptr) return relay_.receive(datagram.payload, now, way);
+  relay_.receive(bytesOf(made->text), now, way);
   // The decoder's text is good until the next.
   sendOutgoing();
 }
@@ -240,6 +280,9 @@ Status RunningRelay::run() {
       if (Status received = receive(i); !received) return received;
       if (const auto said = sources_[i]->maintain()) surroundings_.told(*said);
     }
+    if (relay_.loop() && !std::exchange(loop_told_, true)) {
+      surroundings_.told(relay_.loop()->text());
+    }
     std::uint64_t subscribers = 0;
     for (const auto& each : serve_) {
       const SteadyTime now = steadyNow();
@@ -262,6 +305,7 @@ RelayReport RunningRelay::report() const {
   report.name = options_.name;
   report.run = options_.run;
   report.counts = relay_.counts();
+  report.loop = relay_.loop();
   report.seconds = secondsOf(steadyNow() - began_);
   report.scheduling = was_realtime_ ? "fifo" : "other";
   for (std::size_t i = 0; i < sources_.size(); ++i) {
@@ -273,6 +317,7 @@ RelayReport RunningRelay::report() const {
   for (const ToPort& each : to_) {
     report.outputs.push_back({each.sink->endpoint().text(), std::to_string(each.output), each.whole,
                               each.forwarded, each.dropped, relay_.conflated(each.output),
+                              relay_.filteredOut(each.output), relay_.paced(each.output),
                               each.trouble ? each.trouble->text() : std::string()});
   }
   for (const auto& each : serve_) {
@@ -280,6 +325,8 @@ RelayReport RunningRelay::report() const {
     report.served += each->forwarded();
     report.served_dropped += each->dropped();
     report.served_conflated += each->conflated(relay_);
+    report.served_filtered_out += each->filteredOut(relay_);
+    report.served_paced += each->paced(relay_);
     const SubscriptionDesk::Counts& counts = each->desk().counts();
     report.requests.requests += counts.requests;
     report.requests.challenged += counts.challenged;

@@ -25,15 +25,20 @@ struct RelayReport {
     bool whole = true;
     std::uint64_t forwarded = 0, dropped = 0;
     std::uint64_t conflated = 0;  ///< values that newer ones replaced before they were sent
-    std::string trouble;          ///< the first refusal of the system
+    FilteredOutCounts filtered_out{};
+    PacedCounts paced{};    ///< events and changes, which wait for a slow link
+    std::string trouble{};  ///< the first refusal of the system
   };
   std::string name, run;
   std::vector<Input> inputs;
   std::vector<Output> outputs;  ///< each `to`
   RelayInputCounts counts;
+  std::optional<RelayLoop> loop;                        ///< the first sign of one
   std::uint64_t subscribers = 0, most_subscribers = 0;  ///< at the end, and at any time
   std::uint64_t served = 0, served_dropped = 0;         ///< datagrams to subscribers
   std::uint64_t served_conflated = 0;                   ///< values
+  FilteredOutCounts served_filtered_out;
+  PacedCounts served_paced;  ///< events and changes
   SubscriptionDesk::Counts requests;
   std::optional<decode::DecodeAccount> decoded;  ///< empty without decoders
   std::string scheduling;                        ///< "fifo" or "other"

@@ -13,6 +13,8 @@ try --serve :0 --min-change speed=1
 try --serve :0 --max-rate fast
 try --serve :0 --bandwidth 28.8x
 try --serve :0 --bandwidth 100
+try --serve :0 --bandwidth 28.8k,overhead=x
+try --serve :0 --bandwidth 28.8k,8
 try --serve :0 --restate 1ms
 try --serve :0 --allow 10.0.0.5/8
 try --serve :0 --name a:b
