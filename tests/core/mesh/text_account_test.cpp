@@ -57,7 +57,7 @@ TEST_P(TextAccount, ALineThatIsRemovedOrUnknownIsSeen) {
   }
   for (std::size_t i = 0; i <= lines.size(); ++i) {
     EXPECT_THAT(toldOfText(GetParam(), joined(kNoLine, i, "surprise 1 2")),
-                HasSubstr("statement `surprise`"));
+                HasSubstr("`surprise`"));
   }
 }
 
