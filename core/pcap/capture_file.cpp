@@ -43,7 +43,7 @@ T numberAt(ByteView bytes, std::size_t at, bool swapped) {
   if (!swapped) return value;
   if constexpr (sizeof value == 2) return __builtin_bswap16(value);
   if constexpr (sizeof value == 4) return __builtin_bswap32(value);
-  return static_cast<T>(__builtin_bswap64(value));
+  return static_cast<T>(__builtin_bswap64(static_cast<std::uint64_t>(value)));
 }
 
 WallTime wallTime(std::int64_t seconds, std::int64_t nanoseconds) {

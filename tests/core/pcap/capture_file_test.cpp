@@ -6,7 +6,6 @@
 
 #include "core/pcap/pcap_source.h"
 #include "tests/core/pcap/frames.h"
-#include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante {
