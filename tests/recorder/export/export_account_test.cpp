@@ -134,14 +134,13 @@ TEST_F(ExportAccount, NoMutationIsSilent) {
       {kOneSecond, "RK1 s 1 -\njoint m j=1\n"},
       {2 * kOneSecond, "RK1 s 2 -\njoint m j=2\npose m 1 0 0 0 0 0 1\n"},
       {3 * kOneSecond, "RK1 s 3 -\njoint m j=3\n"}};
-  const char* const statements[] = {"show m/arm",
-                                    "hide m/arm",
+  const char* const statements[] = {"hide m/arm",
                                     "color m #ff0000",
                                     "line p #ffffff 0 0 0 1 1 1",
-                                    "points q #fff 0 0 0",
+                                    "points q #ffffff 0 0 0",
                                     "label l 0 0 0 \"x\"",
                                     "event \"here\"",
-                                    "view v 1 1 1 0 0 0 45 0 0 1",
+                                    "view v 1 1 1 0 0 0 45",
                                     "joint m j=9",
                                     "pose m 5 0 0 0 0 0 1",
                                     "no statement that is known"};
