@@ -36,9 +36,11 @@ FoundFile MeshStore::find(const std::string& name, const std::filesystem::path& 
                           Place place, FaultList& faults) const {
   FoundFile found = search_.find(name, beside);
   if (found.path.empty()) {
+    std::string hint = found.hint();
+    if (!hints_.insert(hint).second) hint.clear();
     faults.add(severity, rule, place,
                fmt::format("{} {} is not used: {}", kind, quotedPathInFault(name), found.problem()),
-               found.hint());
+               std::move(hint));
   } else if (found.why == FoundFile::Why::found_elsewhere) {
     faults.warning("model.absolute-path", place,
                    fmt::format("{} {} is an absolute path of another machine; {} is taken", kind,

@@ -81,6 +81,7 @@ class MeshStore {
   std::map<ShapeSize, std::shared_ptr<const Mesh>> shapes_;
   std::map<ShapeSize::Kind, std::size_t> shape_counts_;
   std::set<std::filesystem::path> files_;
+  mutable std::set<std::string> hints_;  ///< told once: a hundred files may have one cause
 };
 
 }  // namespace rocinante

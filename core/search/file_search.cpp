@@ -1,5 +1,7 @@
 #include "core/search/file_search.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -7,8 +9,10 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/base/shell_word.h"
 #include "core/search/package_names.h"
 #include "core/search/search_facts.h"
+#include "core/search/typed_path.h"
 
 namespace rocinante {
 namespace {
@@ -84,6 +88,30 @@ FoundFile refusal(FoundFile::Why why) {
   FoundFile refused;
   refused.why = why;
   return refused;
+}
+
+/// A folder for models alone, in which the meshes of the models seldom lie.
+bool isModelFolder(const fs::path& folder) {
+  static constexpr auto kNames =
+      std::to_array<std::string_view>({"models", "robots", "sdf", "urdf", "xacro"});
+  return std::ranges::find(kNames, folder.filename().string()) != kNames.end();
+}
+
+/// Names the root that permits a file outside the others.
+void adviseRoot(const fs::path& place, const fs::path& from, FoundFile& outside) {
+  std::error_code error;
+  const fs::path file = fs::canonical(place, error);
+  if (error || !fs::is_regular_file(file, error)) return;
+  fs::path common;
+  for (auto a = file.begin(), b = from.begin(); a != file.end() && b != from.end() && *a == *b;
+       ++a, ++b) {
+    common /= *a;
+  }
+  if (!common.has_relative_path()) common = file.parent_path();
+  if (!common.has_relative_path()) return;
+  const std::string typed = typedPath(common);
+  outside.advice = fmt::format("--search {} permits it, or `search` in the cell",
+                               shellWord(typed == "." ? "./" : typed));
 }
 
 // The places where a name may mean a file, best first.
@@ -179,13 +207,14 @@ FoundFile FileSearch::checkIn(const std::vector<Root>& roots, const fs::path& fi
   const fs::path canonical = canonicalOf(file, error);
   if (error) return {};
   for (const Root& root : roots) {
-    if (!root.holds(canonical)) continue;
+    if (!root.holds(canonical) || (root.for_meshes && !isMeshOrTexture(canonical))) continue;
     if (!fs::is_regular_file(canonical, error)) return refusal(FoundFile::Why::no_file);
     FoundFile found;
     found.why = FoundFile::Why::found;
     found.path = (root.given / canonical.lexically_relative(root.canonical)).lexically_normal();
     found.root = root.canonical;
     found.root_as_given = root.given;
+    found.root_for_meshes = root.for_meshes;
     return found;
   }
   return refusal(FoundFile::Why::outside);
@@ -240,7 +269,11 @@ FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside,
     // Naming a package's folder permits everything in it.
     for (const Package& each : packages_) roots.push_back(each.folder);
     if (within != nullptr && !within->root.empty()) {
-      roots.push_back({within->root_as_given, within->root});
+      roots.push_back({within->root_as_given, within->root, within->root_for_meshes});
+    }
+    // robot/urdf/arm.urdf beside robot/meshes: how most public repositories have it.
+    if (isModelFolder(from) && from.parent_path().has_relative_path()) {
+      roots.push_back({beside / "..", from.parent_path(), true});
     }
     // A found file is the answer; otherwise the first refusal that is not "missing".
     const auto isAnswer = [&](const fs::path& place, const fs::path& package_folder) {
@@ -250,6 +283,7 @@ FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside,
       const bool is_better =
           best.why == FoundFile::Why::missing && found.why != FoundFile::Why::missing;
       if (is_found || is_better) best = std::move(found);
+      if (is_better && best.why == FoundFile::Why::outside) adviseRoot(place, from, best);
       return is_found;
     };
     for (const fs::path& place : candidatesFor(parsed, from, folders)) {

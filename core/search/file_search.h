@@ -41,7 +41,8 @@ class FileSearch {
   /// exist, naming it.
   Status addPackage(const PackageFolder& package);
   /// For a bare model file: its package (the nearest folder above with a package.xml) becomes a
-  /// root, and so does a folder above that is a package which the model names.
+  /// root, and so does a folder above that is a package which the model names; of one beside the
+  /// nearest folders above, meshes and textures are found.
   void setPackagesAbove(const std::filesystem::path& folder);
 
   /// `beside` is the folder of the file that contains `name`. `within` is how that file itself was
@@ -61,6 +62,7 @@ class FileSearch {
   struct Root {
     std::filesystem::path given;
     std::filesystem::path canonical;
+    bool for_meshes = false;                              ///< isMeshOrTexture() only
     bool holds(const std::filesystem::path& path) const;  ///< one without links
   };
   struct Package {

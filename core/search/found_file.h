@@ -23,6 +23,7 @@ struct FoundFile {
   std::filesystem::path path;  ///< empty unless found; begins as the root was given
   std::filesystem::path root;  ///< that contains it, without links; empty unless found
   std::filesystem::path root_as_given;
+  bool root_for_meshes = false;  ///< only meshes and textures are found in that root
   /// The folder, without links, of the named package when the folder's own name differs; else
   /// empty.
   std::filesystem::path package;

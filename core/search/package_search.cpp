@@ -7,6 +7,7 @@
 #include "core/search/file_search.h"
 #include "core/search/package_names.h"
 #include "core/search/search_facts.h"
+#include "core/search/typed_path.h"
 
 // Finds the folder of a package when no folder has the package's name.
 
@@ -27,14 +28,6 @@ std::vector<fs::path> foldersUpFrom(fs::path folder, int most) {
     folder = folder.parent_path();
   }
   return folders;
-}
-
-/// As typed from the current folder.
-std::string typedPath(const fs::path& path) {
-  std::error_code error;
-  const fs::path here = fs::current_path(error);
-  const fs::path below = error ? fs::path() : path.lexically_relative(here);
-  return below.empty() || *below.begin() == ".." ? path.string() : below.string();
 }
 
 bool isFile(const fs::path& path) {
@@ -88,6 +81,14 @@ void FileSearch::addPackagesAbove(const std::string& name, std::vector<Root>& ro
     if (folder.filename() == name || names_->nameOf(folder) == name) {
       roots.push_back({given, folder});
     }
+    given /= "..";
+  }
+  // A package beside one of the nearest folders above, as models and their meshes are often kept.
+  given = packages_above_;
+  for (const fs::path& folder :
+       foldersUpFrom(canonicalOf(packages_above_, error), kNearFoldersAbove)) {
+    const fs::path beside = canonicalOf(folder / name, error);
+    if (!error && isFolder(beside)) roots.push_back({given / name, beside, true});
     given /= "..";
   }
 }

@@ -125,6 +125,54 @@ TEST_F(FileSearchTest, WhatLiesBesideAMeshOfAPackageMayBeOpened) {
   EXPECT_EQ(search.find("link.png", meshes, &mesh).why, Why::outside);
 }
 
+TEST_F(FileSearchTest, MeshesAreFoundBesideAFolderOfModels) {
+  test::writeFile(folder_ / "robot/meshes/part.STL", "x");
+  test::writeFile(folder_ / "robot/meshes/skin.png", "x");
+  test::writeFile(folder_ / "robot/notes.txt", "secret");
+  test::writeFile(folder_ / "above.stl", "x");
+  fs::create_symlink(folder_ / "robot/notes.txt", folder_ / "robot/meshes/notes.png");
+  fs::create_symlink(folder_ / "outside/secret.obj", folder_ / "robot/meshes/secret.obj");
+  for (const char* name : {"urdf", "robots", "xacro", "sdf", "models", "arm"}) {
+    SCOPED_TRACE(name);
+    const fs::path bare = folder_ / "robot" / name;
+    test::writeFile(bare / "a.urdf", "x");
+    FileSearch search;
+    ASSERT_TRUE(search.addRoot(bare).ok());
+    const FoundFile mesh = search.find("../meshes/part.STL", bare);
+    if (std::string_view(name) == "arm") {
+      EXPECT_EQ(mesh.why, Why::outside);
+      EXPECT_EQ(mesh.hint(), "--search " + (fs::canonical(folder_.path()) / "robot").string() +
+                                 " permits it, or `search` in the cell");
+      continue;
+    }
+    ASSERT_EQ(mesh.why, Why::found);
+    EXPECT_EQ(mesh.path, folder_ / "robot/meshes/part.STL");
+    // What the mesh names, by the same rule.
+    EXPECT_EQ(search.find("skin.png", folder_ / "robot/meshes", &mesh).why, Why::found);
+    EXPECT_EQ(search.find("../notes.txt", folder_ / "robot/meshes", &mesh).why, Why::outside);
+    for (const char* refused :
+         {"../notes.txt", "../meshes/notes.png", "../meshes/secret.obj", "../../above.stl"}) {
+      EXPECT_EQ(search.find(refused, bare).why, Why::outside) << refused;
+    }
+    EXPECT_EQ(search.find("../meshes/none.stl", bare).why, Why::missing);
+  }
+}
+
+TEST_F(FileSearchTest, APackageBesideABareModelGivesItsMeshes) {
+  test::writeFile(folder_ / "ws/art/meshes/c.stl", "x");
+  test::writeFile(folder_ / "ws/art/private/key", "secret");
+  test::writeFile(folder_ / "ws/robots/humanoid/r.urdf", "x");
+  const fs::path bare = folder_ / "ws/robots/humanoid";
+  FileSearch search;
+  ASSERT_TRUE(search.addRoot(bare).ok());
+  search.setPackagesAbove(bare);
+  EXPECT_EQ(search.find("package://art/meshes/c.stl", bare).why, Why::found);
+  EXPECT_EQ(search.find("model://art/meshes/../meshes/c.stl", bare).why, Why::found);
+  EXPECT_EQ(search.find("package://art/private/key", bare).why, Why::outside);
+  EXPECT_EQ(search.find("package://art/../robots/humanoid/../../art/private/key", bare).why,
+            Why::outside);
+}
+
 TEST_F(FileSearchTest, APackageIsCalledWhatItsPackageXmlSays) {
   const fs::path irb = cell() / "abb_irb140";
   test::writeFile(irb / "meshes/base.stl", "x");
