@@ -178,6 +178,7 @@ class TreeBuilder {
         root = i;
         continue;
       }
+      if (draft_.several_roots) continue;
       faults_.error(
           rule("two-roots"), link_places_[i],
           fmt::format("link {} has no parent joint, and neither has {}",

@@ -35,8 +35,9 @@ struct LinkDraft {
 struct ModelDraft {
   std::string name;
   std::string file;
-  std::string rules;  ///< first word of its faults' rules: "urdf" or "cell"
-  Place place;        ///< of the model as a whole
+  std::string rules;           ///< first word of its faults' rules: "urdf" or "cell"
+  Place place;                 ///< of the model as a whole
+  bool several_roots = false;  ///< the format allows links that no joint connects
   std::vector<LinkDraft> links;
   std::vector<JointDraft> joints;
 };

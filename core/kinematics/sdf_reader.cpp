@@ -1,36 +1,36 @@
 #include "core/kinematics/sdf_reader.h"
 
 #include <fmt/format.h>
+#include <tinyxml2.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "core/base/loaded_module.h"
+#include "core/base/name_hint.h"
 #include "core/base/plain_text.h"
-#include "core/document/xml_tags.h"
+#include "core/kinematics/gazebo_colors.h"
 #include "core/kinematics/model_draft.h"
+#include "core/kinematics/sdf_text.h"
 #include "core/kinematics/sdformat_module.h"
+#include "core/kinematics/urdf_reader.h"
+#include "core/kinematics/visibility.h"
+#include "core/kinematics/visual_materials.h"
 #include "core/math/transform.h"
 
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kDeepestSdf = 100;
-// libsdformat 12 is slow to make an element with all its defaults: 45 kB of small models took 7 s.
-// Larger files are refused before that.
-constexpr std::pair<std::string_view, int> kSdfMicroseconds[] = {
-    {"world", 14'000}, {"model", 4'000}, {"population", 3'100},
-    {"state", 3'100},  {"actor", 2'900}, {"link", 2'000},
-    {"sensor", 1'400}, {"visual", 400},  {"collision", 400}};
-constexpr std::int64_t kOtherSdfMicroseconds = 50;
-constexpr std::int64_t kMaxSdfMicroseconds = 30'000'000;
+constexpr std::size_t kMaxSdfElements = std::size_t{1} << 20;
 // SDF's own word for no limit; joints without limits carry infinity or this.
 constexpr double kNoSdfLimit = 1e16;
 
 struct SdfModule {
   RocinanteSdfRead read = nullptr;
+  std::string newest;  ///< version of the format
   std::string reason;
 
   SdfModule() {
@@ -42,14 +42,59 @@ struct SdfModule {
     const auto abi = reinterpret_cast<RocinanteSdfAbi>(functionOf(*loaded, "rocinante_sdf_abi"));
     if (abi != nullptr && abi() == ROCINANTE_SDF_ABI) {
       read = reinterpret_cast<RocinanteSdfRead>(functionOf(*loaded, "rocinante_sdf_read"));
+      const auto version =
+          reinterpret_cast<RocinanteSdfVersion>(functionOf(*loaded, "rocinante_sdf_version"));
+      if (version != nullptr) newest = version();
     }
-    if (read == nullptr) reason = "librocinante_sdformat.so has a different version";
+    if (read == nullptr || newest.empty())
+      reason = "librocinante_sdformat.so has a different version";
   }
 };
 
 const SdfModule& sdfModule() {
   static const SdfModule module;
   return module;
+}
+
+/// Whether "1.10" is newer than "1.9".
+bool isNewer(std::string_view version, std::string_view other) {
+  const auto partsOf = [](std::string_view text) {
+    std::pair<int, int> parts{};
+    const char* const end = text.data() + text.size();
+    const auto major = std::from_chars(text.data(), end, parts.first);
+    if (major.ptr != end) std::from_chars(major.ptr + 1, end, parts.second);
+    return parts;
+  };
+  return partsOf(version) > partsOf(other);
+}
+
+glm::vec4 colorOf(const float (&rgba)[4]) {
+  glm::vec4 color{};
+  for (int i = 0; i < 4; ++i) color[i] = std::clamp(rgba[i], 0.0F, 1.0F);
+  return color;
+}
+
+/// What the file gives a visual of its own; empty: nothing that is drawn.
+std::optional<Material> materialOf(const RocinanteSdfMaterial& given) {
+  Material material;
+  bool any = true;
+  if (given.has_diffuse != 0) {
+    material.diffuse = colorOf(given.diffuse);
+  } else if (const auto known = gazeboColor(given.script)) {
+    material.name = given.script;
+    material.diffuse = known->diffuse;
+    material.emission = known->emission;
+  } else if (given.has_ambient != 0) {
+    material.diffuse = colorOf(given.ambient);
+  } else {
+    any = false;
+  }
+  if (given.has_emissive != 0) {
+    if (!any) material.diffuse = {0.0F, 0.0F, 0.0F, 1.0F};  // as SDF has it: it only glows
+    material.emission = glm::vec3(colorOf(given.emissive));
+    any = true;
+  }
+  return any ? std::optional(material) : std::nullopt;
 }
 
 Mat4 matrixOfSdf(const RocinanteSdfPose& pose) {
@@ -73,14 +118,17 @@ class SdfReader {
   SdfReader(const std::filesystem::path& path, MeshStore& meshes, FaultList& faults)
       : folder_(path.parent_path()), meshes_(meshes), faults_(faults) {
     draft_.rules = "sdf";
+    draft_.several_roots = true;  // links without a joint lie where the file has them
     draft_.file = path.string();
   }
 
-  std::optional<Model> read(const std::string& text) {
+  /// `is_judged`: errors of the file are listed already, and libsdformat's say less.
+  std::optional<Model> read(const std::string& text, bool is_judged) {
+    is_judged_ = is_judged;
     RocinanteSdfSink sink{};
     sink.to = this;
-    sink.fault = [](void* to, std::int32_t is_error, std::int32_t line, const char* sentence) {
-      self(to).addFault(is_error != 0, line, sentence);
+    sink.fault = [](void* to, std::int32_t line, const char* sentence) {
+      self(to).addFault(line, sentence);
     };
     sink.model = [](void* to, const char* name) { self(to).addModel(name); };
     sink.link = [](void* to, const char* name, const RocinanteSdfPose* in_model) {
@@ -92,65 +140,58 @@ class SdfReader {
     sink.joint = [](void* to, const RocinanteSdfJoint* joint) { self(to).addJoint(*joint); };
     sdfModule().read(text.c_str(), &sink);
     if (models_ == 0) {
-      if (!any_error_) faults_.error("sdf.no-model", {}, "the file holds no <model>");
+      if (!any_error_ && !is_judged_)
+        faults_.error("sdf.no-model", {}, "the file holds no <model>");
       return std::nullopt;
     }
     toOurSpaces();
     for (SdfLink& link : links_) draft_.links.push_back(std::move(link.draft));
     for (SdfJoint& joint : joints_) draft_.joints.push_back(std::move(joint.draft));
-    return finishModel(std::move(draft_), faults_);
+    auto model = finishModel(std::move(draft_), faults_);
+    if (model) judgeVisibility(*model, {}, faults_);
+    return model;
   }
 
  private:
   static SdfReader& self(void* to) { return *static_cast<SdfReader*>(to); }
 
-  void addFault(bool is_error, int line, const char* sentence) {
-    any_error_ = any_error_ || is_error;
-    faults_.add(is_error ? Severity::error : Severity::warning,
-                is_error ? "sdf.invalid" : "sdf.passed-over", {line}, plainText(sentence));
+  void addFault(int line, const char* sentence) {
+    any_error_ = true;
+    if (!is_judged_) faults_.error("sdf.invalid", {line}, plainText(sentence));
   }
 
+  // judgeSdf() has named the others.
   void addModel(const char* name) {
-    if (models_++ == 0) {
-      draft_.name = name;
-    } else {
-      faults_.warning(
-          "sdf.passed-over", {},
-          fmt::format("model {} is passed over; the first one is read", quotedInFault(name)));
-    }
+    if (models_++ == 0) draft_.name = name;
   }
 
   void addShape(const RocinanteSdfShape& given) {
     if (links_.empty()) return;
-    Visual visual;
-    visual.name = given.name;
-    visual.origin = poseOf(matrixOfSdf(given.in_link));
+    const Place place{given.line};
     const std::string_view kind = given.kind;
     const double* size = given.size;
     const bool is_mesh = kind == "mesh";
     const bool has_length = kind == "cylinder" || kind == "capsule";
     const int sizes = is_mesh || kind == "box" ? 3 : has_length ? 2 : kind == "sphere" ? 1 : 0;
-    if (sizes == 0) {
-      faults_.note(
-          "sdf.passed-over", {},
-          fmt::format("{} of link {} is passed over: a {} is not drawn", quotedInFault(given.name),
-                      quotedInFault(links_.back().draft.link.name), kind));
-      return;
-    }
+    if (sizes == 0) return;  // in the account of judgeSdf()
     for (int i = 0; i < sizes; ++i) {
       const double least = is_mesh ? -1e9 : 0.0;
       if (size[i] > least && size[i] != 0.0 && size[i] < 1e9) continue;
       faults_.error(
-          "sdf.bad-size", {},
+          "sdf.bad-size", place,
           fmt::format("the {} {} has a size of {}", kind, quotedInFault(given.name), size[i]));
       return;
     }
+    Visual visual;
+    visual.name = given.name;
+    visual.origin = poseOf(matrixOfSdf(given.in_link));
     const auto make = [&](ShapeSize::Kind which, double x, double y, double z) {
-      return meshes_.shape({which, {x, y, z}}, visual.scale, {}, faults_);
+      return meshes_.shape({which, {x, y, z}}, visual.scale, place, faults_);
     };
     if (is_mesh) {
       visual.scale = {size[0], size[1], size[2]};
-      visual.mesh = meshes_.load(given.uri, folder_, 1.0, UpAxis::z, {}, faults_);
+      visual.mesh = meshes_.load(given.uri, folder_, 1.0, UpAxis::z, place, faults_);
+      if (!takeSubmesh(given, visual)) return;
     } else if (kind == "box") {
       visual.mesh = make(ShapeSize::Kind::box, size[0], size[1], size[2]);
     } else if (kind == "sphere") {
@@ -159,13 +200,57 @@ class SdfReader {
       visual.mesh = make(kind == "cylinder" ? ShapeSize::Kind::cylinder : ShapeSize::Kind::capsule,
                          size[0], size[0], size[1]);
     }
-    if (given.has_color != 0 && !is_mesh) {
-      Material material;
-      for (int i = 0; i < 4; ++i) material.diffuse[i] = std::clamp(given.color[i], 0.0F, 1.0F);
-      visual.material = material;
-    }
     Link& link = links_.back().draft.link;
-    (given.is_collision != 0 ? link.collisions : link.visuals).push_back(std::move(visual));
+    if (given.is_collision != 0) {
+      link.collisions.push_back(std::move(visual));
+    } else {
+      addVisual(given, std::move(visual), link);
+    }
+  }
+
+  void addVisual(const RocinanteSdfShape& given, Visual visual, Link& link) {
+    // An SDF's material is for the whole mesh, whatever the mesh has of its own.
+    if (given.material != nullptr) visual.material = materialOf(*given.material);
+    const auto opacity = static_cast<float>(1.0 - std::clamp(given.transparency, 0.0, 1.0));
+    if (!(opacity < 1.0F)) {
+      link.visuals.push_back(std::move(visual));
+      return;
+    }
+    for (Visual& seen_through :
+         withChangedMaterials(visual, [&](Material& material) { material.diffuse.a *= opacity; })) {
+      link.visuals.push_back(std::move(seen_through));
+    }
+  }
+
+  /// Only the parts of the mesh that the shape names. False, with a fault: there are none.
+  bool takeSubmesh(const RocinanteSdfShape& given, Visual& visual) {
+    const std::string_view name = given.submesh;
+    if (name.empty() || !visual.mesh) return true;
+    const Mesh& mesh = *visual.mesh;
+    Bounds bounds;
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+      const MeshPart& part = mesh.parts[i];
+      if (part.group != name) continue;
+      visual.mesh_parts.push_back(i);
+      for (std::uint32_t index = 0; index < part.index_count; ++index) {
+        bounds.add(Vec3(mesh.vertices[mesh.indices[part.first_index + index]].position));
+      }
+    }
+    if (visual.mesh_parts.empty()) {
+      std::vector<std::string_view> groups;
+      for (const MeshPart& part : mesh.parts) groups.push_back(part.group);
+      faults_.warning(
+          "sdf.unknown-submesh", {given.line},
+          fmt::format("{} is not drawn: the mesh {} has no submesh {}", quotedInFault(given.name),
+                      quotedPathInFault(given.uri), quotedInFault(name)),
+          whatThereIs(name, groups));
+      return false;
+    }
+    if (given.center_submesh != 0 && !bounds.empty()) {
+      const Vec3 middle = (bounds.min + bounds.max) * 0.5 * visual.scale;
+      visual.origin.position = transformPoint(matrixOf(visual.origin), -middle);
+    }
+    return true;
   }
 
   void addJoint(const RocinanteSdfJoint& given) {
@@ -241,90 +326,9 @@ class SdfReader {
   std::vector<SdfLink> links_;
   std::vector<SdfJoint> joints_;
   std::size_t models_ = 0;
-  bool any_error_ = false;
+  bool any_error_ = false, is_judged_ = false;
   bool needs_world_ = false;
 };
-
-std::int64_t sdfMicroseconds(std::string_view element) {
-  const auto* const known =
-      std::ranges::find(kSdfMicroseconds, element, [](const auto& one) { return one.first; });
-  return known == std::end(kSdfMicroseconds) ? kOtherSdfMicroseconds : known->second;
-}
-
-/// The text with its `<include>`s blanked out, since libsdformat would open the files that they
-/// name; line numbers stay. Empty with a fault when it is nested too deep, or more than libsdformat
-/// makes in half a minute.
-std::optional<std::string> withoutIncludes(std::string text, FaultList& faults) {
-  XmlTags tags(text);
-  std::vector<std::pair<const char*, const char*>> cut;
-  std::size_t depth = 0, include_depth = 0;
-  std::int64_t microseconds = 0;
-  const char* from = nullptr;
-  for (XmlTag tag; tags.next(tag);) {
-    if (tag.starts && ++depth > kDeepestSdf) {
-      faults.error("sdf.invalid", {},
-                   fmt::format("the XML is nested deeper than {} elements", kDeepestSdf));
-      return std::nullopt;
-    }
-    if (tag.starts && from == nullptr &&
-        (microseconds += sdfMicroseconds(tag.name)) > kMaxSdfMicroseconds) {
-      faults.error("sdf.invalid", {},
-                   "the file is too large: libsdformat would take more than half a minute for its "
-                   "elements",
-                   "one file per model reads much faster");
-      return std::nullopt;
-    }
-    if (tag.starts && from == nullptr && tag.name == "include") {
-      from = tag.name.data() - 1;
-      include_depth = depth;
-    }
-    if (!tag.ends) continue;
-    if (from != nullptr && depth == include_depth) {
-      const char* end = tag.inner.data() + tag.inner.size();
-      while (*end != '>') ++end;
-      cut.emplace_back(from, end + 1);
-      from = nullptr;
-    }
-    if (depth > 0) --depth;
-  }
-  const char* counted = text.data();
-  int line = 1;
-  for (const auto& [begin, end] : cut) {
-    line += static_cast<int>(std::count(counted, begin, '\n'));
-    counted = begin;
-    faults.warning("sdf.passed-over", {line}, "<include> is passed over",
-                   "name the included model in a cell of its own");
-  }
-  for (const auto& [begin, end] : cut) {
-    for (std::size_t i = static_cast<std::size_t>(begin - text.data());
-         i < static_cast<std::size_t>(end - text.data()); ++i) {
-      if (text[i] != '\n') text[i] = ' ';
-    }
-  }
-  return text;
-}
-
-/// The `<uri>`s of meshes, to be read ahead.
-std::vector<MeshWanted> meshesNamedIn(std::string_view text, const std::filesystem::path& folder) {
-  std::vector<MeshWanted> wanted;
-  XmlTags tags(text);
-  bool in_mesh = false;
-  for (XmlTag tag; tags.next(tag);) {
-    if (tag.name == "mesh") in_mesh = tag.starts && !tag.ends;
-    if (!in_mesh || tag.name != "uri" || !tag.starts || tag.ends) continue;
-    const char* from = tag.inner.data() + tag.inner.size() + 1;
-    const auto offset = static_cast<std::size_t>(from - text.data());
-    std::string_view uri = text.substr(offset, text.find('<', offset) - offset);
-    while (!uri.empty() && kXmlBlanks.find(uri.front()) != std::string_view::npos) {
-      uri.remove_prefix(1);
-    }
-    while (!uri.empty() && kXmlBlanks.find(uri.back()) != std::string_view::npos) {
-      uri.remove_suffix(1);
-    }
-    if (!uri.empty()) wanted.push_back({std::string(uri), folder});
-  }
-  return wanted;
-}
 
 }  // namespace
 
@@ -336,6 +340,31 @@ std::optional<Model> readSdf(ByteView bytes, const std::filesystem::path& path, 
                  fmt::format("the file is larger than {} MiB", kMaxSdfBytes >> 20));
     return std::nullopt;
   }
+  std::string problem;
+  std::string decoded = xmlAsUtf8(textOf(bytes), problem);
+  if (!problem.empty()) {
+    faults.error("sdf.invalid", {}, std::move(problem));
+    return std::nullopt;
+  }
+  auto text = sdfWithoutIncludes(std::move(decoded), faults);
+  if (!text) return std::nullopt;
+  const auto document =
+      XmlDocument::parse(std::move(*text), kMaxSdfElements, {"sdf.invalid", "sdf.invalid"}, faults);
+  if (!document) return std::nullopt;
+  const tinyxml2::XMLElement& root = document->root();
+  const std::string_view tag = root.Name();
+  if (tag == "robot") {
+    faults.warning("sdf.invalid", document->places().of(root), "this is URDF, and is read as that",
+                   "name the file .urdf");
+    return readUrdf(bytes, path, meshes, all_faults);
+  }
+  if (tag != "sdf") {
+    faults.error("sdf.invalid", document->places().of(root),
+                 fmt::format("the outermost element is <{}>, where SDF has <sdf>",
+                             std::string(tag.substr(0, 60))),
+                 didYouMean(tag, {"sdf"}));
+    return std::nullopt;
+  }
   if (sdfModule().read == nullptr) {
     faults.error("sdf.no-module", {}, "SDF is not read without its module; " + sdfModule().reason,
                  "install the package rocinante-sdf (Debian 12), build with -DROCINANTE_SDF=ON, or "
@@ -343,10 +372,21 @@ std::optional<Model> readSdf(ByteView bytes, const std::filesystem::path& path, 
                  "file to URDF");
     return std::nullopt;
   }
-  const auto text = withoutIncludes(std::string(textOf(bytes)), faults);
-  if (!text) return std::nullopt;
-  meshes.readAhead(meshesNamedIn(*text, path.parent_path()));
-  return SdfReader(path, meshes, faults).read(*text);
+  const bool sound = judgeSdf(*document, faults);
+  const char* const version = root.Attribute("version");
+  if (version != nullptr && isNewer(version, sdfModule().newest)) {
+    faults.warning(
+        "sdf.passed-over", document->places().of(root, "version"),
+        fmt::format("the file is in version {} of SDF, newer than {}, the newest that is "
+                    "known here: what is new in it is not read",
+                    quotedInFault(version), sdfModule().newest));
+  }
+  std::vector<MeshWanted> wanted;
+  for (std::string& name : sdfMeshes(document->text())) {
+    wanted.push_back({std::move(name), path.parent_path()});
+  }
+  meshes.readAhead(wanted);
+  return SdfReader(path, meshes, faults).read(document->text(), !sound);
 }
 
 }  // namespace rocinante

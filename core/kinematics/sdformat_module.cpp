@@ -18,6 +18,7 @@
 #include <sdf/Model.hh>
 #include <sdf/ParserConfig.hh>
 #include <sdf/Root.hh>
+#include <sdf/SDFImpl.hh>
 #include <sdf/Sphere.hh>
 #include <sdf/Visual.hh>
 #include <sdf/World.hh>
@@ -32,9 +33,16 @@ RocinanteSdfPose plain(const ignition::math::Pose3d& pose) {
 }
 
 void tell(const RocinanteSdfSink& sink, const sdf::Errors& errors) {
+  bool is_innermost = true;
   for (const sdf::Error& error : errors) {
+    // It has the whole file in its text.
+    if (error.Code() == sdf::ErrorCode::STRING_READ) continue;
     const std::string text = error.Message();
-    sink.fault(sink.to, 1, error.LineNumber().value_or(0), text.c_str());
+    // One for the element that it could not read, and one for each above it.
+    const bool is_unread = text.rfind("Error reading element", 0) == 0;
+    if (is_unread && !is_innermost) continue;
+    is_innermost = is_innermost && !is_unread;
+    sink.fault(sink.to, error.LineNumber().value_or(0), text.c_str());
   }
 }
 
@@ -64,43 +72,76 @@ const char* kindOf(const sdf::Geometry& geometry, double (&size)[3]) {
   }
 }
 
+RocinanteSdfMaterial plain(const sdf::Material& material, const std::string& script) {
+  RocinanteSdfMaterial made{};
+  made.script = script.c_str();
+  const sdf::ElementPtr element = material.Element();
+  const auto set = [&](const char* name, const ignition::math::Color& color, std::int32_t& has,
+                       float(&rgba)[4]) {
+    has = element != nullptr && element->HasElement(name) ? 1 : 0;
+    const float values[] = {color.R(), color.G(), color.B(), color.A()};
+    for (int i = 0; i < 4; ++i) rgba[i] = values[i];
+  };
+  set("ambient", material.Ambient(), made.has_ambient, made.ambient);
+  set("diffuse", material.Diffuse(), made.has_diffuse, made.diffuse);
+  set("emissive", material.Emissive(), made.has_emissive, made.emissive);
+  return made;
+}
+
+/// `shape` with what visuals and collisions have in common.
 template <class Owner>
 void tellShape(const RocinanteSdfSink& sink, const Owner& owner, const sdf::Link& link,
-               bool is_collision, const sdf::Material* material) {
+               RocinanteSdfShape shape) {
   const std::string name = owner.Name();
   ignition::math::Pose3d pose;
   tell(sink, owner.SemanticPose().Resolve(pose, link.Name()));
-  RocinanteSdfShape shape{};
-  shape.is_collision = is_collision ? 1 : 0;
   shape.name = name.c_str();
   shape.in_link = plain(pose);
+  shape.line = owner.Element() == nullptr ? 0 : owner.Element()->LineNumber().value_or(0);
   const sdf::Geometry* geometry = owner.Geom();
   if (geometry == nullptr) return;
   shape.kind = kindOf(*geometry, shape.size);
-  std::string uri;
-  if (geometry->MeshShape() != nullptr) uri = geometry->MeshShape()->Uri();
-  shape.uri = uri.c_str();
-  if (material != nullptr) {
-    const ignition::math::Color& color = material->Diffuse();
-    shape.has_color = 1;
-    const float rgba[] = {color.R(), color.G(), color.B(), color.A()};
-    for (int i = 0; i < 4; ++i) shape.color[i] = rgba[i];
+  std::string uri, submesh;
+  if (const sdf::Mesh* mesh = geometry->MeshShape()) {
+    uri = mesh->Uri();
+    submesh = mesh->Submesh();
+    shape.center_submesh = mesh->CenterSubmesh() ? 1 : 0;
   }
+  shape.uri = uri.c_str();
+  shape.submesh = submesh.c_str();
   sink.shape(sink.to, &shape);
 }
 
-void tellLink(const RocinanteSdfSink& sink, const sdf::Link& link) {
+void tellVisual(const RocinanteSdfSink& sink, const sdf::Visual& visual, const sdf::Link& link) {
+  RocinanteSdfShape shape{};
+  shape.transparency = visual.Transparency();
+  const sdf::Material* const material = visual.Material();
+  if (material == nullptr) return tellShape(sink, visual, link, shape);
+  const std::string script = material->ScriptName();
+  const RocinanteSdfMaterial told = plain(*material, script);
+  shape.material = &told;
+  tellShape(sink, visual, link, shape);
+}
+
+/// A model in the one that is read.
+struct Within {
+  std::string prefix;  ///< of its names
+  ignition::math::Pose3d pose;
+};
+
+void tellLink(const RocinanteSdfSink& sink, const sdf::Link& link, const Within& model) {
   ignition::math::Pose3d pose;
   tell(sink, link.SemanticPose().Resolve(pose, "__model__"));
-  const RocinanteSdfPose in_model = plain(pose);
-  const std::string name = link.Name();
+  const RocinanteSdfPose in_model = plain(model.pose * pose);
+  const std::string name = model.prefix + link.Name();
   sink.link(sink.to, name.c_str(), &in_model);
   for (std::uint64_t i = 0; i < link.VisualCount(); ++i) {
-    const sdf::Visual& visual = *link.VisualByIndex(i);
-    tellShape(sink, visual, link, false, visual.Material());
+    tellVisual(sink, *link.VisualByIndex(i), link);
   }
   for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) {
-    tellShape(sink, *link.CollisionByIndex(i), link, true, nullptr);
+    RocinanteSdfShape shape{};
+    shape.is_collision = 1;
+    tellShape(sink, *link.CollisionByIndex(i), link, shape);
   }
 }
 
@@ -129,20 +170,22 @@ const char* wordOf(sdf::JointType type) {
   }
 }
 
-void tellJoint(const RocinanteSdfSink& sink, const sdf::Joint& joint) {
+void tellJoint(const RocinanteSdfSink& sink, const sdf::Joint& joint, const Within& model) {
   ignition::math::Pose3d pose;
   tell(sink, joint.SemanticPose().Resolve(pose, "__model__"));
-  const std::string name = joint.Name();
+  const std::string name = model.prefix + joint.Name();
   // A parent or child may be a frame that is attached to a link.
   std::string parent, child;
   tell(sink, joint.ResolveParentLink(parent));
   tell(sink, joint.ResolveChildLink(child));
+  if (parent != "world") parent.insert(0, model.prefix);
+  child.insert(0, model.prefix);
   RocinanteSdfJoint told{};
   told.name = name.c_str();
   told.parent = parent.c_str();
   told.child = child.c_str();
   told.type = wordOf(joint.Type());
-  told.in_model = plain(pose);
+  told.in_model = plain(model.pose * pose);
   told.axis[2] = 1;
   if (const sdf::JointAxis* axis = joint.Axis(0)) {
     ignition::math::Vector3d along;
@@ -156,11 +199,18 @@ void tellJoint(const RocinanteSdfSink& sink, const sdf::Joint& joint) {
   sink.joint(sink.to, &told);
 }
 
-void tellModel(const RocinanteSdfSink& sink, const sdf::Model& model) {
-  for (std::uint64_t i = 0; i < model.LinkCount(); ++i) tellLink(sink, *model.LinkByIndex(i));
-  for (std::uint64_t i = 0; i < model.JointCount(); ++i) tellJoint(sink, *model.JointByIndex(i));
-  if (model.ModelCount() > 0) {
-    sink.fault(sink.to, 0, 0, "models inside the model are passed over");
+void tellModel(const RocinanteSdfSink& sink, const sdf::Model& model, const Within& here) {
+  for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
+    tellLink(sink, *model.LinkByIndex(i), here);
+  }
+  for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
+    const sdf::Model& inner = *model.ModelByIndex(i);
+    ignition::math::Pose3d pose;
+    tell(sink, inner.SemanticPose().Resolve(pose, "__model__"));
+    tellModel(sink, inner, {here.prefix + inner.Name() + "::", here.pose * pose});
+  }
+  for (std::uint64_t i = 0; i < model.JointCount(); ++i) {
+    tellJoint(sink, *model.JointByIndex(i), here);
   }
 }
 
@@ -179,24 +229,16 @@ void keepQuiet() {
   }
 }
 
-/// libsdformat reads a URDF through urdfdom, which writes its own lines to standard error: they
-/// become faults. Restores what was there before.
-class UrdfdomFaults : public console_bridge::OutputHandler {
+/// Where SDF fails, libsdformat tries the text as a URDF, through urdfdom, which writes to standard
+/// error that it is none: nobody asked. Restores what was there before.
+class SilentUrdfdom : public console_bridge::OutputHandler {
  public:
-  explicit UrdfdomFaults(const RocinanteSdfSink& sink) : sink_(sink) {
-    console_bridge::useOutputHandler(this);
-  }
-  ~UrdfdomFaults() override { console_bridge::restorePreviousOutputHandler(); }
-  UrdfdomFaults(const UrdfdomFaults&) = delete;
-  UrdfdomFaults& operator=(const UrdfdomFaults&) = delete;
+  SilentUrdfdom() { console_bridge::useOutputHandler(this); }
+  ~SilentUrdfdom() override { console_bridge::restorePreviousOutputHandler(); }
+  SilentUrdfdom(const SilentUrdfdom&) = delete;
+  SilentUrdfdom& operator=(const SilentUrdfdom&) = delete;
 
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    const bool is_error = level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR;
-    if (is_error) sink_.fault(sink_.to, 1, 0, text.c_str());
-  }
-
- private:
-  const RocinanteSdfSink& sink_;
+  void log(const std::string&, console_bridge::LogLevel, const char*, int) override {}
 };
 
 void read(const char* text, const RocinanteSdfSink& sink) {
@@ -205,13 +247,13 @@ void read(const char* text, const RocinanteSdfSink& sink) {
   sdf::ParserConfig config;
   config.SetFindCallback([](const std::string&) { return std::string(); });
   sdf::Root root;
-  const UrdfdomFaults urdfdom(sink);
+  const SilentUrdfdom urdfdom;
   tell(sink, root.LoadSdfString(text, config));
   bool is_first = true;
   const auto use = [&](const sdf::Model& model) {
     const std::string name = model.Name();
     sink.model(sink.to, name.c_str());
-    if (is_first) tellModel(sink, model);
+    if (is_first) tellModel(sink, model, {});
     is_first = false;
   };
   if (const sdf::Model* model = root.Model()) use(*model);
@@ -227,12 +269,17 @@ extern "C" {
 
 __attribute__((visibility("default"))) int rocinante_sdf_abi(void) { return ROCINANTE_SDF_ABI; }
 
+__attribute__((visibility("default"))) const char* rocinante_sdf_version(void) {
+  static const std::string version = sdf::SDF::Version();
+  return version.c_str();
+}
+
 __attribute__((visibility("default"))) void rocinante_sdf_read(const char* text,
                                                                const RocinanteSdfSink* sink) {
   try {
     read(text, *sink);
   } catch (const std::exception& fault) {
-    sink->fault(sink->to, 1, 0, fault.what());
+    sink->fault(sink->to, 0, fault.what());
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "core/document/xml_document.h"
 #include "core/kinematics/urdf_element.h"
 #include "core/kinematics/urdf_reader.h"
 
@@ -18,22 +19,11 @@ std::vector<DisabledCollision> readSrdf(ByteView bytes, const std::filesystem::p
                  fmt::format("the file is larger than {} MiB", kMaxUrdfBytes >> 20));
     return pairs;
   }
-  const std::string_view text = textOf(bytes);
-  const XmlPlaces places(text);
-  if (places.elementCount() > kMaxUrdfElements) {
-    faults.error("urdf.too-many", {},
-                 fmt::format("the file has more than {} elements", kMaxUrdfElements));
-    return pairs;
-  }
-  tinyxml2::XMLDocument document;
-  document.Parse(text.data(), text.size());
-  const tinyxml2::XMLElement* const robot = document.RootElement();
-  if (document.Error() || robot == nullptr) {
-    faults.error("urdf.xml", {document.ErrorLineNum(), 0},
-                 "the XML of this SRDF file breaks off here, or there is none");
-    return pairs;
-  }
-  places.attach(document);
+  const auto document =
+      XmlDocument::parse(bytes, kMaxUrdfElements, {"urdf.xml", "urdf.too-many"}, faults);
+  if (!document) return pairs;
+  const XmlPlaces& places = document->places();
+  const tinyxml2::XMLElement* const robot = &document->root();
   if (std::string_view(robot->Name()) != "robot") {
     faults.error("urdf.no-robot", places.of(*robot),
                  fmt::format("the outermost element is <{}>, where SRDF has <robot>",

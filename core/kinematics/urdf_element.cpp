@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <vector>
 
-#include "core/base/name_hint.h"
 #include "core/document/fault_list.h"
 #include "core/math/transform.h"
 
@@ -16,6 +14,9 @@ namespace {
 
 constexpr std::string_view kTemplateHint =
     "expand the template first: xacro model.xacro > model.urdf";
+
+constexpr std::string_view kEntityHint =
+    "an entity of the file's own DOCTYPE is not expanded: write its text";
 
 bool isTemplate(std::string_view text) {
   return text.find("${") != std::string_view::npos || text.find("$(") != std::string_view::npos;
@@ -31,23 +32,6 @@ std::optional<UrdfElement> UrdfElement::child(const char* name) const {
                    fmt::format("<{}> has a second <{}>", tag(), name), "the first one is used");
   }
   return UrdfElement(*first, *context_);
-}
-
-void UrdfElement::expectChildren(std::initializer_list<std::string_view> known) const {
-  const std::vector<std::string_view> names(known);
-  if (!faults().lists("urdf.unknown-element")) return;
-  eachChild([&](const UrdfElement& below) {
-    for (const std::string_view name : names) {
-      if (below.tag() == name) return;
-    }
-    if (!faults().lists("urdf.unknown-element")) return;
-    const std::string hint = didYouMean(below.tag(), names);
-    if (hint.empty()) return;
-    faults().warning("urdf.unknown-element", below.place(),
-                     fmt::format("<{}> has an unknown element <{}>", tag(),
-                                 std::string(below.tag().substr(0, 60))),
-                     hint);
-  });
 }
 
 std::string UrdfElement::text(const char* attribute) const {
@@ -87,7 +71,9 @@ bool UrdfElement::numbers(const char* attribute, double* values, std::size_t cou
     at = end;
   }
   if (sound && found == count) return true;
-  const std::string_view hint = isTemplate(text) ? kTemplateHint : std::string_view();
+  const std::string_view hint = isTemplate(text)                           ? kTemplateHint
+                                : text.find('&') != std::string_view::npos ? kEntityHint
+                                                                           : std::string_view();
   faults().error(
       "urdf.bad-number", place(attribute),
       fmt::format("`{}` of <{}> is {}, where {} expected", attribute, tag(), quotedInFault(text),
@@ -122,8 +108,16 @@ std::optional<Vec4> UrdfElement::vector4(const char* attribute) const {
 Pose UrdfElement::origin() const {
   const auto given = child("origin");
   if (!given) return {};
-  return {given->vector("xyz").value_or(Vec3{0, 0, 0}),
-          quaternionFromRpy(given->vector("rpy").value_or(Vec3{0, 0, 0}))};
+  const Vec3 position = given->vector("xyz").value_or(Vec3{0, 0, 0});
+  if (const auto turn = given->vector4("quat_xyzw")) {
+    if (const auto unit = normalized(Quat{turn->w, turn->x, turn->y, turn->z})) {
+      return {position, *unit};
+    }
+    faults().error("urdf.bad-number", given->place("quat_xyzw"),
+                   "`quat_xyzw` of <origin> is zero, which is no rotation", "0 0 0 1 is none");
+    return {position};
+  }
+  return {position, quaternionFromRpy(given->vector("rpy").value_or(Vec3{0, 0, 0}))};
 }
 
 }  // namespace rocinante

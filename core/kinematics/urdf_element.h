@@ -2,7 +2,6 @@
 
 #include <tinyxml2.h>
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,9 +47,6 @@ class UrdfElement {
       use(UrdfElement(*e, *context_));
     }
   }
-  /// Warns of children that look like a typo of one of `known`; others are extensions.
-  void expectChildren(std::initializer_list<std::string_view> known) const;
-
   bool has(const char* attribute) const { return element_->Attribute(attribute) != nullptr; }
   /// Empty when absent.
   std::string text(const char* attribute) const;
@@ -60,7 +56,8 @@ class UrdfElement {
   std::optional<double> requiredNumber(const char* attribute) const;
   std::optional<Vec3> vector(const char* attribute) const;
   std::optional<Vec4> vector4(const char* attribute) const;
-  /// `<origin xyz rpy>` below this element; identity when absent.
+  /// `<origin xyz rpy>`, or with `quat_xyzw` in place of `rpy`, below this element; identity when
+  /// absent.
   Pose origin() const;
 
  private:

@@ -96,6 +96,11 @@ void readLimits(const UrdfElement& element, const std::string& quoted, Joint& jo
       return;
     }
   } else {
+    for (const char* attribute : {"lower", "upper"}) {
+      if (limit->number(attribute).value_or(0.0) == 0.0) continue;
+      element.faults().leaveOut("attribute", std::string("limit/@") + attribute,
+                                limit->place(attribute), "a continuous joint has no bounds");
+    }
     limits.lower = -std::numeric_limits<double>::infinity();
     limits.upper = std::numeric_limits<double>::infinity();
   }
@@ -105,8 +110,6 @@ void readLimits(const UrdfElement& element, const std::string& quoted, Joint& jo
 }  // namespace
 
 std::optional<JointDraft> readUrdfJoint(const UrdfElement& element) {
-  element.expectChildren({"origin", "parent", "child", "axis", "limit", "mimic", "calibration",
-                          "dynamics", "safety_controller", "joint_properties"});
   JointDraft draft;
   draft.place = element.place();
   const auto name = element.requiredText("name");

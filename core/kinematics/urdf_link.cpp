@@ -7,21 +7,9 @@
 
 #include "core/base/name_hint.h"
 #include "core/document/fault_list.h"
+#include "core/kinematics/visual_materials.h"
 
 namespace rocinante {
-namespace {
-
-// A mesh with materials of its own keeps them, as in RViz; the URDF's are for the rest.
-bool hasOwnMaterials(const Mesh& mesh) {
-  return std::any_of(mesh.materials.begin(), mesh.materials.end(), [](const Material& material) {
-    Material plain;
-    plain.name = material.name;
-    plain.missing_map = material.missing_map;
-    return !material.name.empty() && material != plain;
-  });
-}
-
-}  // namespace
 
 std::optional<Material> UrdfLinkReader::readMaterial(const UrdfElement& element) {
   const auto color = element.child("color");
@@ -153,7 +141,6 @@ std::optional<Visual> UrdfLinkReader::readGeometry(const UrdfElement& owner,
                          fmt::format("<{}> has no <geometry>", owner.tag()));
     return std::nullopt;
   }
-  geometry->expectChildren({"box", "cylinder", "sphere", "capsule", "mesh"});
   std::optional<UrdfElement> shape;
   geometry->eachChild([&](const UrdfElement& below) {
     for (const std::string_view known : {"box", "cylinder", "sphere", "capsule", "mesh"}) {
@@ -186,7 +173,6 @@ std::optional<Visual> UrdfLinkReader::readGeometry(const UrdfElement& owner,
 }
 
 void UrdfLinkReader::readVisual(const UrdfElement& element, Link& link) {
-  element.expectChildren({"origin", "geometry", "material"});
   const auto given = element.child("material");
   std::optional<Material> material;
   if (given) {
@@ -195,19 +181,24 @@ void UrdfLinkReader::readVisual(const UrdfElement& element, Link& link) {
   }
   auto visual = readGeometry(element, link.name);
   if (!visual) return;
-  if (given && !(visual->mesh && hasOwnMaterials(*visual->mesh))) {
-    visual->material = material;
-    if (!material) {
-      wanted_.push_back({link_count_, link.visuals.size(), given->text("name"), given->place()});
-    }
-  } else if (given && !material) {
-    wanted_.push_back({link_count_, std::nullopt, given->text("name"), given->place()});
+  // Parts with a material of their own keep it, as in RViz; the URDF's is for the others.
+  PartsByMaterial parts;
+  if (given && visual->mesh) parts = partsByMaterial(*visual->mesh);
+  const bool takes_none = given && !parts.own.empty() && parts.plain.empty();
+  if (given && !parts.own.empty() && !parts.plain.empty()) {
+    Visual& own = link.visuals.emplace_back(*visual);
+    own.mesh_parts = std::move(parts.own);
+    visual->mesh_parts = std::move(parts.plain);
   }
+  if (given && !material) {
+    const auto number = takes_none ? std::nullopt : std::optional(link.visuals.size());
+    wanted_.push_back({link_count_, number, given->text("name"), given->place()});
+  }
+  if (!takes_none) visual->material = material;
   link.visuals.push_back(std::move(*visual));
 }
 
 std::optional<LinkDraft> UrdfLinkReader::readLink(const UrdfElement& element) {
-  element.expectChildren({"visual", "collision", "inertial"});
   const auto name = element.requiredText("name");
   if (!name) return std::nullopt;
   LinkDraft draft;

@@ -5,30 +5,59 @@
 #include <string_view>
 
 #include "core/document/fault_list.h"
+#include "core/document/xml_account.h"
+#include "core/document/xml_document.h"
 #include "core/kinematics/model_draft.h"
 #include "core/kinematics/urdf_joint.h"
 #include "core/kinematics/urdf_link.h"
+#include "core/kinematics/visibility.h"
 
 namespace rocinante {
 namespace {
 
-std::string problemOf(tinyxml2::XMLError error) {
-  switch (error) {
-    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-      return "the file holds no XML";
-    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-      return "the XML breaks off here: an end tag does not match its start tag";
-    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
-      return "the XML is nested deeper than 100 elements";
-    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-      return "the XML breaks off here: an attribute is not NAME=\"VALUE\"";
-    case tinyxml2::XML_ERROR_PARSING_COMMENT:
-      return "the XML breaks off here: a comment does not end";
-    case tinyxml2::XML_ERROR_PARSING_CDATA:
-      return "the XML breaks off here: a CDATA section does not end";
-    default:
-      return "the XML breaks off here: this is not a well-formed element";
-  }
+// What the readers use (docs/cell-format.md, section "URDF").
+const XmlUses& urdfUses() {
+  constexpr std::string_view kPhysics = "motion is shown, not simulated";
+  constexpr std::string_view kSimulator = "what is for a simulator is not read";
+  static const XmlUses uses = {
+      {"robot",
+       {.children = {"link", "joint", "material"},
+        .attributes = {"name", "version"},
+        .ignored = {{"transmission", "actuators are not modelled"},
+                    {"gazebo", kSimulator},
+                    {"sensor", kSimulator}}}},
+      {"link",
+       {.children = {"visual", "collision"},
+        .attributes = {"name"},
+        .ignored = {{"inertial", "masses are not used"}}}},
+      {"visual", {.children = {"origin", "geometry", "material"}, .attributes = {"name"}}},
+      {"collision",
+       {.children = {"origin", "geometry"},
+        .attributes = {"name"},
+        .ignored = {{"material", "collision geometry has one colour"}}}},
+      {"geometry", {.children = {"box", "cylinder", "sphere", "capsule", "mesh"}}},
+      {"box", {.attributes = {"size"}}},
+      {"sphere", {.attributes = {"radius"}}},
+      {"cylinder", {.attributes = {"radius", "length"}}},
+      {"capsule", {.attributes = {"radius", "length"}}},
+      {"mesh", {.attributes = {"filename", "scale"}}},
+      {"material", {.children = {"color", "texture"}, .attributes = {"name"}}},
+      {"color", {.attributes = {"rgba"}}},
+      {"texture", {.attributes = {"filename"}}},
+      {"origin", {.attributes = {"xyz", "rpy", "quat_xyzw"}}},
+      {"joint",
+       {.children = {"origin", "parent", "child", "axis", "limit", "mimic"},
+        .attributes = {"name", "type"},
+        .ignored = {{"calibration", kPhysics},
+                    {"dynamics", kPhysics},
+                    {"safety_controller", kPhysics},
+                    {"joint_properties", kPhysics}}}},
+      {"parent", {.attributes = {"link"}}},
+      {"child", {.attributes = {"link"}}},
+      {"axis", {.attributes = {"xyz"}}},
+      {"limit", {.attributes = {"lower", "upper", "effort", "velocity"}}},
+      {"mimic", {.attributes = {"joint", "multiplier", "offset"}}}};
+  return uses;
 }
 
 // The first xacro element, which no URDF reader understands.
@@ -70,7 +99,7 @@ bool isUrdf(const tinyxml2::XMLElement& robot, const XmlPlaces& places, FaultLis
     faults.error("urdf.no-robot", places.of(robot),
                  fmt::format("the outermost element is <{}>, where URDF has <robot>",
                              std::string(tag.substr(0, 60))),
-                 tag == "sdf" ? "this is SDF, which is not read; convert it to URDF" : "");
+                 tag == "sdf" ? "this is SDF: name the file .sdf" : "");
     return false;
   }
   if (const tinyxml2::XMLElement* xacro = xacroElement(robot)) {
@@ -93,30 +122,15 @@ std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path,
                  fmt::format("the file is larger than {} MiB", kMaxUrdfBytes >> 20));
     return std::nullopt;
   }
-  const std::string_view text = textOf(bytes);
-  const XmlPlaces places(text);
-  if (places.elementCount() > kMaxUrdfElements) {
-    faults.error("urdf.too-many", {},
-                 fmt::format("the file has more than {} elements", kMaxUrdfElements));
-    return std::nullopt;
-  }
-  tinyxml2::XMLDocument document;
-  document.Parse(text.data(), text.size());
-  if (document.Error()) {
-    faults.error("urdf.xml", {document.ErrorLineNum(), 0}, problemOf(document.ErrorID()));
-    return std::nullopt;
-  }
-  places.attach(document);
-  const tinyxml2::XMLElement* robot = document.RootElement();
-  if (robot == nullptr) {
-    faults.error("urdf.xml", {}, "the file holds no XML element");
-    return std::nullopt;
-  }
+  const auto document =
+      XmlDocument::parse(bytes, kMaxUrdfElements, {"urdf.xml", "urdf.too-many"}, faults);
+  if (!document) return std::nullopt;
+  const XmlPlaces& places = document->places();
+  const tinyxml2::XMLElement* const robot = &document->root();
   if (!isUrdf(*robot, places, faults)) return std::nullopt;
 
   const UrdfContext context{places, faults};
   const UrdfElement root(*robot, context);
-  root.expectChildren({"link", "joint", "material", "transmission", "gazebo", "sensor"});
   ModelDraft draft;
   draft.rules = "urdf";
   draft.file = path.string();
@@ -147,7 +161,10 @@ std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path,
   });
   links.resolveMaterials(draft.links, faults);
   auto model = finishModel(std::move(draft), faults);
-  if (model) judgeScale(*model, links.meshUses(), faults);
+  accountForXml(*robot, places, urdfUses(), "urdf.unknown-element", faults);
+  if (!model) return model;
+  judgeScale(*model, links.meshUses(), faults);
+  judgeVisibility(*model, root.place(), faults);
   return model;
 }
 

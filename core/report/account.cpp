@@ -44,6 +44,12 @@ void Account::add(const Account& other) {
   unlisted_ += other.unlisted_;
 }
 
+std::string sentenceOf(const Finding& finding) {
+  if (finding.left_out.empty()) return finding.text;
+  if (finding.count == 1) return fmt::format("{} is left out: {}", finding.left_out, finding.text);
+  return fmt::format("{} is left out {} times: {}", finding.left_out, finding.count, finding.text);
+}
+
 Account accountOf(const Findings& findings) {
   Account account;
   for (const Finding& finding : findings) {

@@ -59,6 +59,10 @@ class Account {
   std::uint64_t total_ = 0, unlisted_ = 0;
 };
 
+/// The finding's text, with what was left out in front: "element `pbr` is left out 2 times: maps of
+/// <pbr> are not drawn".
+std::string sentenceOf(const Finding& finding);
+
 /// The account of files whose readers return findings: those that state what was left out, with
 /// their places and counts.
 Account accountOf(const Findings& findings);

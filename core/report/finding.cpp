@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/report/account.h"
+
 namespace rocinante {
 
 std::string_view nameOf(Severity severity) {
@@ -25,10 +27,7 @@ std::string Finding::place() const {
 }
 
 std::string Finding::print() const {
-  const std::string what = left_out.empty() ? std::string()
-                           : count > 1 ? fmt::format("{} is left out {} times: ", left_out, count)
-                                       : fmt::format("{} is left out: ", left_out);
-  return fmt::format("{}: {}: {}{}{} [{}]", place(), nameOf(severity), what, text,
+  return fmt::format("{}: {}: {}{} [{}]", place(), nameOf(severity), sentenceOf(*this),
                      hint.empty() ? "" : fmt::format(" ({})", hint), rule);
 }
 

@@ -91,7 +91,7 @@ Json faultsJson(const ModelInfo& info) {
                    {"column", fault.column},
                    {"severity", nameOf(fault.severity)},
                    {"rule", fault.rule},
-                   {"text", info.cell->shown(fault.text)},
+                   {"text", info.cell->shown(sentenceOf(fault))},
                    {"hint", fault.hint}});
   }
   return out;

@@ -9,12 +9,15 @@
 #include "core/base/plain_text.h"
 #include "core/base/size_text.h"
 #include "core/cli/text_table.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 namespace {
 
 using cli::counted;
 using cli::grouped;
+
+constexpr std::string_view kLeftOut = "left out: ";  // of accountSentence()
 
 std::string pointText(const Vec3& point) {
   // Adding zero removes the sign of a rounded zero.
@@ -134,10 +137,17 @@ void addTextures(std::string& out, const ModelInfo& info) {
   out += "\n" + table.text();
 }
 
+/// Notes of what was left out are one sentence instead.
+bool isInSentence(const Finding& fault) {
+  return fault.severity == Severity::note && !fault.left_out.empty();
+}
+
 void addFaults(std::string& out, const ModelInfo& info) {
-  if (info.cell->faults.empty()) return;
+  const Findings& faults = info.cell->faults;
+  if (std::ranges::all_of(faults, isInSentence)) return;
   out += "\n";
-  for (const Finding& fault : info.cell->faults) {
+  for (const Finding& fault : faults) {
+    if (isInSentence(fault)) continue;
     out += "  " + plainText(info.cell->shown(fault.print())) + "\n";
   }
 }
@@ -164,7 +174,8 @@ std::string namesOf(const std::vector<T>& items) {
 std::string faultCounts(const Findings& faults) {
   std::string text;
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
-    const std::size_t count = countOf(faults, severity);
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(
+        faults, [&](const auto& one) { return one.severity == severity && !isInSentence(one); }));
     if (count == 0) continue;
     text += (text.empty() ? "" : ", ") + counted(count, nameOf(severity));
   }
@@ -200,6 +211,9 @@ std::string modelInfoText(const ModelInfo& info) {
   if (!cell.cameras.empty()) out += "  cameras   " + namesOf(cell.cameras) + "\n";
   if (!cell.layers.empty()) out += "  layers    " + namesOf(cell.layers) + "\n";
   out += fmt::format("  faults    {}\n", faultCounts(cell.faults));
+  if (const std::string left_out = accountSentence(accountOf(cell.faults)); !left_out.empty()) {
+    out += fmt::format("  left out  {}\n", plainText(cell.shown(left_out.substr(kLeftOut.size()))));
+  }
   addDevices(out, info);
   // One table per model, even if thousands of devices share it.
   std::vector<const Model*> told;

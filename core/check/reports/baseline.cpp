@@ -118,7 +118,8 @@ std::string BaselineKey::text() const {
 BaselineKey baselineKeyOf(const CheckReport& report, const Finding& finding) {
   // As JSON can hold it: names are a sender's bytes.
   return {finding.rule, plainText(finding.subject), plainText(fileOf(report, finding.file)),
-          withoutAngleUnits(withoutNumbers(plainText(finding.text)))};
+          withoutAngleUnits(withoutNumbers(plainText(
+              finding.left_out.empty() ? finding.text : finding.left_out + ": " + finding.text)))};
 }
 
 Result<Baseline> Baseline::read(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 
 #include "core/base/plain_text.h"
 #include "core/check/reports/report_formats.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 namespace {
@@ -56,7 +57,7 @@ std::string_view commandOf(Severity severity) {
 }
 
 std::string commandFor(const CheckReport& report, const Finding& finding) {
-  std::string text = plainText(finding.text);
+  std::string text = plainText(sentenceOf(finding));
   if (finding.first) text += "\n" + whenText(report, finding);
   if (!finding.example.empty()) text += "\nsuch as: " + plainText(finding.example);
   if (!finding.hint.empty()) text += "\nhint: " + plainText(finding.hint);

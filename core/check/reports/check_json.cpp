@@ -1,6 +1,7 @@
 
 #include "core/check/reports/report_formats.h"
 #include "core/check/rules/rule_list.h"
+#include "core/report/account.h"
 #include "core/report/json_text.h"
 
 namespace rocinante {
@@ -20,7 +21,7 @@ Json jsonOf(const CheckReport& report, const Finding& finding) {
   json["last_s"] = secondsOf(report, finding.last);
   json["packet"] = orNull(finding.packet);
   json["subject"] = finding.subject;
-  json["text"] = finding.text;
+  json["text"] = sentenceOf(finding);
   json["example"] = finding.example;
   json["hint"] = finding.hint;
   json["accepted"] = finding.accepted;
@@ -80,6 +81,7 @@ std::string checkJson(const CheckReport& report) {
   for (const Finding& finding : report.findings) {
     json["findings"].push_back(jsonOf(report, finding));
   }
+  json["left_out"] = leftOutJson(accountOf(report.findings));
   for (const CheckedClearance& checked : report.clearances) {
     json["clearances"].push_back(jsonOf(report, checked));
   }

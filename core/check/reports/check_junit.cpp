@@ -4,6 +4,7 @@
 
 #include "core/check/reports/report_formats.h"
 #include "core/check/rules/rule_list.h"
+#include "core/report/account.h"
 #include "core/report/junit.h"
 
 namespace rocinante {
@@ -12,7 +13,7 @@ namespace {
 std::string paragraphOf(const CheckReport& report, const Finding& finding) {
   const std::string place = finding.place();
   std::string text = fmt::format("{}: {}{}{}\n", nameOf(finding.severity), place,
-                                 place.empty() ? "" : ": ", finding.text);
+                                 place.empty() ? "" : ": ", sentenceOf(finding));
   if (finding.first) text += "  " + whenText(report, finding) + "\n";
   if (!finding.example.empty()) text += "  such as: " + finding.example + "\n";
   if (!finding.hint.empty()) text += "  hint: " + finding.hint + "\n";

@@ -8,6 +8,7 @@
 #include "core/check/reports/report_formats.h"
 #include "core/check/rules/rule_list.h"
 #include "core/check/rules/rule_page.h"
+#include "core/report/account.h"
 #include "core/report/json_text.h"
 
 namespace rocinante {
@@ -61,7 +62,7 @@ Json resultJson(const CheckReport& report, const Finding& finding,
     json["ruleIndex"] = number->second;
   }
   json["level"] = levelOf(finding.severity);
-  std::string text = finding.text;
+  std::string text = sentenceOf(finding);
   if (finding.first) text += "; " + whenText(report, finding);
   if (!finding.hint.empty()) text += ". " + finding.hint;
   json["message"]["text"] = text;

@@ -7,6 +7,7 @@
 #include "core/base/plain_text.h"
 #include "core/check/reports/report_formats.h"
 #include "core/check/reports/time_strip.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 namespace {
@@ -152,9 +153,14 @@ class ReportText {
     out_.emptyLine();
     out_.line(0, plural(count, nameOf(severity)), colorOf(severity));
     std::map<std::string_view, std::size_t> listed, left_out;
+    std::map<std::string, Findings> accounts;  // by file: one sentence each
     for (const auto& group : groupsOf(report_, severity, false)) {
       std::vector<const Finding*> shown;
       for (const Finding* finding : group) {
+        if (severity == Severity::note && finding->rule == "model.left-out") {
+          accounts[finding->file].push_back(*finding);
+          continue;
+        }
         const bool is_room = style_.most_a_rule == 0 || listed[finding->rule] < style_.most_a_rule;
         ++(is_room ? listed : left_out)[finding->rule];
         if (is_room) shown.push_back(finding);
@@ -163,6 +169,10 @@ class ReportText {
       if (has_heading) out_.line(2, shown.front()->subject + ":", "1");
       for (const Finding* finding : shown) write(*finding, has_heading ? 4 : 2);
     }
+    for (const auto& [file, findings] : accounts) {
+      out_.line(2,
+                fmt::format("{}: {} [model.left-out]", file, accountSentence(accountOf(findings))));
+    }
     for (const auto& [rule, more] : left_out) {
       out_.line(2, fmt::format("and {} more [{}]", more, rule));
     }
@@ -170,8 +180,8 @@ class ReportText {
 
   void write(const Finding& finding, std::size_t indent) {
     const std::string place = finding.place();
-    out_.line(indent, fmt::format("{}{}{} [{}]", place, place.empty() ? "" : ": ", finding.text,
-                                  finding.rule));
+    out_.line(indent, fmt::format("{}{}{} [{}]", place, place.empty() ? "" : ": ",
+                                  sentenceOf(finding), finding.rule));
     indent += 2;
     if (finding.first) out_.line(indent, whenText(report_, finding), "2");
     const std::size_t width = stripWidth(indent);
@@ -219,7 +229,7 @@ class ReportText {
         out_.line(2, fmt::format("and {} more", count - style_.most_a_rule), "2");
         break;
       }
-      out_.line(2, fmt::format("{} [{}]", finding.text, finding.rule), "2");
+      out_.line(2, fmt::format("{} [{}]", sentenceOf(finding), finding.rule), "2");
     }
   }
 

@@ -31,22 +31,23 @@ TEST(UrdfFaults, AllFaultsOfAFileAreListedWithTheirPlacesAndTheRestIsLoaded) {
   </joint>
   <material name="blue"><color rgba="0 0 2 1"/></material>
 </robot>)");
-  EXPECT_EQ(read.faultText(),
-            "robot.urdf:21:32: warning: a colour of material `blue` is outside 0 to 1 (it is "
-            "clamped) [urdf.color-range]\n"
-            "robot.urdf:7:5: warning: <link> has an unknown element <visaul> (did you mean "
-            "`visual`?) [urdf.unknown-element]\n"
-            "robot.urdf:5:22: error: `size` of <box> is `1 2`, where 3 numbers are expected "
-            "[urdf.bad-number]\n"
-            "robot.urdf:10:3: error: <link> lacks its attribute `name` [urdf.missing-attribute]\n"
-            "robot.urdf:11:20: error: joint `j1` has the unknown type `revolut`; it is taken as "
-            "fixed (did you mean `revolute`?) [urdf.unknown-joint-type]\n"
-            "robot.urdf:17:3: warning: revolute joint `j2` has no <limit>; it is taken as "
-            "unlimited (URDF requires one; other readers refuse the file) [urdf.missing-limit]\n"
-            "robot.urdf:8:54: error: no material is named `bleu` (did you mean `blue`?) "
-            "[urdf.unknown-material]\n"
-            "robot.urdf:19:12: error: the child of joint `j2` is `amr`, which is not a link (did "
-            "you mean `arm`?) [urdf.unknown-link]\n");
+  EXPECT_EQ(
+      read.faultText(),
+      "robot.urdf:21:32: warning: a colour of material `blue` is outside 0 to 1 (it is "
+      "clamped) [urdf.color-range]\n"
+      "robot.urdf:5:22: error: `size` of <box> is `1 2`, where 3 numbers are expected "
+      "[urdf.bad-number]\n"
+      "robot.urdf:10:3: error: <link> lacks its attribute `name` [urdf.missing-attribute]\n"
+      "robot.urdf:11:20: error: joint `j1` has the unknown type `revolut`; it is taken as "
+      "fixed (did you mean `revolute`?) [urdf.unknown-joint-type]\n"
+      "robot.urdf:17:3: warning: revolute joint `j2` has no <limit>; it is taken as "
+      "unlimited (URDF requires one; other readers refuse the file) [urdf.missing-limit]\n"
+      "robot.urdf:8:54: error: no material is named `bleu` (did you mean `blue`?) "
+      "[urdf.unknown-material]\n"
+      "robot.urdf:19:12: error: the child of joint `j2` is `amr`, which is not a link (did "
+      "you mean `arm`?) [urdf.unknown-link]\n"
+      "robot.urdf:7:5: warning: element `visaul` is left out: <link> has no such element (did "
+      "you mean `visual`?) [urdf.unknown-element]\n");
   ASSERT_TRUE(read.model);
   EXPECT_EQ(read.model->links.size(), 2U);
   ASSERT_EQ(read.model->joints.size(), 1U);
@@ -114,7 +115,9 @@ TEST(UrdfFaults, EachKindOfFaultSaysWhereAndWhat) {
       {"<robot name='r'><link "
        "name='a'><visual><geometry><cone/></geometry></visual></link></robot>",
        "robot.urdf:1:40: error: <geometry> has no known shape (shapes are box, cylinder, "
-       "sphere, capsule, mesh) [urdf.no-shape]\n"},
+       "sphere, capsule, mesh) [urdf.no-shape]\n"
+       "robot.urdf:1:50: note: element `cone` is left out: an extension that is not read "
+       "[model.left-out]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><sphere radius='-1'/></geometry></visual>"
        "</link></robot>",
        "robot.urdf:1:58: error: `radius` of <sphere> must be above 0 and below 1e9 "
@@ -163,7 +166,7 @@ TEST(UrdfFaults, WhatIsNoUrdfAtAllIsRefusedWithItsReason) {
        "[urdf.xml]\n"},
       {"<sdf version='1.6'/>",
        "robot.urdf:1:1: error: the outermost element is <sdf>, where URDF has <robot> (this is "
-       "SDF, which is not read; convert it to URDF) [urdf.no-robot]\n"},
+       "SDF: name the file .sdf) [urdf.no-robot]\n"},
       {"<robot name='r'/>", "robot.urdf:1:1: error: the model has no link [urdf.no-link]\n"},
       {"<robot name='r' xmlns:xacro='x'>\n  <!-- <xacro:not this='1'/> -->\n"
        "  <xacro:include filename='a'/><link name='a'/></robot>",
