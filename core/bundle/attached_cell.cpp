@@ -134,8 +134,10 @@ Result<CellBundle> readLogsCell(const std::filesystem::path& path, const CellOpt
 
 }  // namespace
 
-Result<CellBundle> collectCellOrLog(const std::filesystem::path& path, const CellOptions& options) {
-  return isLog(path) ? readLogsCell(path, options) : collectCell(path, options);
+Result<CellBundle> collectCellOrLog(const std::filesystem::path& path, const CellOptions& options,
+                                    BundleRoots roots) {
+  if (isLog(path)) return readLogsCell(path, options);
+  return collectCell(path, options, MissingMeshes::refused, roots);
 }
 
 Result<Cell> loadCellOrLog(const std::filesystem::path& path, const CellOptions& options) {

@@ -18,6 +18,7 @@ namespace rocinante {
 Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log);
 
 /// The bundle of a program's cell argument: collectCell(), or the cell that a log carries.
-Result<CellBundle> collectCellOrLog(const std::filesystem::path& path, const CellOptions& options);
+Result<CellBundle> collectCellOrLog(const std::filesystem::path& path, const CellOptions& options,
+                                    BundleRoots roots = BundleRoots::of_user);
 
 }  // namespace rocinante

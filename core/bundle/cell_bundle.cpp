@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "core/base/hash.h"
+#include "core/base/shell_word.h"
 #include "core/bundle/bundle_names.h"
 #include "core/bundle/cell_folder.h"
 #include "core/bundle/media_type.h"
 #include "core/log/log_profile.h"
 #include "core/search/file_search.h"
+#include "core/search/typed_path.h"
 
 namespace rocinante {
 namespace {
@@ -115,6 +117,40 @@ Result<std::map<std::string, fs::path>> filesOf(const Cell& cell, const fs::path
   return files;
 }
 
+/// Refuses files that lie where only the cell itself says to look.
+Status checkRoots(const std::map<std::string, fs::path>& files, const fs::path& main,
+                  const std::set<fs::path>& given, const CellOptions& options,
+                  const FileLookups& noted) {
+  std::vector<fs::path> roots{main.parent_path()};
+  roots.insert(roots.end(), given.begin(), given.end());
+  for (const PackageFolder& package : options.packages) {
+    roots.push_back(canonicalOf(package.folder));
+  }
+  // A bare model names no roots: those that are not the user's are by our own rules.
+  const bool is_bare = main.extension() != ".toml";
+  std::vector<fs::path> mesh_roots;
+  for (const FileLookup& lookup : noted.lookups) {
+    if (lookup.found.root.empty() || !(is_bare || lookup.found.root_for_meshes)) continue;
+    mesh_roots.push_back(lookup.found.root);
+  }
+  const auto isIn = [](const std::vector<fs::path>& folders, const fs::path& file) {
+    return std::ranges::any_of(folders, [&](const fs::path& folder) {
+      return std::ranges::mismatch(folder, file).in1 == folder.end();
+    });
+  };
+  for (const auto& [name, path] : files) {
+    const fs::path file = canonicalOf(path);
+    if (path == main || placeOf(path) == main || isIn(roots, file)) continue;
+    if (isMeshOrTexture(file) && isIn(mesh_roots, file)) continue;
+    return Error{ErrorKind::refused,
+                 fmt::format("the cell is not attached: this file lies outside its folder, where "
+                             "the cell itself says to look; --search {} takes it along",
+                             shellWord(typedPath(file.parent_path()))),
+                 typedPath(file)};
+  }
+  return {};
+}
+
 Status readContents(const std::map<std::string, fs::path>& files, CellBundle& bundle) {
   std::uint64_t left = kMaxBundledBytes;
   for (const auto& [name, path] : files) {
@@ -188,7 +224,8 @@ Status prove(const CellBundle& bundle, const Cell& cell, const ParallelFor& para
 
 }  // namespace
 
-Result<CellBundle> collectCell(const fs::path& path, CellOptions options, MissingMeshes missing) {
+Result<CellBundle> collectCell(const fs::path& path, CellOptions options, MissingMeshes missing,
+                               BundleRoots roots) {
   FileLookups noted;
   options.lookups = &noted;
   options.answers = {};
@@ -214,6 +251,11 @@ Result<CellBundle> collectCell(const fs::path& path, CellOptions options, Missin
   }
   const auto files = filesOf(*cell, path, noted, names);
   if (!files.ok()) return files.error();
+  if (roots == BundleRoots::of_user) {
+    if (Status sound = checkRoots(*files, main, *given, options, noted); !sound) {
+      return sound.error();
+    }
+  }
   if (Status read = readContents(*files, bundle); !read) return read.error();
   if (Status done = noteNames(noted, names, bundle.manifest); !done) return done.error();
   for (const FileLookup& lookup : noted.lookups) {

@@ -24,12 +24,23 @@ struct CellBundle {
 /// Whether a cell whose meshes are not found is collected. It is loaded, and drawn, without them.
 enum class MissingMeshes : std::uint8_t { refused, left_out };
 
+/// Where the files of a cell that is collected may lie, after all links.
+enum class BundleRoots : std::uint8_t {
+  /// In the cell's folder, or in a root that the user named (`options`): what the cell itself names
+  /// as a root may be a stranger's choice, and hold what nobody wants to give away. Meshes and
+  /// textures may also lie in the package of a bare model, and where FileSearch finds only those.
+  of_user,
+  all,  ///< for what stays here, such as comparing
+};
+
 /// Loads the cell with `options` and collects every file that was read and the meaning of every
 /// name. Names hold no folder of this machine above the one that the files have in common. An error
-/// when the cell does not load without errors, when it is too large (bundle_manifest.h), or when
-/// the collected files do not load like the cell. options.lookups and options.answers are not used.
+/// when the cell does not load without errors, when a file of it lies elsewhere than `roots`
+/// allows, when it is too large (bundle_manifest.h), or when the collected files do not load like
+/// the cell. options.lookups and options.answers are not used.
 Result<CellBundle> collectCell(const std::filesystem::path& path, CellOptions options,
-                               MissingMeshes missing = MissingMeshes::refused);
+                               MissingMeshes missing = MissingMeshes::refused,
+                               BundleRoots roots = BundleRoots::of_user);
 
 /// The first warnings as text, one per line, and the number of the rest.
 std::vector<std::string> bundleWarnings(const CellBundle& bundle);

@@ -26,7 +26,7 @@ Picture withoutRounding(const Picture& frame, const Picture& golden, int level) 
 Result<CellBundle> collectSessionCell(const SuiteSession& session, const SuiteOptions& options) {
   CellOptions cell_options;
   if (!isLog(session.suite().cell)) static_cast<ModelSearch&>(cell_options) = options;
-  return collectCellOrLog(session.suite().cell, cell_options);
+  return collectCellOrLog(session.suite().cell, cell_options, BundleRoots::all);
 }
 
 FrameExplainer::FrameExplainer(SuiteSession& session, std::filesystem::path suite_file,

@@ -282,7 +282,12 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
   if (options.load_cell || options.load_watched) events.listening(reception.names());
   if (options.load_cell) {
     auto cell = options.load_cell();
-    if (!cell) return cell.error();
+    if (!cell) {
+      Error refused = cell.error();
+      refused.what = "nothing is recorded: " + refused.what +
+                     "; without --cell it records, and `rocinante log attach` adds the cell later";
+      return refused;
+    }
     whole.cell = std::move(cell->cell);
     if (!whole.decoders) whole.decoders = std::move(cell->decoders);
   }

@@ -121,9 +121,9 @@ TEST_F(CellBundleTest, PackagesInFoldersOfOtherNamesComeAlong) {
   test::writeFile(folder_ / "robots/cell/a.cell.toml",
                   "format = 1\npackages = { irb_support = \"../irb\" }\n"
                   "[[device]]\nmodel = \"arm.urdf\"\n");
-  const CellBundle bundle = collected(folder_ / "robots/cell/a.cell.toml");
   CellOptions options;
   options.packages = {{"irb_support", folder_ / "robots/irb"}};
+  const CellBundle bundle = collected(folder_ / "robots/cell/a.cell.toml", options);
   const CellBundle bare = collected(folder_ / "robots/cell/arm.urdf", options);
   EXPECT_EQ(bare.manifest.packages.at("irb_support"), "irb");
   EXPECT_EQ(bundle.manifest.packages.at("irb_support"), "irb");
@@ -190,6 +190,83 @@ TEST_F(CellBundleTest, AMissingTextureIsAWarningThatStays) {
   ASSERT_NE(warning, cell.faults.end());
   EXPECT_THAT(warning->text, HasSubstr("gone.png"));
   EXPECT_EQ(warning->file, "log:tank.mtl");
+}
+
+// A stranger's cell that names what is ours.
+TEST_F(CellBundleTest, WhatOnlyTheCellNamesAsARootIsNotTakenAlong) {
+  test::writeFile(folder_ / "home/.ssh/id_rsa", "secret");
+  test::writeFile(folder_ / "home/pictures/me.png", "secret");
+  test::writeTank(folder_ / "home/pictures", "me.png");
+  fs::create_directories(folder_ / "home/got/cell");
+  fs::create_symlink(folder_ / "home/.ssh", folder_ / "home/got/cell/keys");
+  fs::create_symlink(folder_ / "home/pictures/me.png", folder_ / "home/got/cell/skin.png");
+  test::writeFile(
+      folder_ / "home/got/cell/box.urdf",
+      "<robot name='r'><link name='l'><visual><geometry><box size='1 1 1'/></geometry>"
+      "<material name='m'><texture filename='id_rsa'/></material></visual></link></robot>");
+  const std::string device = "[[device]]\nname = \"a\"\nmodel = \"box.urdf\"\n";
+  const struct {
+    const char* what;
+    std::string cell, file, allowed;
+  } cases[] = {
+      {"a folder", "search = [\"" + (folder_ / "home/.ssh").string() + "\"]\n" + device, "id_rsa",
+       "home/.ssh"},
+      {"a folder above", "search = [\"../../.ssh\"]\n" + device, "id_rsa", "home/.ssh"},
+      {"a link to a folder", "search = [\"keys\"]\n" + device, "id_rsa", "home/.ssh"},
+      {"a package",
+       "packages = { p = \"../../pictures\" }\n[[device]]\nname = \"a\"\nmodel = "
+       "\"package://p/arm.urdf\"\n",
+       "arm.urdf", "home/pictures"},
+      {"decoders", "search = [\"../..\"]\ndecoders = \".ssh/id_rsa\"\n", "id_rsa", "home/.ssh"},
+      {"a linked picture",
+       "search = [\"../../pictures\"]\n[[material]]\ntexture = \"skin.png\"\n" + device, "me.png",
+       "home/pictures"},
+  };
+  test::writeFile(folder_ / "home/pictures/arm.urdf", test::armWith("tank.obj"));
+  for (const auto& each : cases) {
+    SCOPED_TRACE(each.what);
+    test::writeFile(folder_ / "home/got/cell/c.cell.toml", "format = 1\n" + each.cell);
+    const auto refused = collectCell(folder_ / "home/got/cell/c.cell.toml", {});
+    ASSERT_FALSE(refused.ok());
+    EXPECT_THAT(refused.error().what,
+                HasSubstr("this file lies outside its folder, where the cell itself says to look; "
+                          "--search "));
+    EXPECT_THAT(refused.error().where, testing::EndsWith(each.file));
+    CellOptions options;
+    options.search = {folder_ / each.allowed};
+    EXPECT_TRUE(collectCell(folder_ / "home/got/cell/c.cell.toml", options).ok());
+    EXPECT_TRUE(collectCell(folder_ / "home/got/cell/c.cell.toml", {}, MissingMeshes::refused,
+                            BundleRoots::all)
+                    .ok());
+  }
+}
+
+TEST_F(CellBundleTest, ABareModelTakesMeshesAndTexturesOfItsPackageAndNothingElse) {
+  test::writeFile(folder_ / "pkg/package.xml", "<package><name>pkg</name></package>");
+  test::writeFile(folder_ / "pkg/private/notes", "secret");
+  test::writeFile(folder_ / "pkg/textures/skin.png", "picture");
+  const auto urdf = [&](const char* texture) {
+    test::writeFile(
+        folder_ / "pkg/urdf/a.urdf",
+        "<robot name='r'><link name='l'><visual><geometry><box size='1 1 1'/></geometry>"
+        "<material name='m'><texture filename='" +
+            std::string(texture) + "'/></material></visual></link></robot>");
+  };
+  urdf("package://pkg/textures/skin.png");
+  EXPECT_THAT(test::namesIn(collected(folder_ / "pkg/urdf/a.urdf")),
+              ElementsAre("pkg/textures/skin.png", "pkg/urdf/a.urdf"));
+  urdf("package://pkg/private/notes");
+  EXPECT_FALSE(collectCell(folder_ / "pkg/urdf/a.urdf", {}).ok());
+}
+
+TEST_F(CellBundleTest, MeshesBesideTheFolderOfAUrdfComeAlong) {
+  test::writeTank(folder_ / "robot/meshes", "steel.png");
+  test::writeFile(folder_ / "robot/meshes/steel.png", "picture");
+  test::writeFile(folder_ / "robot/urdf/arm.urdf", test::armWith("../meshes/tank.obj"));
+  const CellBundle bundle = collected(folder_ / "robot/urdf/arm.urdf");
+  EXPECT_THAT(test::namesIn(bundle), ElementsAre("meshes/steel.png", "meshes/tank.mtl",
+                                                 "meshes/tank.obj", "urdf/arm.urdf"));
+  EXPECT_NE(meshOf(loadedAlone(bundle)), nullptr);
 }
 
 TEST_F(CellBundleTest, ACellThatIsNotThereIsSaid) {
