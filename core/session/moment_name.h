@@ -10,9 +10,10 @@
 
 namespace rocinante {
 
-// How users name a moment of a session, the same for every program (docs/concepts.md, "Moments"): by
-// a session time (parseSessionTime()), or by the text of an event or mark, which may be a pattern
-// (core/base/pattern.h). `--at TEXT` takes both, the time first; `--event TEXT` an event alone.
+// How users name a moment of a session, the same for every program (docs/concepts.md, "Moments"):
+// by a session time (parseSessionTime()), or by the text of an event or mark, which may be a
+// pattern (core/base/pattern.h). `--at TEXT` takes both, the time first; `--event TEXT` an event
+// alone.
 
 /// The events whose text matches, oldest first. Damage that may hide one is added to `hiding`.
 /// not_found, naming a similar text, when none matches.

@@ -16,7 +16,7 @@ namespace rocinante {
 struct InputAccount {
   std::string endpoint;  ///< with the bound port
   InputCounts counts;
-  Account left_out;  ///< by kind: frames that became no datagram
+  Account left_out;                        ///< by kind: frames that became no datagram
   std::uint64_t buffer_granted_bytes = 0;  ///< 0: no receive buffer
   std::uint64_t buffer_needed_bytes = 0;   ///< to survive a stall in its busiest second
 };

@@ -83,7 +83,8 @@ TEST_F(LogAccountTest, NamesWhatNoPacketMoves) {
   EXPECT_FALSE(one.isNotable());
   // A pose moves it, a name that the model lacks does not, and what `add` brought is there.
   EXPECT_THAT(
-      of({{"rk1", "RK1 s 0 -\npose left 0 0 1 0 0 0 1\njoint right k=1\nadd spare arm.urdf\n"}}).at_rest,
+      of({{"rk1", "RK1 s 0 -\npose left 0 0 1 0 0 0 1\njoint right k=1\nadd spare arm.urdf\n"}})
+          .at_rest,
       ElementsAre("right", "spare"));
   const LogAccount all = of({{"rk1", "RK1 s 0 -\njoint left j=1\njoint right j=0\n"}});
   EXPECT_TRUE(all.empty());
