@@ -21,6 +21,7 @@ class MovedByHand : public testing::Test {
     EXPECT_TRUE(cell.ok());
     std::optional<Timeline> session;
     if (with_log) {
+      std::filesystem::remove(folder_ / "s.mcap");
       test::writeSession(folder_ / "s.mcap", {{0, "joints arm 0\n"}, {1000, "joints arm 1\n"}});
       session = Timeline::open(folder_ / "s.mcap").value();
     }
