@@ -82,7 +82,10 @@ Judged judge(const Script& script, const std::map<std::string, std::string>& mod
   if (json.is_discarded()) return judged;
   judged.verdict = json.at("verdict");
   judged.packets = json.at("packets");
-  for (const auto& finding : json.at("findings")) ++judged.findings[finding.at("rule")];
+  // The robots have inertias and dynamics, which urdf_account_test.cpp judges.
+  for (const auto& finding : json.at("findings")) {
+    if (finding.at("rule") != "model.left-out") ++judged.findings[finding.at("rule")];
+  }
   return judged;
 }
 

@@ -44,7 +44,9 @@ class ClearanceGaugeTest : public testing::Test {
     test::writeFile(folder_ / "cell.toml", text);
     auto cell = loadCell(folder_ / "cell.toml", {});
     EXPECT_TRUE(cell.ok());
-    for (const Finding& fault : cell->faults) ADD_FAILURE() << fault.print();
+    for (const Finding& fault : cell->faults) {
+      if (fault.rule != "model.no-visual") ADD_FAILURE() << fault.print();
+    }
     cell_ = std::move(*cell);
   }
 

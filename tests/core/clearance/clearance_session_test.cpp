@@ -72,7 +72,9 @@ class ClearanceSessionTest : public testing::Test {
     test::writeFile(folder_ / "cell.toml", "format = 1\n" + text);
     auto cell = loadCell(folder_ / "cell.toml", {});
     ASSERT_TRUE(cell.ok()) << cell.error().text();
-    for (const Finding& fault : cell->faults) ADD_FAILURE() << fault.print();
+    for (const Finding& fault : cell->faults) {
+      if (fault.rule != "model.no-visual") ADD_FAILURE() << fault.print();
+    }
     cell_ = std::move(*cell);
     session_.emplace(cell_);
     state_ = {};
