@@ -93,8 +93,9 @@ class SilenceTeller {
     if (!rules_.told || !next || !playhead.isPlaying() || next->immediate) return;
     if (next->deadline - now <= kLongSilence) return;
     const TapePosition place = next->due.place;
-    if (told_ == place) return;
+    if (has_told_ && told_ == place) return;
     told_ = place;
+    has_told_ = true;
     const std::string behind = secondsText(place.time - rules_.origin, 3);
     rules_.told(fmt::format(
         "silent for {}, until {} s: --gap-limit 2s shortens silences, --from {}s begins behind it",
@@ -103,7 +104,8 @@ class SilenceTeller {
 
  private:
   const PlayheadRules& rules_;
-  std::optional<TapePosition> told_;
+  TapePosition told_{};  // not an optional: g++ 12 takes its value for uninitialised
+  bool has_told_ = false;
 };
 
 void publish(Playhead& playhead, const std::optional<Playhead::Next>& next, SteadyTime now,
