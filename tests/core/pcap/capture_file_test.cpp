@@ -86,22 +86,22 @@ class CaptureBlocks {
   Bytes bytes_;
 };
 
-const Sent kFirst = sent("10.0.0.1", 4'000, "10.0.0.2", 5'000, "first");
+const Sent kOfFile = sent("10.0.0.1", 4'000, "10.0.0.2", 5'000, "first");
 
-struct Outcome {
+struct FileRead {
   std::vector<std::string> datagrams;  ///< times and payloads
   Account left_out;
   std::string trouble;
 };
 
-Outcome readBytes(const Bytes& bytes) {
+FileRead readBytes(const Bytes& bytes) {
   const TemporaryFolder folder;
   const std::string path = (folder / "x.pcapng").string();
   std::ofstream(path, std::ios::binary) << textOf(bytes);
   Endpoint endpoint;
   endpoint.scheme = Endpoint::Scheme::pcap;
   endpoint.file = path;
-  Outcome outcome;
+  FileRead outcome;
   const auto source = openPcap(endpoint, {});
   if (!source) {
     outcome.trouble = source.error().text();
@@ -123,14 +123,14 @@ Outcome readBytes(const Bytes& bytes) {
 }
 
 TEST(CaptureFile, ReadsInterfacesOfSeveralLinkTypesAndResolutions) {
-  const Bytes packet = ipPackets(kFirst).at(0);
+  const Bytes packet = ipPackets(kOfFile).at(0);
   for (const bool is_big : {false, true}) {
     CaptureBlocks file(is_big);
     file.section().interface(1).interface(101, file.option(9, 9, 1));
     file.interface(101, file.option(9, 0x80 | 10, 1)).interface(1, file.option(14, 100, 8));
     file.packet(0, 5'000'001, ethernetFrame(packet)).packet(1, 6'000'000'007, packet);
     file.packet(2, 7 * 1024 + 512, packet).packet(3, 8'000'000, ethernetFrame(packet, {7}));
-    const Outcome outcome = readBytes(file.bytes());
+    const FileRead outcome = readBytes(file.bytes());
     EXPECT_THAT(outcome.datagrams, ElementsAre("5000001000 first", "6000000007 first",
                                                "7500000000 first", "108000000000 first"));
     EXPECT_TRUE(outcome.left_out.empty()) << accountSentence(outcome.left_out);
@@ -139,18 +139,18 @@ TEST(CaptureFile, ReadsInterfacesOfSeveralLinkTypesAndResolutions) {
 }
 
 TEST(CaptureFile, EachSectionHasItsByteOrderAndItsInterfaces) {
-  const Bytes packet = ipPackets(kFirst).at(0);
+  const Bytes packet = ipPackets(kOfFile).at(0);
   Bytes all =
       CaptureBlocks(false).section().interface(1).packet(0, 1, ethernetFrame(packet)).bytes();
   const Bytes second = CaptureBlocks(true).section().interface(101).packet(0, 2, packet).bytes();
   all.insert(all.end(), second.begin(), second.end());
-  const Outcome outcome = readBytes(all);
+  const FileRead outcome = readBytes(all);
   EXPECT_THAT(outcome.datagrams, ElementsAre("1000 first", "2000 first"));
   EXPECT_EQ(outcome.trouble, "");
 }
 
 TEST(CaptureFile, NamesWhatItCannotUse) {
-  const Bytes frame = ethernetFrame(ipPackets(kFirst).at(0));
+  const Bytes frame = ethernetFrame(ipPackets(kOfFile).at(0));
   CaptureBlocks file(false);
   file.section().interface(1).interface(147).packet(0, 9, frame).packet(1, 9, frame);
   file.packet(7, 9, frame).simple(frame).block(0x1234, Bytes(8));
@@ -158,7 +158,7 @@ TEST(CaptureFile, NamesWhatItCannotUse) {
   const Bytes dropped = file.option(5, 3, 8);
   statistics.insert(statistics.end(), dropped.begin(), dropped.end());
   file.block(5, statistics);
-  const Outcome outcome = readBytes(file.bytes());
+  const FileRead outcome = readBytes(file.bytes());
   EXPECT_THAT(outcome.datagrams, ElementsAre("9000 first", "9000 first"));
   EXPECT_EQ(accountSentence(outcome.left_out, 9),
             "left out: 1 frame `link type 147` (not supported; at frame 2), "
@@ -170,12 +170,12 @@ TEST(CaptureFile, NamesWhatItCannotUse) {
 
 // Whatever is inserted or removed, the datagrams change, or the account does.
 TEST(CaptureFile, WhatIsInsertedIsUsedOrNamed) {
-  const Bytes good = ethernetFrame(ipPackets(kFirst).at(0));
+  const Bytes good = ethernetFrame(ipPackets(kOfFile).at(0));
   const auto readFrames = [](const std::vector<Bytes>& frames) {
     CaptureBlocks file(false);
     file.section().interface(1);
     for (const Bytes& frame : frames) file.packet(0, 1, frame);
-    const Outcome outcome = readBytes(file.bytes());
+    const FileRead outcome = readBytes(file.bytes());
     return std::pair(outcome.datagrams, accountSentence(outcome.left_out));
   };
   Bytes tcp = good, cut = good, options = good, fragment = good;
@@ -210,13 +210,13 @@ TEST(CaptureFile, WhatIsInsertedIsUsedOrNamed) {
 }
 
 TEST(CaptureFile, EveryCutIsRefusedOrReadUpToThere) {
-  const Bytes frame = ethernetFrame(ipPackets(kFirst).at(0));
+  const Bytes frame = ethernetFrame(ipPackets(kOfFile).at(0));
   CaptureBlocks file(false);
   file.section().interface(1).packet(0, 1, frame).packet(0, 2, frame);
   const std::size_t whole = file.bytes().size();
   for (std::size_t size = 0; size < whole; ++size) {
     SCOPED_TRACE(size);
-    const Outcome outcome = readBytes(
+    const FileRead outcome = readBytes(
         Bytes(file.bytes().begin(), file.bytes().begin() + static_cast<std::ptrdiff_t>(size)));
     EXPECT_LE(outcome.datagrams.size(), 1U);
     const std::size_t packet = 32 + (frame.size() + 3) / 4 * 4;
@@ -226,7 +226,7 @@ TEST(CaptureFile, EveryCutIsRefusedOrReadUpToThere) {
 }
 
 TEST(CaptureFile, BelievesNoLength) {
-  const Bytes frame = ethernetFrame(ipPackets(kFirst).at(0));
+  const Bytes frame = ethernetFrame(ipPackets(kOfFile).at(0));
   for (const std::uint32_t lie : {0U, 8U, 13U, 0x7FFFFFFCU, 0xFFFFFFFFU}) {
     CaptureBlocks file(false);
     file.section().interface(1).packet(0, 1, frame);
@@ -235,7 +235,7 @@ TEST(CaptureFile, BelievesNoLength) {
     EXPECT_THAT(readBytes(bytes).trouble, HasSubstr("the capture ends early"));
     bytes = file.bytes();
     std::memcpy(bytes.data() + 48 + 20, &lie, 4);  // of the bytes kept of the frame
-    const Outcome outcome = readBytes(bytes);
+    const FileRead outcome = readBytes(bytes);
     EXPECT_TRUE(outcome.datagrams.empty());
     EXPECT_TRUE(!outcome.trouble.empty() || !outcome.left_out.empty());
   }

@@ -16,7 +16,7 @@ using test::Sent;
 using test::sent;
 using test::udpOf;
 
-constexpr WallTime kTime{std::chrono::seconds(1'700'000'000)};
+constexpr WallTime kPlanTime{std::chrono::seconds(1'700'000'000)};
 constexpr std::array kLinks = {LinkType::ethernet,     LinkType::bsd_null,
                                LinkType::bsd_loop,     LinkType::raw_ip,
                                LinkType::linux_cooked, LinkType::linux_cooked_2};
@@ -92,14 +92,14 @@ std::vector<std::pair<std::string, std::vector<Bytes>>> packetsOf(const Sent& da
 
 const std::vector<std::vector<unsigned>> kTags = {{}, {5}, {5, 6}};
 
-using Seen = std::vector<std::string>;
+using PlanTexts = std::vector<std::string>;
 
-Seen readBy(FrameReader& reader, LinkType link, const std::vector<Bytes>& frames,
-            const std::function<bool(ByteView)>& passes) {
-  Seen seen;
+PlanTexts readBy(FrameReader& reader, LinkType link, const std::vector<Bytes>& frames,
+                 const std::function<bool(ByteView)>& passes) {
+  PlanTexts seen;
   for (const Bytes& frame : frames) {
     if (!passes(frame)) continue;
-    if (const auto datagram = reader.read(link, frame, kTime)) {
+    if (const auto datagram = reader.read(link, frame, kPlanTime)) {
       seen.push_back(datagram->destination.text() + " " + std::string(textOf(datagram->payload)));
     }
   }
@@ -133,13 +133,13 @@ TEST(FilterPlan, PassesEveryFrameThatTheReaderKnows) {
               std::vector<Bytes> frames;
               for (const Bytes& packet : packets) frames.push_back(onLink(link, packet, tags));
               FrameReader unfiltered;
-              const Seen all = readBy(unfiltered, link, frames, [](ByteView) { return true; });
-              ASSERT_EQ(all, Seen{datagram.to.text() + " " + payload});
+              const PlanTexts all = readBy(unfiltered, link, frames, [](ByteView) { return true; });
+              ASSERT_EQ(all, PlanTexts{datagram.to.text() + " " + payload});
               FrameReader reader(asked, plan.filtered, plan.keep_tags);
-              const Seen taken = readBy(reader, link, frames,
-                                        [&](ByteView frame) { return (*kernel)(link, frame); });
+              const PlanTexts taken = readBy(
+                  reader, link, frames, [&](ByteView frame) { return (*kernel)(link, frame); });
               const bool wants = filter == "vlan" ? !tags.empty() : is_chosen;
-              EXPECT_EQ(taken, wants ? all : Seen{});
+              EXPECT_EQ(taken, wants ? all : PlanTexts{});
               // A file is not filtered before it is read, and the outcome is the same.
               FrameReader of_file(asked, FrameReader::Filtered::here, plan.keep_tags);
               EXPECT_EQ(readBy(of_file, link, frames, [](ByteView) { return true; }), taken);
