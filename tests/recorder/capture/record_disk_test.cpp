@@ -14,7 +14,7 @@
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 using std::chrono::milliseconds;
 
 /// A disk of 2 MiB, if this process may create one.
@@ -70,7 +70,7 @@ void fillUp(const std::string& compression, std::size_t payload_bytes, int burst
   const test::ProgramResult result = program.finish();
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.err.find("No space left on device"), std::string::npos) << result.err;
-  const Json summary = Json::parse(result.out, nullptr, false);
+  const PlainJson summary = PlainJson::parse(result.out, nullptr, false);
   EXPECT_EQ(summary["complete"], false);
   EXPECT_EQ(summary["reason"], "refused");
   EXPECT_GT(summary["packets"], 0);

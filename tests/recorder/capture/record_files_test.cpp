@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 using test::Program;
 using test::ProgramResult;
 using test::TemporaryFolder;
@@ -112,7 +112,7 @@ TEST(RecordedFile, ADeletedOneIsToldWhileItIsRecordedAndIsNotComplete) {
   recording.program->waitForLine("deleted or replaced");
   const ProgramResult result = recording.program->stop();
   EXPECT_EQ(result.exit_code, 1);
-  const Json summary = Json::parse(result.out, nullptr, false);
+  const PlainJson summary = PlainJson::parse(result.out, nullptr, false);
   EXPECT_EQ(summary["complete"], false);
   EXPECT_EQ(summary["reason"], "interrupted");
   ASSERT_EQ(summary["pieces"].size(), 1U);
@@ -133,7 +133,7 @@ TEST(RecordedFile, OneThatIsCutOrReplacedJustBeforeTheEndIsNotComplete) {
     }
     const ProgramResult result = recording.program->stop();
     EXPECT_EQ(result.exit_code, 1);
-    EXPECT_EQ(Json::parse(result.out, nullptr, false)["complete"], false);
+    EXPECT_EQ(PlainJson::parse(result.out, nullptr, false)["complete"], false);
     EXPECT_THAT(result.err, HasSubstr(cut ? "changed this log" : "deleted or replaced"));
   }
 }
@@ -145,7 +145,7 @@ TEST(RecordedFile, OneThatIsMovedIsComplete) {
   std::filesystem::rename(recording.log, recording.folder / "moved.mcap");
   const ProgramResult result = recording.program->stop();
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(Json::parse(result.out, nullptr, false)["complete"], true);
+  EXPECT_EQ(PlainJson::parse(result.out, nullptr, false)["complete"], true);
   EXPECT_EQ(OneRecording::capturedIn(recording.folder / "moved.mcap"), 5U);
 }
 

@@ -24,7 +24,7 @@ using test::Program;
 using test::ProgramResult;
 using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 struct Recording {
   explicit Recording(std::vector<std::string> arguments, const std::string& said = "recording ")
@@ -40,10 +40,10 @@ struct Recording {
     return Program::start("rocinante-record", arguments);
   }
   UdpSender sender() const { return std::move(UdpSender::open(bound.at(0)).value()); }
-  Json finish() {
+  PlainJson finish() {
     result = program.stop();
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    return Json::parse(result.out, nullptr, false);
+    return PlainJson::parse(result.out, nullptr, false);
   }
   std::vector<std::string> payloads() const {
     std::vector<std::string> all;
@@ -77,7 +77,7 @@ TEST(RecordInputs, RecordsOnlyWhomAllowNames) {
     ASSERT_TRUE(near.send(bytesOf("kept")).ok());
     ASSERT_TRUE(other.send(bytesOf("refused")).ok());
   }
-  const Json summary = recording.finish();
+  const PlainJson summary = recording.finish();
   EXPECT_EQ(summary["packets"], 10);
   EXPECT_EQ(summary["endpoints"][0]["refused"], 0);
   EXPECT_EQ(summary["endpoints"][1]["refused"], 10);
@@ -107,7 +107,7 @@ TEST(RecordInputs, RecordsWhatARelaySends) {
   for (const std::uint16_t port : {relay.subscriber().port, recording.bound.at(0).address.port}) {
     ASSERT_TRUE(test::waitUntilTaken(port));
   }
-  const Json status = recording.finish();
+  const PlainJson status = recording.finish();
   EXPECT_EQ(status["packets"], sent + 3);
   EXPECT_EQ(status["endpoints"][0]["endpoint"], relay.endpoint());
   EXPECT_EQ(status["endpoints"][0]["requests"], 0);
@@ -157,7 +157,7 @@ TEST(RecordInputs, SendsOnEverythingVerbatim) {
     for (const ReceivedDatagram& each : *batch) teed.emplace_back(textOf(each.payload));
   }
   EXPECT_EQ(teed, sent);
-  const Json summary = recording.finish();
+  const PlainJson summary = recording.finish();
   EXPECT_EQ(summary["packets"], sent.size());
   EXPECT_EQ(summary["tees"][0]["sent"], sent.size());
   EXPECT_EQ(summary["tees"][0]["dropped"], 0);
@@ -192,7 +192,7 @@ TEST(RecordInputs, WatchesWhatHasItsReceiverAndNotItsOwnTee) {
     ASSERT_TRUE(sender.send(bytesOf(sent.back())).ok());
   }
   // Stopped at once: datagrams still in the kernel are recorded too.
-  const Json summary = recording.finish();
+  const PlainJson summary = recording.finish();
   EXPECT_EQ(summary["packets"], 300);
   EXPECT_EQ(summary["tees"][0]["sent"], 300);
   EXPECT_EQ(recording.payloads(), sent);

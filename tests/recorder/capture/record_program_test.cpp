@@ -21,7 +21,7 @@ using test::Program;
 using test::ProgramResult;
 using test::runProgram;
 using test::TemporaryFolder;
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 /// A recording of `endpoints` (with port 0) into FOLDER/log.mcap.
 struct Recording {
@@ -47,10 +47,10 @@ struct Recording {
   }
 
   /// Ctrl-C; the summary.
-  Json finish(int exit_code = 0) {
+  PlainJson finish(int exit_code = 0) {
     const ProgramResult result = program.stop();
     EXPECT_EQ(result.exit_code, exit_code) << result.err;
-    return Json::parse(result.out, nullptr, false);
+    return PlainJson::parse(result.out, nullptr, false);
   }
 
   TemporaryFolder folder;
@@ -135,9 +135,10 @@ void expectEveryDatagram(const std::string& endpoint) {
   const std::vector<std::string> sent = datagrams(20'000);
   UdpSender sender = recording.sender();
   sendAll(sender, recording.bound[0].address.port, sent);
-  const Json summary = recording.finish();
+  const PlainJson summary = recording.finish();
   EXPECT_EQ(summary["packets"], sent.size());
-  EXPECT_EQ(summary["losses"], Json({{"kernel", 0}, {"queue", 0}, {"disk", 0}, {"truncated", 0}}));
+  EXPECT_EQ(summary["losses"],
+            PlainJson({{"kernel", 0}, {"queue", 0}, {"disk", 0}, {"truncated", 0}}));
   EXPECT_EQ(summary["complete"], true);
   EXPECT_EQ(summary["bytes"], std::filesystem::file_size(recording.log()));
   const std::vector<Kept> kept = captured(recording.log());
@@ -168,7 +169,7 @@ TEST(RecordProgram, KeepsTwoEndpointsInOneOrderOfTime) {
     ASSERT_TRUE(test::waitUntilTaken(recording.bound[0].address.port));
     ASSERT_TRUE(test::waitUntilTaken(recording.bound[1].address.port));
   }
-  const Json summary = recording.finish();
+  const PlainJson summary = recording.finish();
   EXPECT_EQ(summary["endpoints"][0]["packets"], 667);
   EXPECT_EQ(summary["endpoints"][1]["packets"], 1'333);
   EXPECT_EQ(summary["channels"], 2);
@@ -194,7 +195,7 @@ TEST(RecordProgram, CountsExactlyWhatTheKernelDropped) {
     ASSERT_TRUE(sender.send(batch).ok());
   }
   recording.program.signal(SIGCONT);
-  const Json summary = recording.finish();
+  const PlainJson summary = recording.finish();
   const std::uint64_t kernel = summary["losses"]["kernel"];
   const std::uint64_t recorded = summary["packets"];
   EXPECT_GT(kernel, 0U);
@@ -223,7 +224,7 @@ TEST(RecordProgram, EndsAfterExactlyMaxPackets) {
   }
   const ProgramResult result = recording.program.finish();
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(Json::parse(result.out)["reason"], "packets");
+  EXPECT_EQ(PlainJson::parse(result.out)["reason"], "packets");
   const auto kept = captured(recording.log());
   ASSERT_EQ(kept.size(), 100U);
   EXPECT_EQ(kept.back().payload, "99");
@@ -278,7 +279,7 @@ TEST(RecordProgram, AccountsForADiskThatFillsUp) {
   const ProgramResult result = recording.program.stop();
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.err.find("File too large"), std::string::npos) << result.err;
-  const Json summary = Json::parse(result.out);
+  const PlainJson summary = PlainJson::parse(result.out);
   EXPECT_EQ(summary["complete"], false);
   EXPECT_EQ(summary["reason"], "refused");
   EXPECT_GT(summary["losses"]["disk"], 0);

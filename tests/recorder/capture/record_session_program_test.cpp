@@ -20,7 +20,7 @@
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 using std::chrono::milliseconds;
 using test::Program;
 using test::ProgramResult;
@@ -73,10 +73,10 @@ class Recording {
     return sent;
   }
 
-  Json finish(int exit_code = 0) {
+  PlainJson finish(int exit_code = 0) {
     const ProgramResult result = program.stop();
     EXPECT_EQ(result.exit_code, exit_code) << result.err;
-    return Json::parse(result.out, nullptr, false);
+    return PlainJson::parse(result.out, nullptr, false);
   }
 
   /// A hundred bytes that zstd can hardly compress.
@@ -145,7 +145,7 @@ TEST(RecordPieces, ABlowOfSighupBeginsANewPiece) {
     recording.say(std::to_string(sent++) + " after");
     return fs::exists(folder / "log-002.mcap");
   }));
-  const Json summary = recording.finish();
+  const PlainJson summary = recording.finish();
   ASSERT_EQ(summary["pieces"].size(), 2U);
   EXPECT_EQ(summary["packets"], sent);
   EXPECT_EQ(summary["log"], (folder / "log-002.mcap").string());
@@ -163,8 +163,8 @@ TEST(RecordPieces, RotatingAtAHundredThousandASecondEachIsStoredOrCounted) {
                        const std::vector<fs::path> logs = logsIn(folder.path());
                        return !logs.empty() && logs.back() >= folder / "p-009.mcap";
                      }));
-  const Json summary = recording.finish();
-  const Json& losses = summary["losses"];
+  const PlainJson summary = recording.finish();
+  const PlainJson& losses = summary["losses"];
   EXPECT_EQ(losses["disk"], 0);
   // Without other load the queue holds all datagrams that come while pieces are closed.
   if (std::getenv("ROCINANTE_NIGHTLY") != nullptr) {
@@ -232,7 +232,7 @@ TEST(RecordPieces, ADiskThatFillsUpInALaterPieceLeavesAllWhole) {
     const ProgramResult result = recording.program.stop();
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_NE(result.err.find("No space left on device"), std::string::npos) << result.err;
-    const Json summary = Json::parse(result.out, nullptr, false);
+    const PlainJson summary = PlainJson::parse(result.out, nullptr, false);
     EXPECT_EQ(summary["reason"], "refused");
     EXPECT_GT(summary["losses"]["disk"], 0);
     EXPECT_GE(summary["pieces"].size(), 2U);
@@ -263,7 +263,7 @@ TEST(RecordRing, ASignalWritesWhatIsHeld) {
   recording.program.waitForLine(" 201 packets ");
   recording.program.signal(SIGUSR1);
   recording.program.waitForLine("ring-001.mcap is deleted");
-  const Json summary = recording.finish();
+  const PlainJson summary = recording.finish();
   EXPECT_EQ(numbersIn(folder / "ring-002.mcap").size(), 201U);
   EXPECT_EQ(logsIn(folder.path()).size(), 1U);
   EXPECT_EQ(summary["packets"], 201);
@@ -275,7 +275,7 @@ TEST(RecordRing, WithoutASignalNothingIsWritten) {
   const TemporaryFolder folder;
   Recording recording((folder / "ring.mcap").string(), {"--ring", "1s"});
   recording.say("0 x");
-  const Json summary = recording.finish();
+  const PlainJson summary = recording.finish();
   EXPECT_TRUE(fs::is_empty(folder.path()));
   EXPECT_TRUE(summary["log"].is_null());
   EXPECT_TRUE(summary["pieces"].empty());
@@ -294,7 +294,7 @@ TEST(RecordConditions, BeginAndEndWithTheDatagramsThatMeetThem) {
   recording.say("RK1 arm@r 5 -\njoints arm 2\n");
   const ProgramResult result = recording.program.finish();
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  const Json summary = Json::parse(result.out, nullptr, false);
+  const PlainJson summary = PlainJson::parse(result.out, nullptr, false);
   EXPECT_EQ(summary["packets"], 3);
   EXPECT_EQ(summary["packets_before"], 2);
   EXPECT_EQ(summary["reason"], "condition");
@@ -309,7 +309,7 @@ TEST(RecordConditions, ASilenceEndsIt) {
   recording.say("0 x");
   const ProgramResult result = recording.program.finish();
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(Json::parse(result.out)["reason"], "condition");
+  EXPECT_EQ(PlainJson::parse(result.out)["reason"], "condition");
   EXPECT_EQ(numbersIn(folder / "log.mcap").size(), 1U);
 }
 
@@ -322,8 +322,8 @@ TEST(RecordConditions, TheDurationCountsFromTheBeginning) {
   recording.say("RK1 arm - -\n");
   const ProgramResult result = recording.program.finish();
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(Json::parse(result.out)["reason"], "duration");
-  EXPECT_EQ(Json::parse(result.out)["packets"], 1);
+  EXPECT_EQ(PlainJson::parse(result.out)["reason"], "duration");
+  EXPECT_EQ(PlainJson::parse(result.out)["packets"], 1);
 }
 
 }  // namespace

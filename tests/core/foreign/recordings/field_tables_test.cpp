@@ -96,9 +96,9 @@ TEST_P(FieldTables, AreUsedOrNamed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Field, FieldTables, testing::ValuesIn(kTableCases),
-                         [](const testing::TestParamInfo<TableCase>& info) {
+                         [](const testing::TestParamInfo<TableCase>& tested) {
                            std::string name;
-                           for (const char each : std::string_view(info.param.file)) {
+                           for (const char each : std::string_view(tested.param.file)) {
                              name +=
                                  std::isalnum(static_cast<unsigned char>(each)) != 0 ? each : '_';
                            }
