@@ -62,7 +62,12 @@ Result<OutputFile> OutputFile::create(fs::path path, bool overwrite,
   output.path_ = std::move(path);
   output.overwrite_ = overwrite;
   Result<PartFile> part = PartFile::make(output.path_, 0666);
-  if (!part) return part.error();
+  if (!part) {
+    // "cannot create: ..."
+    const std::string& what = part.error().what;
+    return Error{ErrorKind::unreadable, "cannot make the log" + what.substr(what.find(':')),
+                 output.path_.string()};
+  }
   const Result<int> file = part->writer();
   if (!file) return file.error();
   output.beside_ = part->beside();

@@ -74,7 +74,7 @@ Result<NewLogFile> NewLogFile::makeFree(const fs::path& path, FileCalls& calls) 
 
 Result<NewLogFile> NewLogFile::makeInPlaceOf(const fs::path& path, HeldFile old, FileCalls& calls) {
   Result<PartFile> part = PartFile::make(path, 0666);
-  if (!part) return Error{part.error().kind, "cannot make the log: " + part.error().what, path};
+  if (!part) return part.error();
   const Result<int> file = part->writer();
   if (!file) return file.error();
   NewLogFile made;

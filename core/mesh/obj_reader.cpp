@@ -49,6 +49,14 @@ class ObjReader {
       faults_.leaveOut("statement", "s", {first_smoothing_},
                        "where normals are missing, faces are smoothed by their angles");
     }
+    if (first_without_vt_ > 0) {
+      faults_.leaveOut("index", "vt", {first_without_vt_},
+                       "faces name what the file has no `vt` for");
+    }
+    if (first_without_vn_ > 0) {
+      faults_.leaveOut("index", "vn", {first_without_vn_},
+                       "faces name what the file has no `vn` for");
+    }
     loose_.materials = materials_.takeAll(!loose_.colors.empty());
     smoothNormals(loose_, options_.smooth_angle_deg);
     return indexedMesh(std::move(loose_));
@@ -212,12 +220,18 @@ class ObjReader {
     if (scan_.take('/')) {
       if (scan_.integer(number)) {
         // Some exporters write V/V/V without any vt: those have no texture coordinates.
-        if (!loose_.textures.empty() &&
-            !resolveIndex(number, loose_.textures.size(), "texture coordinate", corner.texture)) {
+        if (loose_.textures.empty()) {
+          if (first_without_vt_ == 0) first_without_vt_ = line_;
+        } else if (!resolveIndex(number, loose_.textures.size(), "texture coordinate",
+                                 corner.texture)) {
           return false;
         }
       }
-      if (scan_.take('/') && scan_.integer(number) && !loose_.normals.empty()) {
+      if (scan_.take('/') && scan_.integer(number)) {
+        if (loose_.normals.empty()) {
+          if (first_without_vn_ == 0) first_without_vn_ = line_;
+          return scan_.wordEnds() || badCorner();
+        }
         if (!resolveIndex(number, loose_.normals.size(), "normal", corner.normal)) return false;
         if (std::isnan(loose_.normals[corner.normal].x)) corner.normal = kNone;
       }
@@ -308,9 +322,10 @@ class ObjReader {
   int line_ = 0;
   LooseMesh loose_;
   std::string object_;
-  MeshPart part_;            ///< the one being filled
-  bool used_any_ = false;    ///< part_.material is valid
-  int first_smoothing_ = 0;  ///< line of the first `s`
+  MeshPart part_;                                    ///< the one being filled
+  bool used_any_ = false;                            ///< part_.material is valid
+  int first_smoothing_ = 0;                          ///< line of the first `s`
+  int first_without_vt_ = 0, first_without_vn_ = 0;  ///< lines of faces; 0: none
   std::vector<Corner> face_;
   std::vector<glm::vec3> polygon_;
   PolygonCutter cutter_;

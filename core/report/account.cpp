@@ -143,6 +143,23 @@ Account accountOfLines(std::string_view lines) {
   return account;
 }
 
+std::string accountBrief(const Account& account, std::size_t most_listed) {
+  if (account.empty()) return {};
+  const auto& all = account.leftOut();
+  std::string brief;
+  std::uint64_t listed = 0;
+  for (std::size_t i = 0; i < std::min(most_listed, all.size()); ++i) {
+    if (i > 0) brief += ", ";
+    brief += all[i].name.empty() ? countText(all[i].count, all[i].kind)
+                                 : fmt::format("{} `{}`", all[i].count, all[i].name);
+    listed += all[i].count;
+  }
+  if (listed < account.total()) {
+    brief += fmt::format(" and {} more", countText(account.total() - listed, "thing"));
+  }
+  return brief + (account.total() == 1 ? " is left out" : " are left out");
+}
+
 Json leftOutJson(const Account& account) {
   Json items = Json::array();
   for (const LeftOut& one : account.leftOut()) {

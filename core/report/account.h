@@ -76,6 +76,10 @@ std::string accountSentence(const Account& account, std::size_t most_listed = 4)
 std::string accountLines(const Account& account);
 Account accountOfLines(std::string_view lines);
 
+/// "44 `illum`, 54 `Ka` and 19 things more are left out", without reasons and places, where room is
+/// scarce; empty for an empty account.
+std::string accountBrief(const Account& account, std::size_t most_listed = 3);
+
 /// For every program's JSON, under the key `left_out`:
 /// {"total": 20, "unlisted": 0, "items": [{"kind", "name", "reason", "first", "count",
 /// "severity"}]}. `total` counts things; those beyond kMaxListed kinds are in `unlisted` and in no

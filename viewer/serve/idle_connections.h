@@ -40,11 +40,11 @@ class IdleConnections {
   using List = std::list<std::pair<Connection, std::string>>;
 
   std::optional<Connection> takeOldest() {
-    const auto most =
-        std::max_element(by_address_.begin(), by_address_.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    const auto oldest = std::find_if(connections_.begin(), connections_.end(),
-                                     [&](const auto& each) { return each.second == most->first; });
+    std::size_t most = 0;
+    for (const auto& each : by_address_) most = std::max(most, each.second);
+    const auto oldest = std::find_if(
+        connections_.begin(), connections_.end(),
+        [&](const auto& each) { return by_address_.find(each.second)->second == most; });
     if (oldest == connections_.end()) return std::nullopt;
     const Connection connection = oldest->first;
     erase(oldest);

@@ -35,7 +35,7 @@ cat >arm.urdf <<'URDF'
 URDF
 rocinante record 127.0.0.1:0 -o log.mcap --cell cell.toml --max-packets 3 >/dev/null 2>said &
 until grep -qs '^recording' said; do kill -0 $!; sleep 0.05; done
-to="/dev/udp/127.0.0.1/$(sed 's/.*:\([0-9]*\) to .*/\1/' said)"
+to="/dev/udp/127.0.0.1/$(sed -n 's/^recording .*:\([0-9]*\) to .*/\1/p' said)"
 # Above each other between the first two: 0.1 m apart. Only the third is too near at a packet.
 sequence=0
 for joint in -0.5 0.6 0.1; do

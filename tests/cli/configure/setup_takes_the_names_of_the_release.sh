@@ -42,7 +42,7 @@ sed 's/-o [^ ]*=[0-9]* //' apt-get.log
 echo "-- another apt holds the lists"
 cat >apt-get <<'SH'
 #!/bin/sh
-case $* in *update*) [ -e tried ] || { touch tried; echo "E: Could not get lock /var/lib/apt/lists/lock"; exit 100; } ;; esac
+case $* in *update*) [ -e "$APT_LOG.tried" ] || { touch "$APT_LOG.tried"; echo "E: Could not get lock /var/lib/apt/lists/lock"; exit 100; } ;; esac
 SH
 UNKNOWN="" ABSENT=clang-14
 setup

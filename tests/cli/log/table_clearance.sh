@@ -26,7 +26,7 @@ cat >box.urdf <<'URDF'
 URDF
 rocinante record 127.0.0.1:0 -o log.mcap --cell cell.toml --max-packets 3 >/dev/null 2>said &
 until grep -qs '^recording' said; do kill -0 $!; sleep 0.05; done
-to="/dev/udp/127.0.0.1/$(sed 's/.*:\([0-9]*\) to .*/\1/' said)"
+to="/dev/udp/127.0.0.1/$(sed -n 's/^recording .*:\([0-9]*\) to .*/\1/p' said)"
 sequence=0
 for x in 0 2.3999 3; do
   printf 'RK1 me@a %d -\npose ball %s 0 0 0 0 0 1\n' $sequence $x >packet

@@ -2,9 +2,7 @@
 # The C++ one needs an installed library: tests/consumer/library/run.
 command -v cc >/dev/null || { echo "skipped: there is no C compiler"; exit 77; }
 examples=$SRC/examples/sending
-mkdir include
-ln -s "$SRC/core/source" include/rocinante
-cc -std=c99 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic -Werror -Iinclude "$examples/sender.c" -o sender
+cc -std=c99 -Wall -Wextra -pedantic -Werror "-I$SRC/core/source" "$examples/sender.c" -o sender
 ports() { sed -n "s/^$1.*[ :]\([0-9][0-9]*\)\( to .*\)\?$/\1/p" "$2"; }
 for example in ./sender "python3 $examples/sender.py"; do
   python3 "$examples/receiver.py" 127.0.0.1 0 190 >received &

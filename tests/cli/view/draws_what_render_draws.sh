@@ -22,7 +22,7 @@ name = "panda"
 eye = [3, -3, 2]
 target = [0, 0, 0.8]
 TOML
-printf 'panels off\nframe 2\nscreenshot window.png\nquit\n' >script.txt
+printf 'panels off\nclear\nframe 2\nscreenshot window.png\nquit\n' >script.txt
 with_display rocinante view yard.cell.toml --camera panda --size 640x480 \
   --profile reproducible --script script.txt 2>/dev/null
 rocinante render yard.cell.toml --camera panda --size 640x480 -o render.png 2>/dev/null

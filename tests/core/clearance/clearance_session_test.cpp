@@ -73,7 +73,7 @@ class ClearanceSessionTest : public testing::Test {
     auto cell = loadCell(folder_ / "cell.toml", {});
     ASSERT_TRUE(cell.ok()) << cell.error().text();
     for (const Finding& fault : cell->faults) {
-      if (fault.rule != "model.no-visual") ADD_FAILURE() << fault.print();
+      if (fault.rule != "model.no-visual" && fault.left_out.empty()) ADD_FAILURE() << fault.print();
     }
     cell_ = std::move(*cell);
     session_.emplace(cell_);

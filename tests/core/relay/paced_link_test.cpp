@@ -9,11 +9,17 @@
 namespace rocinante {
 namespace {
 
-using test::itemsAndSources;
 using test::RelayedListeners;
 using testing::HasSubstr;
 
 constexpr std::size_t kHeads = 28;
+
+/// A slow link has orders of its own for the values that it sends (docs/packet-format.md).
+std::string itemsButOrders(const SessionState& state) {
+  return test::identityLines(state, [](const std::string& line) {
+    return !line.starts_with("device ") && line.find(" order ") == std::string::npos;
+  });
+}
 
 RelayOutputOptions slow(double bits_per_second, std::size_t link_bytes = 0) {
   RelayOutputOptions options;
@@ -112,9 +118,10 @@ TEST(PacedLink, OfChangesAboutOneThingOnlyTheNewestWaits) {
                        " -\nadd tray t\nremove tray\nerase path\norder arm a" + std::to_string(i) +
                        "\n");
   }
-  EXPECT_EQ(net.relay.paced(id).waiting, 3U);
+  // A source's order goes with the values that need it, and does not wait.
+  EXPECT_EQ(net.relay.paced(id).waiting, 2U);
   net.passTime(30);
-  EXPECT_EQ(itemsAndSources(net.listeners[id].fold.state), itemsAndSources(net.relay.state()));
+  EXPECT_EQ(itemsButOrders(net.listeners[id].fold.state), itemsButOrders(net.relay.state()));
 }
 
 // Devices, drawings and orders that come and go faster than the link.
@@ -145,12 +152,12 @@ TEST(PacedLink, ChangesNeverUndoWhatIsNewer) {
     }
     net.passTime(60);
     // While it restates a device, a listener has a part of it for a moment.
-    for (int i = 0; i < 400 && itemsAndSources(net.listeners[id].fold.state) !=
-                                   itemsAndSources(net.relay.state());
+    for (int i = 0; i < 400 && itemsButOrders(net.listeners[id].fold.state) !=
+                                   itemsButOrders(net.relay.state());
          ++i) {
       net.passTime(net.now() + 0.05);
     }
-    EXPECT_EQ(itemsAndSources(net.listeners[id].fold.state), itemsAndSources(net.relay.state()))
+    EXPECT_EQ(itemsButOrders(net.listeners[id].fold.state), itemsButOrders(net.relay.state()))
         << seed;
     EXPECT_EQ(net.relay.paced(id).waiting, 0U);
   }

@@ -20,6 +20,9 @@ TEST(Account, CountsTheSameThingOnceAndKeepsItsFirstPlace) {
       "left out: 1 topic `/camera` (pictures are not read), 5 rows (no time; the first at row 3)");
   EXPECT_EQ(accountSentence(account, 1),
             "left out: 1 topic `/camera` (pictures are not read), and 5 things more");
+  EXPECT_EQ(accountBrief(account), "1 `/camera`, 5 rows are left out");
+  EXPECT_EQ(accountBrief(account, 1), "1 `/camera` and 5 things more are left out");
+  EXPECT_EQ(accountBrief({}), "");
 }
 
 TEST(Account, OfNothingSaysNothing) {

@@ -188,7 +188,10 @@ TEST(RecordWithACell, OneThatDoesNotLoadLeavesNoLog) {
   };
   const Result<RecordSummary> summary = record(slow.options, slow.events);
   ASSERT_FALSE(summary.ok());
-  EXPECT_EQ(summary.error().text(), "no cell (cell.toml)");
+  EXPECT_EQ(
+      summary.error().text(),
+      "nothing is recorded: no cell; without --cell it records, and `rocinante log attach` adds "
+      "the cell later (cell.toml)");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

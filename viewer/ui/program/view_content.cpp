@@ -198,8 +198,10 @@ std::vector<PictureNote> notesOf(const Cell& cell) {
   if (errors > 3) {
     notes.push_back({fmt::format("{} errors in all; rocinante check lists them", errors), true});
   }
-  std::string left_out = accountSentence(accountOf(cell.faults));
-  if (!left_out.empty()) notes.push_back({cell.shown(std::move(left_out)), false});
+  const std::string left_out = accountBrief(accountOf(cell.faults));
+  if (!left_out.empty()) {
+    notes.push_back({left_out + "; rocinante check lists what and why", false});
+  }
   return notes;
 }
 

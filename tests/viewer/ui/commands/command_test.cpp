@@ -72,7 +72,7 @@ TEST(Commands, AreInThePageOfTheProgram) {
 
 TEST(Commands, CheckTheNumberOfWords) {
   EXPECT_EQ(checkCommand("orbit", 1).error().text(), "`orbit` takes 2 words, not 1");
-  EXPECT_EQ(checkCommand("seek", 2).error().text(), "`seek` takes 1 word, not 2");
+  EXPECT_EQ(checkCommand("speed", 2).error().text(), "`speed` takes 1 word, not 2");
   EXPECT_EQ(checkCommand("panels", 2).error().text(), "`panels` takes 0 to 1 word, not 2");
   EXPECT_EQ(checkCommand("dance", 0).error().text(), "unknown command `dance`");
   EXPECT_TRUE(checkCommand("panels", 0).ok());

@@ -76,6 +76,11 @@ TEST(PaletteEntries, EachRunsOrWantsWords) {
     if (entry.incomplete) continue;
     ViewerRequests requests;
     const Status done = runCommand(name, words, {model, SteadyTime{}, 480, requests});
+    // Without words it enters the mode again, of an endpoint that this window has not had yet.
+    if (entry.line == "drive") {
+      EXPECT_FALSE(done);
+      continue;
+    }
     EXPECT_TRUE(done) << done.error().text();
   }
 }
