@@ -42,8 +42,8 @@ void addUtf8(std::uint32_t code, std::string& text) {
 
 std::string fromUtf16(std::string_view bytes, bool big_endian) {
   const auto unit = [&](std::size_t i) -> std::uint32_t {
-    const auto first = static_cast<unsigned char>(bytes[i]);
-    const auto second = static_cast<unsigned char>(bytes[i + 1]);
+    const std::uint32_t first = static_cast<unsigned char>(bytes[i]);
+    const std::uint32_t second = static_cast<unsigned char>(bytes[i + 1]);
     return big_endian ? first << 8U | second : second << 8U | first;
   };
   std::string text;
