@@ -2,13 +2,11 @@
 # python3 receiver.py 127.0.0.1 19960 [CHANGES]
 import socket, sys, zlib
 from urllib.parse import unquote
-
 received = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
 received.bind((sys.argv[1], int(sys.argv[2])))
 print("listening on", received.getsockname()[1], flush=True)
 most = int(sys.argv[3]) if len(sys.argv) > 3 else None
-highest = {}  # SOURCE: its RUN and the highest SEQUENCE
-orders, joints = {}, {}
+highest, orders, joints = {}, {}, {}  # highest: of a SOURCE its RUN and SEQUENCE
 
 def is_newer(source, sequence):
     name, _, run = source.partition("@")
@@ -34,8 +32,8 @@ while most is None or most > 0:
         device, values = unquote(fields[0]), fields[1:]
         names = orders.get((source, fields[0])) or [str(i) for i in range(len(values))]
         if values[0].startswith("@"):  # only for the order of this tag
-            tag = f"@{zlib.crc32(chr(10).join(names).encode()):08x}"
-            values = values[1:] if values[0].lower() == tag else []
+            tag = zlib.crc32("\n".join(names).encode())
+            values = values[1:] if values[0].lower() == f"@{tag:08x}" else []
         if joints.get(device) != values and len(names) == len(values):
             joints[device] = values
             print(device, *(f"{name}={value}" for name, value in zip(names, values)), flush=True)

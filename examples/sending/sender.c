@@ -1,6 +1,5 @@
-/* Moves an arm of two joints and restates everything every 2 s. In a clone of this repository:
- *   cc -std=c99 -I../../core/source sender.c -o sender && ./sender 127.0.0.1 19960 [CYCLES]
- * Where Rocinante is installed, -I is not needed. */
+/* Moves an arm of two joints and restates everything every 2 s. -I is for a clone without an installation:
+ * cc -std=c99 -I../../core/source sender.c -o sender && ./sender 127.0.0.1 19960 [CYCLES] */
 #define _POSIX_C_SOURCE 200809L
 #include <arpa/inet.h>
 #include <stdio.h>
@@ -23,7 +22,6 @@ int main(int count, char **arguments) {
   if (count < 3 || inet_pton(AF_INET, arguments[1], &to.sin_addr) != 1) return 2;
   to.sin_port = htons((unsigned short)atoi(arguments[2]));
   if (connect(out, (struct sockaddr *)&to, sizeof to) != 0) return 2;
-
   char run[24];
   snprintf(run, sizeof run, "%ld", (long)time(NULL));
   const rk_source_config config = {"sim", run, 2000000000, 0, 0, to_socket, &out};
