@@ -23,7 +23,7 @@ struct Finding {
   std::string text{};  ///< one sentence
   std::string hint{};  ///< what to do about it; may be empty
   /// What was given and not used, "element `pbr`", when the finding states that: then it is part of
-  /// the file's account (core/report/account.h). Else empty.
+  /// the file's account. Else empty.
   std::string left_out{};
 
   std::string file{};                   ///< empty: of a session, or of the one file examined
