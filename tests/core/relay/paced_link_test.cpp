@@ -60,10 +60,11 @@ TEST(PacedLink, EventsWaitForTheLinkAndAllArriveInOrder) {
   EXPECT_LE(bytesOn(net.listeners[id]), atMost(28'800, 60));
   EXPECT_GT(net.listeners[id].heard.size(), early);
   EXPECT_EQ(net.relay.paced(id).waiting, 0U);
-  EXPECT_EQ(net.relay.paced(id).most, net.relay.paced(id).most);
+  EXPECT_GT(net.relay.paced(id).most, 1U);
   const std::vector<Event> events = net.listeners[id].fold.state.takeEvents();
   ASSERT_EQ(events.size(), std::size_t{kEvents});
-  for (int i = 0; i < kEvents; ++i) EXPECT_EQ(events[i].text, "number " + std::to_string(i));
+  for (std::size_t i = 0; i < events.size(); ++i)
+    EXPECT_EQ(events[i].text, "number " + std::to_string(i));
   EXPECT_EQ(itemsAndSources(net.listeners[id].fold.state), itemsAndSources(net.relay.state()));
 }
 
