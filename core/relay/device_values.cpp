@@ -77,7 +77,7 @@ std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& told) c
   return texts;
 }
 
-/// All named joints of the owner under an order, which is told first unless it is known; empty when
+/// All named joints of the owner under an order, which is sent first unless it is known; empty when
 /// those in `keys_` are as short by name.
 std::string DeviceValues::byOrder(const ItemKey& first, bool restating, ToldOrders& told) const {
   const DeviceState& device = *state_.findDevice(first.name);

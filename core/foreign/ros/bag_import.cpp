@@ -45,7 +45,7 @@ Account topicsWithoutPackets(const ImportReport& report) {
   Account account;
   for (const ImportedTopic& topic : report.topics) {
     if (topic.packets > 0 || topic.described) continue;
-    // Datagrams are told of as those of any log.
+    // Datagrams are reported as those of any log.
     if (topic.encoding == "rk1" || topic.encoding == "octets") continue;
     account.leaveOut({.kind = "topic",
                       .name = topic.name,
