@@ -97,7 +97,7 @@ TEST_F(OpenedFiles, WhatIsLeftOutOfThemIsANote) {
   const auto notes = notesOf(cell);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_FALSE(notes[0].is_error);
-  EXPECT_NE(notes[0].text.find("element `pbr`"), std::string::npos) << notes[0].text;
+  EXPECT_NE(notes[0].text.find("`pbr`"), std::string::npos) << notes[0].text;
 }
 
 TEST_F(OpenedFiles, AreLoadedInAThread) {
