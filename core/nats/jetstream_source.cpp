@@ -34,12 +34,6 @@ constexpr int kFetchAttempts = 5;
 constexpr int kBoundAttempts = 20;
 constexpr auto kBoundWait = std::chrono::milliseconds(100);
 
-/// libnats 3.4 writes fractions of a second without their leading zeros: such times begin early.
-WallTime writable(WallTime time) {
-  const auto second = std::chrono::floor<std::chrono::seconds>(time);
-  return time - second < std::chrono::milliseconds(100) ? WallTime(second) : time;
-}
-
 class JetStreamSource final : public DatagramSource {
  public:
   JetStreamSource(std::unique_ptr<NatsClient> client, StreamReading reading)
@@ -57,6 +51,7 @@ class JetStreamSource final : public DatagramSource {
   }
 
   Status open() {
+    if (!client_->hasConnected()) return {};  // receive() tries again
     jsOptions options;
     (void)jsOptions_Init(&options);
     options.Wait = kRequestMs;
@@ -73,6 +68,11 @@ class JetStreamSource final : public DatagramSource {
   Result<std::span<const ReceivedDatagram>> receive() override {
     datagrams_.clear();
     fetched_.clear();
+    if (!subscription_) {
+      if (client_->isClosed()) return client_->turnedAway();
+      if (Status opened = open(); !opened) return opened.error();
+      if (!subscription_) return std::span<const ReceivedDatagram>(datagrams_);
+    }
     if (next_ == messages_.size()) {
       queue_.swap(messages_);
       next_ = 0;
@@ -112,7 +112,7 @@ class JetStreamSource final : public DatagramSource {
   }
   int fileDescriptor() const override {
     // Messages behind a batch, or behind a gap that is being fetched, are not in the queue.
-    return next_ < messages_.size() ? -1 : queue_.fileDescriptor();
+    return !subscription_ || next_ < messages_.size() ? -1 : queue_.fileDescriptor();
   }
   const Endpoint& endpoint() const override { return client_->endpoint(); }
   const SocketAddress& boundAddress() const override { return client_->endpoint().address; }
@@ -153,7 +153,7 @@ class JetStreamSource final : public DatagramSource {
       config.OptStartSeq = *nats().from_sequence;
     } else if (nats().from_time) {
       config.DeliverPolicy = js_DeliverByStartTime;
-      config.OptStartTime = writable(*nats().from_time).time_since_epoch().count();
+      config.OptStartTime = writableTime(*nats().from_time).time_since_epoch().count();
     }
   }
 

@@ -10,7 +10,6 @@ namespace {
 
 // The library's own share of a message.
 constexpr std::size_t kMessageCost = 512;
-constexpr std::size_t kMaxDatagram = 65'507;
 
 std::size_t costOf(const natsMsg* message) {
   return static_cast<std::size_t>(natsMsg_GetDataLength(message)) + kMessageCost;
@@ -29,7 +28,8 @@ void MessageQueue::take(natsConnection*, natsSubscription*, natsMsg* message, vo
   auto& queue = *static_cast<MessageQueue*>(self);
   NatsMessage owned(message);
   const std::lock_guard lock(queue.mutex_);
-  if (queue.bytes_ + costOf(message) > queue.max_bytes_) {
+  // One alone may be larger than all that may wait.
+  if (!queue.waiting_.empty() && queue.bytes_ + costOf(message) > queue.max_bytes_) {
     ++queue.dropped_;
     return;
   }
@@ -57,10 +57,8 @@ std::uint64_t MessageQueue::dropped() const {
 
 ReceivedDatagram datagramOf(const natsMsg* message, WallTime time) {
   ReceivedDatagram datagram;
-  const auto length = static_cast<std::size_t>(natsMsg_GetDataLength(message));
-  datagram.truncated = length > kMaxDatagram;
   datagram.payload = ByteView(reinterpret_cast<const std::byte*>(natsMsg_GetData(message)),
-                              datagram.truncated ? kMaxDatagram : length);
+                              static_cast<std::size_t>(natsMsg_GetDataLength(message)));
   datagram.kernel_time = time;
   datagram.subject = natsMsg_GetSubject(message);
   return datagram;

@@ -48,7 +48,7 @@ class MessageQueue {
   std::uint64_t dropped_ = 0;
 };
 
-/// The message as a datagram, borrowed from it: cut to what UDP can carry.
+/// The message as a datagram, borrowed from it; it may be longer than UDP can carry.
 ReceivedDatagram datagramOf(const natsMsg* message, WallTime time);
 
 }  // namespace rocinante

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <vector>
 
@@ -104,6 +105,14 @@ Error connectError(natsStatus status, const Endpoint& endpoint) {
   return natsError("connect to the NATS server " + server, status, endpoint);
 }
 
+/// Whether a later attempt may succeed by itself: nobody has answered.
+bool isAbsent(natsStatus status, const Endpoint& endpoint) {
+  // With TLS an answer may look like none.
+  if (endpoint.nats.tls) return status == NATS_NO_SERVER;
+  return status == NATS_NO_SERVER || status == NATS_TIMEOUT || status == NATS_IO_ERROR ||
+         status == NATS_CONNECTION_CLOSED;
+}
+
 }  // namespace
 
 Error natsError(std::string_view what, natsStatus status, const Endpoint& endpoint) {
@@ -167,9 +176,43 @@ Result<std::unique_ptr<NatsClient>> NatsClient::connect(const Endpoint& endpoint
   }
   const std::unique_ptr<natsOptions, NatsDestroy<natsOptions_Destroy>> options(made);
   if (Status configured = client->configure(made); !configured) return configured.error();
-  const natsStatus status = natsConnection_Connect(&client->connection_, made);
-  if (status != NATS_OK) return connectError(status, endpoint);
+  natsStatus status = natsConnection_Connect(&client->connection_, made);
+  if (status == NATS_OK) {
+    client->has_connected_ = true;
+    return client;
+  }
+  const Error absent = connectError(status, endpoint);
+  if (!endpoint.nats.waits || !isAbsent(status, endpoint)) return absent;
+  {
+    const std::lock_guard lock(client->mutex_);
+    client->closed_ = false;
+  }
+  status = natsOptions_SetRetryOnFailedConnect(made, true, onFirst, client.get());
+  if (status == NATS_OK) status = natsConnection_Connect(&client->connection_, made);
+  if (status != NATS_OK && status != NATS_NOT_YET_CONNECTED) return connectError(status, endpoint);
+  const std::lock_guard lock(client->mutex_);
+  client->has_connected_ = client->has_connected_ || status == NATS_OK;
+  if (!client->has_connected_) client->news_ = absent.what + " yet; waiting for it";
   return client;
+}
+
+std::string NatsClient::serverId() const {
+  std::array<char, 256> id{};
+  const natsStatus status =
+      natsConnection_GetConnectedServerId(connection_, id.data(), id.size() - 1);
+  return status == NATS_OK ? std::string(id.data()) : std::string();
+}
+
+bool NatsClient::hasConnected() const {
+  const std::lock_guard lock(mutex_);
+  return has_connected_;
+}
+
+void NatsClient::onFirst(natsConnection*, void* self) {
+  auto& client = *static_cast<NatsClient*>(self);
+  const std::lock_guard lock(client.mutex_);
+  client.has_connected_ = true;
+  client.news_ = "connected to " + client.endpoint_.text();
 }
 
 NatsClient::~NatsClient() {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/result.h"
+#include "core/base/time.h"
 #include "core/net/endpoint.h"
 
 namespace rocinante {
@@ -30,10 +31,17 @@ using NatsSubscription = std::unique_ptr<natsSubscription, NatsDestroy<natsSubsc
 /// "cannot DO: Timeout", from a status of the library and its own last words.
 Error natsError(std::string_view what, natsStatus status, const Endpoint& endpoint);
 
+/// libnats 3.4 writes fractions of a second without their leading zeros: such times begin early.
+inline WallTime writableTime(WallTime time) {
+  const auto second = std::chrono::floor<std::chrono::seconds>(time);
+  return time - second < std::chrono::milliseconds(100) ? WallTime(second) : time;
+}
+
 /// A connection to a server. The library's threads keep it, and connect again when it breaks.
 class NatsClient {
  public:
-  /// Options, credentials and the first connection; within 5 s.
+  /// Options, credentials and the first connection; within 5 s. Where no server answers and the
+  /// endpoint waits, the client is made all the same: isConnected() later, and news() tells so.
   static Result<std::unique_ptr<NatsClient>> connect(const Endpoint& endpoint);
   /// Sends what is left for at most 2 s, closes, and waits until no callback runs any more.
   ~NatsClient();
@@ -53,6 +61,10 @@ class NatsClient {
   /// The server turned this client away for good.
   bool isClosed() const { return natsConnection_IsClosed(connection_); }
   Error turnedAway() const;
+  /// Of the server that it is connected to; empty while it is not.
+  std::string serverId() const;
+  /// True from the first connection on.
+  bool hasConnected() const;
   bool isConnected() const {
     return natsConnection_Status(connection_) == NATS_CONN_STATUS_CONNECTED;
   }
@@ -60,6 +72,7 @@ class NatsClient {
  private:
   explicit NatsClient(Endpoint endpoint) : endpoint_(std::move(endpoint)) {}
   Status configure(natsOptions* options);
+  static void onFirst(natsConnection*, void* self);
 
   static void onLost(natsConnection*, void* self);
   static void onReturned(natsConnection*, void* self);
@@ -68,9 +81,10 @@ class NatsClient {
 
   Endpoint endpoint_;
   natsConnection* connection_ = nullptr;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable closing_;
   bool closed_ = false;
+  bool has_connected_ = false;
   std::optional<std::string> news_;
   std::optional<Error> denied_;
 };

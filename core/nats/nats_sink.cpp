@@ -41,12 +41,19 @@ class NatsSink final : public DatagramSink {
       }
       if (status != NATS_OK) return natsError("publish", status, endpoint());
       ++sent;
+      any_sent_ = true;
     }
     return sent;
   }
 
-  Status flush() override { return client_->settle(); }
+  Result<bool> isReady() const override {
+    if (client_->isClosed()) return client_->turnedAway();
+    return client_->hasConnected();
+  }
+  std::optional<std::string> news() override { return client_->news(); }
+  Status flush() override { return any_sent_ ? client_->settle() : Status(); }
   int fileDescriptor() const override { return -1; }
+  std::string serverId() const override { return client_->serverId(); }
   const Endpoint& endpoint() const override { return client_->endpoint(); }
 
  private:
@@ -67,6 +74,7 @@ class NatsSink final : public DatagramSink {
 
   std::unique_ptr<NatsClient> client_;
   SubjectOf subject_;
+  bool any_sent_ = false;
 };
 
 }  // namespace

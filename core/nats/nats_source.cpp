@@ -27,7 +27,7 @@ class NatsSource final : public DatagramSource {
     subscription_.reset(made);
     if (status == NATS_OK) status = end_.watch(made);
     if (status != NATS_OK) return natsError("subscribe", status, client_->endpoint());
-    return client_->settle();
+    return client_->hasConnected() ? client_->settle() : Status();
   }
 
   Result<std::span<const ReceivedDatagram>> receive() override {
@@ -55,6 +55,7 @@ class NatsSource final : public DatagramSource {
   Result<std::uint64_t> droppedByNow() override { return dropped(); }
   std::optional<std::string> maintain() override { return client_->news(); }
   int fileDescriptor() const override { return queue_.fileDescriptor(); }
+  std::string serverId() const override { return client_->serverId(); }
   const Endpoint& endpoint() const override { return client_->endpoint(); }
   const SocketAddress& boundAddress() const override { return client_->endpoint().address; }
 

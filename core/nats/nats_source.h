@@ -14,8 +14,8 @@ struct NatsSourceOptions {
 };
 
 /// Subscribes to a subject of a NATS server (nats://, docs/endpoints.md). Each message is a
-/// datagram, stamped with the wall clock when it arrives; one longer than 65,507 bytes is cut and
-/// marked. The library's threads receive, and connect again for as long as it takes: maintain()
+/// datagram, stamped with the wall clock when it arrives, and may be as long as the server allows.
+/// The library's threads receive, and connect again for as long as it takes: maintain()
 /// says when the connection is lost and when it has returned. dropped() counts messages for which
 /// the buffer had no room; what was published while there was no connection is in no count of ours,
 /// only a gap in its source's numbers. After the server has turned this client away, receive()

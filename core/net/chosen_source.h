@@ -26,6 +26,7 @@ class ChosenSource : public DatagramSource {
   bool ended() const override { return inner_->ended(); }
   int fileDescriptor() const override { return inner_->fileDescriptor(); }
   std::uint64_t receiveBufferBytes() const override { return inner_->receiveBufferBytes(); }
+  std::string serverId() const override { return inner_->serverId(); }
   const Endpoint& endpoint() const override { return inner_->endpoint(); }
   const SocketAddress& boundAddress() const override { return inner_->boundAddress(); }
 

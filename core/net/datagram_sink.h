@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
@@ -20,8 +22,16 @@ class DatagramSink {
   /// the first.
   virtual Result<std::size_t> sendWithoutWaiting(std::span<const ByteView> payloads) = 0;
 
+  /// False while a server is waited for that has not answered yet; a failure when it never will.
+  virtual Result<bool> isReady() const { return true; }
+  /// What changed since the last call, as a sentence for the user. Any thread.
+  virtual std::optional<std::string> news() { return std::nullopt; }
+
   /// To be called at the end: waits until what was sent has left, as far as that can be known.
   virtual Status flush() { return {}; }
+
+  /// As DatagramSource::serverId().
+  virtual std::string serverId() const { return {}; }
 
   /// For poll(): writable when there is room again; -1: there is none to wait for.
   virtual int fileDescriptor() const = 0;

@@ -106,6 +106,8 @@ class DatagramSource {
   /// The buffer for waiting datagrams that the kernel granted, as it counts it; 0: not a socket.
   virtual std::uint64_t receiveBufferBytes() const { return 0; }
 
+  /// What its NATS server calls itself, whatever name it was reached by; empty: not known (yet).
+  virtual std::string serverId() const { return {}; }
   virtual const Endpoint& endpoint() const = 0;
   /// The endpoint's address with the port that was bound (":0" takes a free one). Of a
   /// subscription: the own address that the relay sends to.

@@ -4,7 +4,7 @@
 
 namespace rocinante {
 
-/// True when the address is one of this machine's own.
-bool isLocalAddress(const SocketAddress& address);
+/// True for this machine's own addresses: loopback, and those of its interfaces.
+bool isOwnAddress(const SocketAddress& address);
 
 }  // namespace rocinante

@@ -22,6 +22,9 @@ struct NatsEndpoint {
   std::string credentials;       ///< creds=: a file with a JWT and its seed
   std::string seed;              ///< nkey=: a file with the seed of `user`
 
+  /// Not part of the text: whether a server that is not there yet is waited for (`--no-wait`).
+  bool waits = false;
+
   std::string subject;  ///< nats only, at most kMaxSubjectBytes
   std::string stream;   ///< jetstream only
 

@@ -28,7 +28,8 @@ struct Arrival {
 };
 
 /// Many datagrams in one block of memory, handed from the receiving thread to the writing one.
-/// Fixed size, reused: receiving allocates nothing per datagram.
+/// Of one size and reused: receiving allocates nothing per datagram. Only a message of a server may
+/// be larger; such a block has that one alone.
 class DatagramBlock {
  public:
   static constexpr std::size_t kBytes = std::size_t{512} << 10U;
@@ -40,7 +41,7 @@ class DatagramBlock {
 
   /// Whether one more datagram of this size fits, including its destination.
   bool hasRoom(std::size_t bytes) const {
-    return arrivals_.size() < kArrivals && bytes <= kBytes - used_;
+    return arrivals_.size() < kArrivals && bytes <= capacity_ - used_;
   }
   /// Copies the datagram in. False when it does not fit; an empty block takes any datagram.
   /// `destination` is null when it is the endpoint's own address, as usual. A subject is cut to
@@ -49,7 +50,9 @@ class DatagramBlock {
            const SocketAddress* destination = nullptr, std::string_view subject = {}) {
     const std::size_t before = destination != nullptr ? sizeof *destination : 0;
     subject = subject.substr(0, std::numeric_limits<std::uint16_t>::max());
-    if (!hasRoom(payload.size() + before + subject.size())) return false;
+    const std::size_t needed = payload.size() + before + subject.size();
+    if (arrivals_.empty() && needed > capacity_) allocate(needed);
+    if (!hasRoom(needed)) return false;
     if (!subject.empty()) {
       std::memcpy(bytes_.get() + used_, subject.data(), subject.size());
       used_ += subject.size();
@@ -91,9 +94,16 @@ class DatagramBlock {
   void clear() {
     arrivals_.clear();
     used_ = 0;
+    if (capacity_ > kBytes) allocate(kBytes);
   }
 
  private:
+  void allocate(std::size_t bytes) {
+    bytes_ = std::make_unique_for_overwrite<std::byte[]>(bytes);
+    capacity_ = bytes;
+  }
+
+  std::size_t capacity_ = kBytes;
   std::unique_ptr<std::byte[]> bytes_;
   std::size_t used_ = 0;
   std::vector<Arrival> arrivals_;

@@ -16,7 +16,4 @@ struct ControlAddress {
   static Result<ControlAddress> parse(std::string_view text);
 };
 
-/// True for this machine's own addresses: loopback, and those of its interfaces.
-bool isOwnAddress(const SocketAddress& address);
-
 }  // namespace rocinante

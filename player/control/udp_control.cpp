@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/net/local_address.h"
 #include "core/net/port_holder.h"
 #include "core/net/system_socket.h"
 

@@ -133,8 +133,9 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
     how.restated_bytes -= kSignatureBytes;
   }
 
-  Result<UdpSendPort> edge = UdpSendPort::open(
-      routes->all, how.speed ? options.realtime : Realtime::off, surroundings.stop, control.wake);
+  Result<UdpSendPort> edge =
+      UdpSendPort::open(routes->all, how.speed ? options.realtime : Realtime::off,
+                        surroundings.stop, control.wake, surroundings.told);
   if (!edge) return edge.error();
   surroundings.told("playing " + namesOf(options.logs) + " to " + options.to.text() +
                     mannerOf(options));

@@ -8,6 +8,7 @@
 #include "core/base/plain_text.h"
 #include "core/check/log_account.h"
 #include "core/cli/import_progress.h"
+#include "core/cli/no_wait.h"
 #include "core/cli/program.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "player/control/command_slot.h"
@@ -45,6 +46,7 @@ struct Arguments {
   std::string realtime = "auto";
   std::string report;
   bool force = false;
+  bool no_wait = false;
   bool json = false;
   bool quiet = false;
 };
@@ -69,6 +71,7 @@ void declareWhat(CLI::App& app, Arguments& my) {
 void declareWhere(CLI::App& app, Arguments& my) {
   app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
       ->option_text("EP");
+  cli::addNoWait(app, my.no_wait);
   app.add_option("--map", my.maps, "send topics that match elsewhere; repeatable")
       ->allow_extra_args(false)
       ->option_text("PATTERN=EP");
@@ -167,11 +170,13 @@ Status read(Arguments& my) {
     const auto to = Endpoint::parse(my.to);
     if (!to) return to.error();
     my.options.to = *to;
+    my.options.to.nats.waits = !my.no_wait;
   }
   for (const std::string& text : my.maps) {
     const auto map = RouteMap::parse(text);
     if (!map) return map.error();
     my.options.maps.push_back(*map);
+    my.options.maps.back().to.nats.waits = !my.no_wait;
   }
   const auto speed = PlaybackSpeed::parse(my.speed);
   if (!speed) return speed.error();

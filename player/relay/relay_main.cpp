@@ -12,6 +12,7 @@
 #include "core/base/duration_text.h"
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/cli/no_wait.h"
 #include "core/cli/program.h"
 #include "player/relay/relay_program.h"
 
@@ -33,6 +34,7 @@ struct Arguments {
   std::string name, max_rate, bandwidth, trust, key, decoders;
   std::string restate = "2s";
   std::string realtime = "auto";
+  bool no_wait = false;
   bool json = false;
   bool quiet = false;
 };
@@ -48,6 +50,7 @@ void declare(CLI::App& app, Arguments& my) {
   app.add_option("--serve", my.serve, "answer subscriptions here; may be repeated")
       ->option_text("EP")
       ->allow_extra_args(false);
+  cli::addNoWait(app, my.no_wait);
   app.add_option("--name", my.name,
                  "NAME of this relay, unique at a site; default the host's and four digits")
       ->option_text("NAME");
@@ -224,6 +227,8 @@ Result<RelayProgramOptions> readOptions(const Arguments& my) {
   if (Status read = readEndpoints(my.to, options.to); !read) return read.error();
   if (Status read = readEndpoints(my.serve, options.serve); !read) return read.error();
   if (options.from.empty()) options.from.push_back(Endpoint::standard());
+  cli::applyNoWait(my.no_wait, options.from);
+  cli::applyNoWait(my.no_wait, options.to);
   if (Status read = readOutputs(my, options.outputs); !read) return read.error();
   const Result<AddressFilter> allow = AddressFilter::of(my.allow);
   if (!allow) return allow.error();

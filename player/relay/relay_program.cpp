@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "core/foreign/live/received_decoder.h"
-#include "core/net/local_address.h"
+#include "core/net/hears.h"
 #include "core/signing/signed_datagram.h"
 #include "core/transport/open_sink.h"
 #include "core/transport/open_source.h"
@@ -104,28 +104,11 @@ class RunningRelay {
   std::uint64_t most_subscribers_ = 0;
 };
 
-/// A socket that listens at `from`, bound to `bound`, receives what is sent to `to`. Of NATS, the
-/// same server by the same name.
-bool hears(const Endpoint& from, const SocketAddress& bound, const Endpoint& to) {
-  if (from.isNats() || to.isNats()) {
-    return from.scheme == Endpoint::Scheme::nats && to.scheme == from.scheme &&
-           from.nats.server() == to.nats.server() &&
-           subjectMatches(from.nats.listenedSubject(), to.nats.subject + ".x");
-  }
-  if (from.isPcap() || to.isPcap()) return false;
-  if (bound.port != to.address.port || bound.is_ipv6 != to.address.is_ipv6) return false;
-  if (bound.isAny()) return !to.isMulticast() && isLocalAddress(to.address);
-  const bool other_interface =
-      !to.interface.empty() && !from.interface.empty() && to.interface != from.interface;
-  return !other_interface && bound.address == to.address.address;
-}
-
 /// A relay that sends to an address where it listens itself would hear every datagram again.
 Status RunningRelay::checkLoop(const DatagramSink& sink) const {
   const Endpoint& to = sink.endpoint();
-  bool loops = std::any_of(sources_.begin(), sources_.end(), [&](const auto& each) {
-    return hears(each->endpoint(), each->boundAddress(), to);
-  });
+  bool loops = std::any_of(sources_.begin(), sources_.end(),
+                           [&](const auto& each) { return hears(*each, to, sink.serverId()); });
   for (const auto& each : serve_) {
     const UdpReceiver& served = each->socket();
     loops = loops || hears(served.endpoint(), served.boundAddress(), to);
@@ -279,6 +262,13 @@ Status RunningRelay::run() {
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       if (Status received = receive(i); !received) return received;
       if (const auto said = sources_[i]->maintain()) surroundings_.told(*said);
+    }
+    for (const ToPort& each : to_) {
+      const auto news = each.sink->news();
+      if (!news) continue;
+      surroundings_.told(*news);
+      // Only a server that answers has an identity.
+      if (Status checked = checkLoop(*each.sink); !checked) return checked;
     }
     if (relay_.loop() && !std::exchange(loop_told_, true)) {
       surroundings_.told(relay_.loop()->text());

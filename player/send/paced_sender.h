@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "core/base/bytes.h"
@@ -22,6 +23,11 @@ class SendPort {
   virtual bool stopRequested() = 0;
   /// True once after this process was stopped by a signal and continued.
   virtual bool hasResumed() { return false; }
+  /// The longest payload that this route carries.
+  virtual std::size_t longest(std::uint16_t route) const {
+    (void)route;
+    return std::numeric_limits<std::size_t>::max();
+  }
   /// Sends all payloads by one route, in order; writes their send times into `sent_at`, which has
   /// the same length.
   virtual Status send(std::uint16_t route, std::span<const ByteView> payloads,
@@ -33,6 +39,8 @@ class SendJournal {
  public:
   virtual ~SendJournal() = default;
   virtual void sent(const Due& due, ByteView payload, SteadyTime deadline, SteadyTime sent_at) = 0;
+  /// Longer than its route carries, and not sent.
+  virtual void tooLong(const Due& due) { (void)due; }
 };
 
 enum class SendEnd : std::uint8_t { finished, stopped };

@@ -46,6 +46,15 @@ void PlayJournal::sent(const Due& due, ByteView payload, SteadyTime deadline, St
   drift_.add(sent_at - deadline);
 }
 
+void PlayJournal::tooLong(const Due& due) {
+  LeftOut left_out;
+  left_out.kind = "datagram";
+  left_out.reason = "longer than UDP carries, 65,507 bytes";
+  left_out.first = rfc3339Text(WallTime(due.place.time.time_since_epoch()));
+  left_out.severity = Severity::warning;
+  left_out_.leaveOut(std::move(left_out));
+}
+
 void PlayJournal::closeSpan(bool whole) {
   const std::string sha256 = hexOf(span_hash_.finish());
   PlayedSpan span = bounds_;
@@ -70,10 +79,10 @@ void PlayJournal::writeTo(PlayReport& report, bool whole) {
   report.duration = last_ - first_;
   report.stream_sha256 = hexOf(stream_hash_.finish());
   report.spans = std::move(spans_);
+  report.left_out = std::move(left_out_);
 }
 
 std::string jsonText(const PlayReport& report) {
-  using Json = nlohmann::ordered_json;
   Json json;
   json["format"] = 1;
   json["inputs"] = report.inputs;
@@ -121,6 +130,7 @@ std::string jsonText(const PlayReport& report) {
   json["spans"] = spans;
   json["interrupted"] = report.interrupted;
   json["damage"] = report.damage;
+  if (!report.left_out.empty()) json["left_out"] = leftOutJson(report.left_out);
   json["failure"] = report.failure ? Json(report.failure->text()) : Json(nullptr);
   // A file name need not be UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -139,6 +149,7 @@ std::string summaryText(const PlayReport& report) {
                         report.late_p50_us, report.late_p99_us, report.late_max_us,
                         microseconds(report.drift), report.timing_source, report.scheduling);
   }
+  if (!report.left_out.empty()) text += accountSentence(report.left_out) + "\n";
   text += "stream sha256 " + report.stream_sha256 + "\n";
   return text;
 }

@@ -10,6 +10,7 @@
 #include "core/base/playback_speed.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
+#include "core/report/account.h"
 #include "player/send/paced_sender.h"
 
 namespace rocinante {
@@ -44,6 +45,7 @@ struct PlayReport {
   std::string scheduling;           ///< "fifo" or "other"
   bool interrupted = false;         ///< ended by a signal or a quit command
   std::vector<std::string> damage;  ///< unreadable parts of the logs
+  Account left_out;                 ///< datagrams that the network cannot carry
   /// The failure that ended it early: the network, the logs, or a missing acknowledgement.
   std::optional<Error> failure;
 
@@ -66,6 +68,7 @@ class PlayJournal final : public SendJournal {
   PlayJournal(LogTime from, LogTime until) : bounds_{from, until} {}
 
   void sent(const Due& due, ByteView payload, SteadyTime deadline, SteadyTime sent_at) override;
+  void tooLong(const Due& due) override;
 
   /// Fills in what the journal knows. Call once, at the end; `whole` if the last span was played to
   /// its end.
@@ -77,6 +80,7 @@ class PlayJournal final : public SendJournal {
   PlayedSpan bounds_;         ///< of the span being played
   LogTime last_told_{};       ///< log time of its last message
   bool says_bounds_ = false;  ///< the stream gives bounds
+  Account left_out_;
   Sha256 stream_hash_;
   Sha256 span_hash_;
   std::uint32_t span_ = 0;

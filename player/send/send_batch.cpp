@@ -15,8 +15,16 @@ Status SendBatch::send(SendPort& edge, SendJournal& journal) {
   }
   Status sent;
   for (std::size_t begin = 0; begin < count_ && sent;) {
+    const std::size_t longest = edge.longest(items_[begin].due.route);
+    if (payloads[begin].size() > longest) {
+      journal.tooLong(items_[begin++].due);
+      continue;
+    }
     std::size_t end = begin + 1;
-    while (end < count_ && items_[end].due.route == items_[begin].due.route) ++end;
+    while (end < count_ && items_[end].due.route == items_[begin].due.route &&
+           payloads[end].size() <= longest) {
+      ++end;
+    }
     sent = edge.send(items_[begin].due.route, {payloads.data() + begin, end - begin},
                      {sent_at.data() + begin, end - begin});
     for (std::size_t i = begin; i < end && sent; ++i) {

@@ -9,7 +9,8 @@ namespace rocinante {
 
 Result<PlayReport> sendPlan(DatagramStream& stream, const SendPlan& plan,
                             const std::function<bool()>& stop) {
-  Result<UdpSendPort> edge = UdpSendPort::open({{plan.to, 0, false}}, plan.realtime, stop);
+  Result<UdpSendPort> edge =
+      UdpSendPort::open({{plan.to, 0, false}}, plan.realtime, stop, -1, plan.told);
   if (!edge) return edge.error();
   if (plan.began) plan.began();
   PlayJournal journal(plan.from, plan.until);

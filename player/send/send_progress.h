@@ -17,6 +17,7 @@ class SendProgress final : public SendJournal {
   SendProgress(SendJournal& behind, LogTime origin, LogTime end, bool visible);
 
   void sent(const Due& due, ByteView payload, SteadyTime deadline, SteadyTime sent_at) override;
+  void tooLong(const Due& due) override { behind_.tooLong(due); }
 
  private:
   SendJournal& behind_;

@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "core/net/udp_socket.h"
@@ -24,10 +25,24 @@ Nanoseconds runningTime() {
   return std::chrono::seconds(time.tv_sec) + Nanoseconds(time.tv_nsec);
 }
 
+/// What is sent to a server that is not there would only wait.
+Status waitUntilReady(DatagramSink& sink, const std::function<bool()>& stop,
+                      const std::function<void(std::string_view)>& told) {
+  while (!stop()) {
+    const Result<bool> ready = sink.isReady();
+    if (!ready) return ready.error();
+    if (const auto news = sink.news(); news && told) told(*news);
+    if (*ready) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<UdpSendPort> UdpSendPort::open(const std::vector<Route>& routes, Realtime realtime,
-                                      std::function<bool()> stop, int wake) {
+                                      std::function<bool()> stop, int wake,
+                                      const std::function<void(std::string_view)>& told) {
   std::vector<Way> ways;
   ways.reserve(routes.size());
   for (const Route& route : routes) {
@@ -37,6 +52,7 @@ Result<UdpSendPort> UdpSendPort::open(const std::vector<Route>& routes, Realtime
       auto sink = openSink(route.to);
       if (!sink) return sink.error();
       way.sink = std::move(*sink);
+      if (Status ready = waitUntilReady(*way.sink, stop, told); !ready) return ready.error();
     } else {
       Result<UdpSender> sender = UdpSender::open(route.to, route.local_port);
       if (!sender) return sender.error();
@@ -62,6 +78,11 @@ UdpSendPort::UdpSendPort(std::vector<Way> ways, PacingThread thread, std::functi
 bool UdpSendPort::hasResumed() {
   const std::uint32_t count = resumeCount();
   return std::exchange(resumes_, count) != count;
+}
+
+std::size_t UdpSendPort::longest(std::uint16_t route) const {
+  constexpr std::size_t kMaxUdpBytes = 65'507;
+  return ways_[route].stamps ? kMaxUdpBytes : SendPort::longest(route);
 }
 
 SteadyTime UdpSendPort::now() { return std::chrono::steady_clock::now(); }

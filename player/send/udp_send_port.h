@@ -19,14 +19,17 @@ namespace rocinante {
 class UdpSendPort final : public SendPort {
  public:
   /// Makes the calling thread the pacing one. `wake`, if not negative, is a descriptor that ends a
-  /// sleep by becoming readable; it is not read. It must outlive the port.
+  /// sleep by becoming readable; it is not read. It must outlive the port. Waits for a server that
+  /// is not there yet, as long as the route's endpoint does, and tells so.
   static Result<UdpSendPort> open(const std::vector<Route>& routes, Realtime realtime,
-                                  std::function<bool()> stop, int wake = -1);
+                                  std::function<bool()> stop, int wake = -1,
+                                  const std::function<void(std::string_view)>& told = {});
 
   SteadyTime now() override;
   void sleepUntil(SteadyTime moment) override;
   bool stopRequested() override { return stop_(); }
   bool hasResumed() override;
+  std::size_t longest(std::uint16_t route) const override;
   Status send(std::uint16_t route, std::span<const ByteView> payloads,
               std::span<SteadyTime> sent_at) override;
 

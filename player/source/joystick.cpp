@@ -78,14 +78,15 @@ void waitFor(int descriptor, Nanoseconds left) {
 /// Sends each datagram of a source at once, signed if there is a key.
 class SendNow {
  public:
-  static Result<SendNow> open(const SourceOptions& options, const std::function<bool()>& stop) {
+  static Result<SendNow> open(const SourceOptions& options, const SendSurroundings& surroundings) {
     std::optional<DatagramSigner> signer;
     if (!options.key.empty()) {
       Result<SigningKey> key = SigningKey::read(options.key);
       if (!key) return key.error();
       signer.emplace(std::move(*key), wallNow);
     }
-    Result<UdpSendPort> port = UdpSendPort::open({{options.to, 0, false}}, options.realtime, stop);
+    Result<UdpSendPort> port = UdpSendPort::open({{options.to, 0, false}}, options.realtime,
+                                                 surroundings.stop, -1, surroundings.told);
     if (!port) return port.error();
     return SendNow(std::move(*port), std::move(signer));
   }
@@ -146,7 +147,7 @@ Result<PlayReport> sendJoystick(const JoystickSourceOptions& joystick, const Sou
   if (!map) return map.error();
   Result<JoystickInput> input = JoystickInput::open(joystick.device);
   if (!input) return input.error();
-  Result<SendNow> out = SendNow::open(options, surroundings.stop);
+  Result<SendNow> out = SendNow::open(options, surroundings);
   if (!out) return out.error();
 
   PlayReport report;

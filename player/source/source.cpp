@@ -39,6 +39,7 @@ Result<PlayReport> send(DatagramStream& stream, const std::string& names, SendPl
   const LogTime end = endOf(plan.first, options.duration);
   plan.last = std::min(plan.last, end);
   CutStream cut(stream, end);
+  plan.told = surroundings.told;
   plan.began = [&] { surroundings.told("sending " + names + " to " + options.to.text()); };
   if (options.key.empty()) return sendPlan(cut, plan, surroundings.stop);
   Result<SigningKey> key = SigningKey::read(options.key);

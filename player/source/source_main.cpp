@@ -9,6 +9,7 @@
 #include "core/base/plain_text.h"
 #include "core/check/log_account.h"
 #include "core/cli/import_progress.h"
+#include "core/cli/no_wait.h"
 #include "core/cli/program.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "player/source/joystick.h"
@@ -43,6 +44,7 @@ struct Arguments {
   std::string restate = "2s";
   std::string duration;
   std::string realtime = "auto";
+  bool no_wait = false;
   bool json = false;
   bool quiet = false;
 };
@@ -109,6 +111,7 @@ void declare(CLI::App& app, Arguments& my) {
   declareTable(app, my);
   app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
       ->option_text("EP");
+  cli::addNoWait(app, my.no_wait);
   app.add_option("--speed", my.speed, "seconds of the motion per second, 0.01 to 1000")
       ->option_text("X=1");
   app.add_option("--loop", my.options.turns,
@@ -176,6 +179,7 @@ Status readOptions(Arguments& my, bool loop_given) {
     const auto to = Endpoint::parse(my.to);
     if (!to) return to.error();
     my.options.to = *to;
+    my.options.to.nats.waits = !my.no_wait;
   }
   const auto speed = PlaybackSpeed::parse(my.speed);
   if (!speed) return speed.error();

@@ -68,7 +68,12 @@ std::unique_ptr<InputLoop> socketLoop(const std::vector<DatagramSource*>& source
                                       TeeSet& tees, NoteBox& notes) {
   ReceiveLoop::Callbacks callbacks;
   callbacks.note = [&notes](const std::string& note) { notes.say(note); };
-  if (!tees.empty()) callbacks.tee = [&tees](auto batch) { tees.forward(batch); };
+  if (!tees.empty()) {
+    callbacks.tee = [&tees, &notes](auto batch) {
+      tees.forward(batch);
+      if (const auto news = tees.circleNews()) notes.say(*news);
+    };
+  }
   return std::make_unique<ReceiveLoop>(sources, readClocks, queue, std::move(callbacks));
 }
 

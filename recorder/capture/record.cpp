@@ -249,6 +249,7 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
   // Open the sockets first: a port in use must not leave an empty log behind.
   Result<TeeSet> tees = TeeSet::open(options.tees);
   if (!tees) return tees.error();
+  for (const std::string& each : tees->news()) events.note({each, false});
   if (options.wait_interface) {
     const auto tell = [&](const std::string& text) { events.note({text, false}); };
     if (Status there = waitForInterfaces(options.endpoints, *options.wait_interface, tell,

@@ -5,6 +5,7 @@
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cli/load_progress.h"
+#include "core/cli/no_wait.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
@@ -69,6 +70,7 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
   app.add_option("--wait-interface", arguments.wait_interface,
                  "wait at most TIME for network interfaces that do not exist yet")
       ->type_name("TIME");
+  cli::addNoWait(app, arguments.no_wait);
   app.add_option("-o,--output", arguments.output,
                  "the log: a file, a folder or a name with %Y%m%dT%H%M%S (UTC) and %n\n"
                  "(the piece's number); default session-%Y%m%dT%H%M%SZ.mcap")
@@ -129,6 +131,8 @@ Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
     if (!endpoint) return endpoint.error();
     options.tees.push_back(*endpoint);
   }
+  cli::applyNoWait(arguments.no_wait, options.endpoints);
+  cli::applyNoWait(arguments.no_wait, options.tees);
   if (!arguments.wait_interface.empty()) {
     const Result<Nanoseconds> longest = readSpan(arguments.wait_interface, "--wait-interface");
     if (!longest) return longest.error();

@@ -22,6 +22,7 @@ struct RecordArguments : ModelSearch {
   std::string trust;
   std::vector<std::string> tees;
   std::string wait_interface;
+  bool no_wait = false;
   std::string output;
   std::string cell;
   std::string decoders;

@@ -109,6 +109,7 @@ std::string inputText(const RecordSummary& summary) {
   for (const Tee::Account& each : summary.tees) {
     text +=
         fmt::format("\nforwarded to {}: {}, {} dropped", each.to.text(), each.sent, each.dropped);
+    if (each.looped > 0) text += fmt::format(", {} came back", each.looped);
     if (each.trouble) text += fmt::format(" ({})", each.trouble->what);
   }
   return text;
@@ -166,6 +167,7 @@ std::string summaryJson(const RecordSummary& summary) {
   for (const Tee::Account& each : summary.tees) {
     object["tees"].push_back(
         {{"endpoint", each.to.text()}, {"sent", each.sent}, {"dropped", each.dropped}});
+    if (each.looped > 0) object["tees"].back()["looped"] = each.looped;
   }
   object["pieces"] = Json::array();
   for (const PieceFacts& each : summary.files.pieces) object["pieces"].push_back(pieceJson(each));

@@ -41,7 +41,10 @@ struct RecordSummary {
     return !trouble && std::ranges::none_of(files.pieces,
                                             [](const PieceFacts& each) { return !!each.trouble; });
   }
-  std::uint64_t lost() const { return losses.kernel + losses.queue + losses.disk; }
+  /// Not in the log, or not whole.
+  std::uint64_t lost() const {
+    return losses.kernel + losses.queue + losses.disk + losses.truncated;
+  }
 };
 
 /// What the writer has written, after its close(); the rest is left for the caller. `received` is

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/net/local_address.h"
+#include "core/net/hears.h"
 #include "core/net/udp_socket.h"
 #include "core/relay/send_in_order.h"
 #include "core/transport/open_sink.h"
@@ -114,37 +114,18 @@ void Tee::send(const DatagramBlock& block) {
   if (outcome.trouble && !account_.trouble) account_.trouble = std::move(outcome.trouble);
 }
 
-namespace {
-
-/// Whether the source hears what is sent to `to`.
-bool hears(const DatagramSource& source, const Endpoint& to) {
-  const Endpoint& from = source.endpoint();
-  if (to.isNats() || from.isNats()) {
-    return to.isNats() && from.scheme == Endpoint::Scheme::nats &&
-           from.nats.server() == to.nats.server() &&
-           subjectMatches(from.nats.listenedSubject(), to.nats.subject + ".x");
-  }
-  const SocketAddress& bound = source.boundAddress();
-  // Watched traffic includes the tee's own, which is recognised by its source address.
-  if (from.isPcap() || bound.port != to.address.port || bound.is_ipv6 != to.address.is_ipv6) {
-    return false;
-  }
-  const bool same_interface =
-      to.interface.empty() || from.interface.empty() || to.interface == from.interface;
-  return bound.isAny() ? to.isMulticast() || isLocalAddress(to.address)
-                       : bound.address == to.address.address && same_interface;
-}
-
-}  // namespace
-
-Status checkTee(const Endpoint& to, const std::vector<DatagramSource*>& sources) {
+Status checkTee(const Endpoint& to, const std::vector<DatagramSource*>& sources,
+                const std::string& to_server) {
   for (const DatagramSource* source : sources) {
-    if (hears(*source, to)) {
-      return Error{ErrorKind::bad_argument,
-                   "--tee would send to " + boundText(*source) +
-                       ", where this recorder listens: it would receive itself endlessly",
-                   to.text()};
-    }
+    const SocketAddress& bound = source->boundAddress();
+    // Any program of this machine may have joined the group; then this socket gets it too.
+    const bool may_hear = to.isMulticast() && bound.isAny() && bound.port == to.address.port &&
+                          bound.is_ipv6 == to.address.is_ipv6 && !source->endpoint().isPcap();
+    if (!may_hear && !hears(*source, to, to_server)) continue;
+    return Error{ErrorKind::bad_argument,
+                 "--tee would send to " + boundText(*source) +
+                     ", where this recorder listens: it would receive itself endlessly",
+                 to.text()};
   }
   return {};
 }

@@ -28,6 +28,7 @@ class Tee {
     Endpoint to;
     std::uint64_t sent = 0;
     std::uint64_t dropped = 0;     ///< queue full, or refused by the system
+    std::uint64_t looped = 0;      ///< came back, and were not forwarded again
     std::optional<Error> trouble;  ///< the first refusal
   };
 
@@ -45,6 +46,10 @@ class Tee {
   void close();
   /// Exact after close().
   Account account() const;
+
+  std::string serverId() const { return sink_->serverId(); }
+  /// What changed since the last call, as a sentence for the user. Any thread.
+  std::optional<std::string> news() { return sink_->news(); }
 
   /// The datagrams' source address, as a receiver on this machine sees it; empty: they go to a
   /// server.
@@ -71,7 +76,9 @@ class Tee {
   std::thread thread_;
 };
 
-/// Fails if a recording that listens on `sources` would receive what it sends to `to`.
-Status checkTee(const Endpoint& to, const std::vector<DatagramSource*>& sources);
+/// Fails if a recording that listens on `sources` would receive what it sends to `to`, whose
+/// DatagramSink::serverId() is `to_server`.
+Status checkTee(const Endpoint& to, const std::vector<DatagramSource*>& sources,
+                const std::string& to_server = {});
 
 }  // namespace rocinante

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "recorder/capture/tee.h"
+#include "recorder/capture/tee_echoes.h"
 
 namespace rocinante {
 
@@ -20,18 +21,22 @@ class TeeSet {
   /// Fails if a recording that listens on `sources` would receive its own tee.
   Status check(const std::vector<DatagramSource*>& sources) const;
 
-  void forward(std::span<const ReceivedDatagram> batch) {
-    for (const auto& each : tees_) each->forward(batch);
-  }
+  /// Without what comes back to it.
+  void forward(std::span<const ReceivedDatagram> batch);
+  /// When something has come back: a sentence for the user, once. For the thread that forwards.
+  std::optional<std::string> circleNews() { return echoes_.news(); }
   /// Sends waiting datagrams for a moment. Not while another thread forwards.
   void close() {
     for (const auto& each : tees_) each->close();
   }
+  /// What changed at those that send to a server, as sentences for the user.
+  std::vector<std::string> news();
   /// Exact after close().
   std::vector<Tee::Account> accounts() const;
 
  private:
   std::vector<std::unique_ptr<Tee>> tees_;
+  TeeEchoes echoes_;
 };
 
 }  // namespace rocinante

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "core/base/duration_text.h"
+#include "core/cli/no_wait.h"
 #include "core/cli/program.h"
 #include "core/transport/open_source.h"
 #include "recorder/spy/spy.h"
@@ -40,6 +41,7 @@ struct Arguments {
   std::string trust;
   std::string decoders;
   std::string duration;
+  bool no_wait = false;
   bool json = false;
 };
 
@@ -136,6 +138,10 @@ Result<SpyReport> watch(const Sources& sources, const Decoders& decoders,
   if (!listened[0].endpoint.file.empty()) return read(*sources[0], listened, decoders);
   Spy spy(listened, wallNow(), decoders);
   std::optional<Screen> screen;
+  // The screen would cover it.
+  for (const auto& each : sources) {
+    if (const auto said = each->maintain()) cli::warn(*said);
+  }
   if (live) {
     screen.emplace();
   } else {
@@ -182,6 +188,7 @@ Result<cli::Exit> run(const Arguments& arguments) {
     endpoints.push_back(*endpoint);
   }
   if (endpoints.empty()) endpoints.push_back(Endpoint::standard());
+  cli::applyNoWait(arguments.no_wait, endpoints);
   InputOptions options;
   const Result<AddressFilter> allow = AddressFilter::of(arguments.allow);
   if (!allow) return allow.error();
@@ -220,6 +227,7 @@ int main(int argc, char** argv) {
                  "(pcap://./FILE); default " +
                      Endpoint::standard().text())
       ->type_name("");
+  rocinante::cli::addNoWait(app, arguments.no_wait);
   app.add_option("--allow", arguments.allow,
                  "accept only senders in this network (10.0.0.0/8); may be repeated")
       ->type_name("CIDR")

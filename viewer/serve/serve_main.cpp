@@ -10,6 +10,7 @@
 #include "core/base/plain_text.h"
 #include "core/base/size_text.h"
 #include "core/bundle/cell_or_log.h"
+#include "core/cli/no_wait.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
@@ -34,6 +35,7 @@ struct Arguments {
   std::string listen = "127.0.0.1:8080";
   std::string token_file;
   std::string buffer = "4MB";
+  bool no_wait = false;
   bool is_live = false;
   bool quiet = false;
 };
@@ -62,6 +64,7 @@ Status readSession(Arguments& my) {
     request.live.push_back(std::move(*endpoint));
   }
   if (my.is_live && request.live.empty()) request.live.push_back(Endpoint::standard());
+  cli::applyNoWait(my.no_wait, request.live);
   if (!(request.rate_hz >= 1 && request.rate_hz <= 1000)) {
     return bad("--rate is 1 to 1000 a second", fmt::format("{}", request.rate_hz));
   }
@@ -202,6 +205,7 @@ void declare(CLI::App& app, Arguments& my, CLI::Option*& live) {
                  "the folder of rocinante-viewer.js and .wasm, which scripts/build_web makes; "
                  "without it, the installed one")
       ->option_text("DIR");
+  cli::addNoWait(app, my.no_wait);
   app.add_flag("--quiet", my.quiet, "print nothing but errors");
   cli::addSearchOptions(app, my.request);
 }

@@ -184,6 +184,44 @@ TEST(NatsSource, SaysWhyAServerRefuses) {
       << flushed.error().what;
 }
 
+/// As programs without --no-wait read it.
+Endpoint waiting(const std::string& text) {
+  Endpoint endpoint = endpointOf(text);
+  endpoint.nats.waits = true;
+  return endpoint;
+}
+
+TEST(NatsSource, AServerThatIsNotThereYetIsWaitedFor) {
+  ROCINANTE_NEEDS_NATS_SERVER();
+  NatsServer server;
+  server.kill();
+  const std::string port = std::to_string(server.port());
+  const auto source = openSource(waiting(server.at("cell1"))).value();
+  const auto sink = openSink(waiting(server.at("cell1"))).value();
+  EXPECT_EQ(waitForNews(*source, "yet"),
+            "no NATS server answers at 127.0.0.1:" + port + " yet; waiting for it");
+  EXPECT_TRUE(sink->news().has_value());
+  EXPECT_FALSE(sink->isReady().value());
+  EXPECT_TRUE(source->receive().value().empty());
+  server.start();
+  EXPECT_EQ(waitForNews(*source, "connected"), "connected to " + server.at("cell1"));
+  while (!sink->isReady().value()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  knock(*sink, *source);
+}
+
+TEST(NatsSource, AMessageIsTakenWhole) {
+  ROCINANTE_NEEDS_NATS_SERVER();
+  const NatsServer server;
+  const auto source = openSource(endpointOf(server.at("cell1"))).value();
+  const auto sink = openSink(endpointOf(server.at("cell1"))).value();
+  const std::string large = "RK1 arm 1 -\nevent \"" + std::string(900'000, 'x') + "\"\n";
+  ASSERT_TRUE(send(*sink, large).ok());
+  ASSERT_TRUE(sink->flush().ok());
+  const auto heard = hear(*source, 1);
+  ASSERT_EQ(heard.size(), 1U);
+  EXPECT_EQ(heard[0].payload, large);
+}
+
 TEST(NatsSource, RefusesWhatItCannotDo) {
   EXPECT_EQ(openSource(endpointOf("nats://127.0.0.1:1/a")).error().what,
             "no NATS server answers at 127.0.0.1:1");

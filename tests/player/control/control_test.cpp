@@ -36,15 +36,6 @@ TEST(KeyReader, KnowsArrowsInPiecesAndPassesOverTheRest) {
   EXPECT_EQ(keys.take('z'), "");
 }
 
-TEST(ControlAddress, KnowsThisMachinesOwn) {
-  EXPECT_TRUE(isOwnAddress(SocketAddress::parse("127.4.5.6", 1).value()));
-  EXPECT_TRUE(isOwnAddress(SocketAddress::parse("::1", 1).value()));
-  EXPECT_TRUE(isOwnAddress(SocketAddress::parse("::ffff:127.0.0.1", 1).value()));
-  EXPECT_FALSE(isOwnAddress(SocketAddress::parse("::ffff:198.51.100.1", 1).value()));
-  EXPECT_FALSE(isOwnAddress(SocketAddress::parse("198.51.100.1", 1).value()));
-  EXPECT_FALSE(isOwnAddress(SocketAddress::parse("2001:db8::1", 1).value()));
-}
-
 /// A sender that answers "ok LINE" until a quit command.
 void answerUntilQuit(CommandSlot& slot) {
   while (true) {

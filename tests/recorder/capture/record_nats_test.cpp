@@ -28,9 +28,9 @@ class RecordNats : public testing::Test {
     }
     std::ofstream(folder_ / "motion.csv") << text;
   }
-  test::ProgramResult sendMotion(const std::string& to) {
+  test::ProgramResult sendMotion(const std::string& to, const std::string& run = "r1") {
     return runProgram("rocinante-source",
-                      {"--csv", "motion.csv", "--device", "arm", "--run", "r1", "--to", to},
+                      {"--csv", "motion.csv", "--device", "arm", "--run", run, "--to", to},
                       folder_.path());
   }
   nlohmann::json info(const std::string& log) {
@@ -114,6 +114,82 @@ TEST_F(RecordNats, TeesToASubject) {
                  {server.at("hall"), "-o", "c.mcap", "--tee", server.at("hall")}, folder_.path());
   EXPECT_EQ(circle.exit_code, 2);
   EXPECT_NE(circle.err.find("it would receive itself endlessly"), circle.err.npos) << circle.err;
+  // Also where the server goes by another name.
+  const auto named = runProgram("rocinante-record",
+                                {server.at("hall"), "-o", "c.mcap", "--tee",
+                                 "nats://localhost:" + std::to_string(server.port()) + "/hall"},
+                                folder_.path());
+  EXPECT_EQ(named.exit_code, 2);
+  EXPECT_NE(named.err.find("it would receive itself endlessly"), named.err.npos) << named.err;
+}
+
+// Before the server: all wait, and nothing is missing.
+TEST_F(RecordNats, ProgramsStartInAnyOrder) {
+  NatsServer server;
+  server.kill();
+  writeMotion(300);
+  Program record =
+      Program::start("rocinante-record", {server.at("cell1"), "-o", "a.mcap"}, folder_.path());
+  record.waitForLine("yet; waiting for it");
+  Program source = Program::start(
+      "rocinante-source",
+      {"--csv", "motion.csv", "--device", "arm", "--run", "r1", "--to", server.at("far")},
+      folder_.path());
+  source.waitForLine("yet; waiting for it");
+  Program relay = Program::start(
+      "rocinante-relay", {"--from", server.at("far"), "--to", server.at("cell1")}, folder_.path());
+  relay.waitForLine("yet; waiting for it");
+  const auto script = runProgram("rocinante-record",
+                                 {server.at("cell1"), "-o", "b.mcap", "--no-wait"}, folder_.path());
+  EXPECT_EQ(script.exit_code, 2);
+  EXPECT_NE(script.err.find("no NATS server answers"), script.err.npos) << script.err;
+  server.start();
+  // The source that waited may speak before the others hear it.
+  ASSERT_EQ(source.finish().exit_code, 0);
+  record.waitForLine("connected to");
+  relay.waitForLine("connected to " + server.at("far"));
+  relay.waitForLine("connected to " + server.at("cell1"));
+  ASSERT_EQ(sendMotion(server.at("far"), "r2").exit_code, 0);
+  const auto ofSecondRun = [&] {
+    const auto all = payloads("a.mcap");
+    return std::count_if(all.begin(), all.end(),
+                         [](const std::string& each) { return each.find("@r2 ") != each.npos; });
+  };
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (ofSecondRun() < 300 && std::chrono::steady_clock::now() < give_up) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_GE(ofSecondRun(), 300);
+  EXPECT_EQ(record.stop().exit_code, 0);
+  EXPECT_EQ(relay.stop().exit_code, 0);
+}
+
+// A message that no datagram of UDP could be is kept whole; UDP does not carry it.
+TEST_F(RecordNats, ALargeMessageIsRecordedWholeAndNotPlayedOverUdp) {
+  const NatsServer server;
+  Program record = Program::start(
+      "rocinante-record", {server.at("cell1"), "-o", "a.mcap", "--max-loss", "0"}, folder_.path());
+  record.waitForLine("recording " + server.at("cell1"));
+  natsConnection* connection = nullptr;
+  const std::string url = "nats://127.0.0.1:" + std::to_string(server.port());
+  ASSERT_EQ(natsConnection_ConnectTo(&connection, url.c_str()), NATS_OK);
+  const std::string large(600'000, 'x');
+  for (const std::string& each : {std::string("a"), large, std::string("b")}) {
+    ASSERT_EQ(
+        natsConnection_Publish(connection, "cell1.x", each.data(), static_cast<int>(each.size())),
+        NATS_OK);
+  }
+  ASSERT_EQ(natsConnection_FlushTimeout(connection, 5000), NATS_OK);
+  natsConnection_Destroy(connection);
+  waitForPackets("a.mcap", 3);
+  EXPECT_EQ(record.stop().exit_code, 0);
+  EXPECT_EQ(payloads("a.mcap"), (std::vector<std::string>{"a", large, "b"}));
+  const auto played = runProgram(
+      "rocinante-play", {"a.mcap", "--to", "127.0.0.1:9", "--asap", "--json"}, folder_.path());
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto report = nlohmann::json::parse(played.out);
+  EXPECT_EQ(report["sent"], 2);
+  EXPECT_EQ(report["left_out"]["total"], 1) << report.dump(1);
 }
 
 TEST_F(RecordNats, AKilledRecordingOfAStreamIsContinuedAndNothingIsMissing) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/net/udp_socket.h"
 #include "recorder/capture/tee_set.h"
 #include "tests/core/net/fake_source.h"
 
@@ -160,6 +161,31 @@ TEST(Tee, OneThatWouldBeHeardByTheRecordingIsRefused) {
       EXPECT_THAT(checked.error().what, HasSubstr("it would receive itself endlessly"));
     }
   }
+}
+
+/// A batch as it came from this sender.
+std::vector<ReceivedDatagram> cameFrom(std::uint16_t port,
+                                       const std::vector<std::string>& payloads) {
+  std::vector<ReceivedDatagram> batch = batchOf(payloads);
+  for (ReceivedDatagram& each : batch) each.sender.port = port;
+  return batch;
+}
+
+// Two recorders that forward to each other.
+TEST(TeeEchoes, WhatComesBackIsNotForwardedAgain) {
+  TeeEchoes echoes;
+  const SteadyTime begin{};
+  const std::vector<std::string> packets{"RK1 arm 0 -\n", "RK1 arm - -\njoints arm 1\n"};
+  EXPECT_EQ(echoes.firsts(cameFrom(1, packets), begin).size(), 2U);
+  EXPECT_EQ(echoes.firsts(cameFrom(2, packets), begin + 100ms).size(), 0U);
+  EXPECT_EQ(echoes.count(), 2U);
+  EXPECT_TRUE(echoes.news().has_value());
+  EXPECT_FALSE(echoes.news().has_value());
+  // The same again from the sender is forwarded, and what is not packet text always is.
+  EXPECT_EQ(echoes.firsts(cameFrom(1, packets), begin + 200ms).size(), 2U);
+  EXPECT_EQ(echoes.firsts(cameFrom(2, packets), begin + 2300ms).size(), 2U);
+  EXPECT_EQ(echoes.firsts(cameFrom(1, {"beat"}), begin + 3s).size(), 1U);
+  EXPECT_EQ(echoes.firsts(cameFrom(2, {"beat"}), begin + 3s).size(), 1U);
 }
 
 TEST(TeeSet, EveryTeeGetsEverything) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace rocinante::cli {
+
+/// `--no-wait`, the same in every program that opens endpoints: without it a NATS server that is
+/// not there yet is waited for, so that programs may be started in any order.
+inline void addNoWait(CLI::App& app, bool& no_wait) {
+  app.add_flag("--no-wait", no_wait, "end at once when a NATS server is not there yet");
+}
+
+/// For Endpoints, after parsing.
+template <class Endpoints>
+void applyNoWait(bool no_wait, Endpoints& endpoints) {
+  for (auto& each : endpoints) each.nats.waits = !no_wait;
+}
+
+}  // namespace rocinante::cli
