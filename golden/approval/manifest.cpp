@@ -20,6 +20,16 @@ namespace {
 constexpr char kFileName[] = "manifest.json";
 constexpr std::uint64_t kMaxGoldenManifestBytes = 64U << 20U;
 
+std::vector<std::string> textsIn(const Json& object, const char* key) {
+  std::vector<std::string> texts;
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_array()) return texts;
+  for (const Json& text : *found) {
+    if (text.is_string()) texts.push_back(text.get<std::string>());
+  }
+  return texts;
+}
+
 Error broken(const std::filesystem::path& file, std::string what) {
   return {ErrorKind::damaged, "the manifest of goldens is broken: " + std::move(what),
           file.string()};
@@ -78,7 +88,8 @@ Result<std::map<std::string, std::vector<AcceptedRun>>> runsIn(const Json& root,
       AcceptedRun accepted{textIn(entry, "log"),         textIn(entry, "bytes"),
                            textIn(entry, "session"),     textIn(entry, "decoded"),
                            textIn(entry, "accepted_by"), textIn(entry, "accepted_at"),
-                           textIn(entry, "reason"),      textIn(entry, "cell")};
+                           textIn(entry, "reason"),      textIn(entry, "cell"),
+                           textIn(entry, "kinematics"),  textsIn(entry, "masks")};
       if (!isLogName(accepted.log) || accepted.session.empty() || accepted.bytes.empty()) {
         return broken(file, fmt::format("a log of run `{}` lacks its session, its bytes' hash or a "
                                         "plain file name",
@@ -230,6 +241,8 @@ Status Manifest::write(const std::filesystem::path& folder) const {
                     {"reason", accepted.reason}};
       if (!accepted.decoded.empty()) entry["decoded"] = accepted.decoded;
       if (!accepted.cell.empty()) entry["cell"] = accepted.cell;
+      if (!accepted.kinematics.empty()) entry["kinematics"] = accepted.kinematics;
+      if (!accepted.masks.empty()) entry["masks"] = accepted.masks;
       list.push_back(std::move(entry));
     }
   }

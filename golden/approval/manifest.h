@@ -36,6 +36,9 @@ struct AcceptedRun {
   std::string decoded;  ///< its decoded_sha256; empty without decoded packets
   std::string accepted_by, accepted_at, reason;
   std::string cell{};  ///< key into Manifest::cells; empty: unknown files
+  /// trackCellHash() of the cell; empty when an older version accepted it.
+  std::string kinematics{};
+  std::vector<std::string> masks{};  ///< of the run in the suite then, as maskText() writes them
   bool operator==(const AcceptedRun&) const = default;
 };
 

@@ -67,6 +67,8 @@ Result<RunApproved> approveRun(const GoldenFolder& folder, const RunCandidate& c
   accepted.accepted_by = candidate.accepted_by;
   accepted.accepted_at = candidate.accepted_at;
   accepted.reason = candidate.reason;
+  accepted.kinematics = candidate.kinematics;
+  accepted.masks = candidate.masks;
   if (!candidate.cell_files.empty()) accepted.cell = cellKey(candidate.cell_files);
 
   const auto lock = FolderLock::take(folder.goldens());

@@ -16,7 +16,9 @@ struct RunCandidate {
   std::string accepted_by, accepted_at, reason;
   FileHashes cell_files{};  ///< of the cell that it was accepted with; empty: unknown
   FileTexts cell_texts{};
-  bool replace = false;  ///< the logs accepted so far are no longer
+  std::string kinematics{};          ///< AcceptedRun::kinematics
+  std::vector<std::string> masks{};  ///< AcceptedRun::masks
+  bool replace = false;              ///< the logs accepted so far are no longer
 };
 
 enum class RunApproved : std::uint8_t { added, already };

@@ -12,8 +12,8 @@
 #include "core/base/atomic_file.h"
 #include "golden/approval/approval.h"
 #include "golden/approval/approval_list.h"
-#include "golden/approval/run_approval.h"
 #include "golden/command/approve_artifact.h"
+#include "golden/command/approve_run.h"
 #include "golden/why/frame_explainer.h"
 
 namespace rocinante {
@@ -214,35 +214,6 @@ Result<std::optional<ApprovalList>> listOf(const ApproveArguments& arguments) {
   return std::optional(std::move(*list));
 }
 
-Result<cli::Exit> approveOneRun(const ApproveArguments& arguments) {
-  const auto options = suiteOptions(arguments.suite);
-  if (!options.ok()) return options.error();
-  const auto session = SuiteSession::open(arguments.suite.suite, *options);
-  if (!session.ok()) return session.error();
-  const auto& runs = session->suite().runs;
-  const auto run = std::ranges::find(runs, arguments.run, &SuiteRun::name);
-  if (run == runs.end()) {
-    return Error{ErrorKind::bad_argument, "the suite has no such run", "--run " + arguments.run};
-  }
-  const OpenedRecording* const log = session->logOf(*run);
-  if (log == nullptr) {
-    return Error{ErrorKind::bad_argument, "a log to accept is needed",
-                 "--log " + arguments.run + "=FILE"};
-  }
-  RunCandidate candidate{run->name, log->log, userName(), nowText(), arguments.message};
-  candidate.replace = arguments.replace;
-  if (const auto cell = collectSessionCell(*session, *options); cell.ok()) {
-    candidate.cell_files = hashesOf(*cell);
-    candidate.cell_texts = toldTexts(*cell);
-  }
-  const auto approved = approveRun(session->folder(), candidate);
-  if (!approved.ok()) return log->named(approved.error());
-  fmt::print("{} {} for run {}; goldens in {}\n", log->recording.string(),
-             *approved == RunApproved::added ? "accepted" : "was accepted already", run->name,
-             session->suite().goldens.lexically_normal().string());
-  return cli::Exit::done;
-}
-
 }  // namespace
 
 CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
@@ -276,11 +247,16 @@ CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
           ->excludes(artifact);
   command->add_flag("--replace", arguments.replace, "with --run: instead of those accepted so far")
       ->needs(run);
+  command
+      ->add_flag("--anyway", arguments.anyway,
+                 "with --run: also a log that `check` finds incompatible, or that widens what is "
+                 "accepted very far")
+      ->needs(run);
   return command;
 }
 
 Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
-  if (!arguments.run.empty()) return approveOneRun(arguments);
+  if (!arguments.run.empty()) return approveRunOfSuite(arguments);
   if (arguments.interactive && ::isatty(STDIN_FILENO) != 1) {
     return Error{ErrorKind::refused, "--interactive needs a terminal as standard input", {}};
   }

@@ -18,6 +18,7 @@ struct ApproveArguments {
   bool interactive = false;
   std::string run;       ///< accept the log under test of this run instead of frames
   bool replace = false;  ///< of a run: instead of the logs accepted so far
+  bool anyway = false;   ///< of a run: also a log that is refused otherwise
   bool also = false;     ///< keep the pictures accepted so far
 };
 

@@ -16,6 +16,7 @@
 #include "golden/judge/suite_runs.h"
 #include "golden/report/report.h"
 #include "golden/report/report_runs.h"
+#include "golden/why/accepted_cells.h"
 #include "golden/why/explain_runs.h"
 #include "golden/why/frame_explainer.h"
 #include "golden/why/frame_why.h"
@@ -144,8 +145,15 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   auto judged = judgeFrames(*session, arguments.jobs, quiet);
   if (!judged.ok()) return judged.error();
   report.frames = std::move(*judged);
-  auto runs = judgeRuns(*session, {cli::stopRequested, steadyMs, TrackCache::ofUser()});
+  AcceptedCells cells(*session, *options);
+  auto runs =
+      judgeRuns(*session, {cli::stopRequested, steadyMs, TrackCache::ofUser(),
+                           [&](const AcceptedRun& accepted) { return cells.of(accepted); }});
   if (!runs.ok()) return runs.error();
+  if (!cells.unknown().empty()) {
+    cli::warn("the cell has changed since a log was accepted, which is judged with today's: " +
+              cells.unknown());
+  }
   report.runs = std::move(*runs);
   explainRuns(*session, *options, report.runs);
   if (!arguments.files.folder.empty()) {

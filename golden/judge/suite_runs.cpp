@@ -1,9 +1,13 @@
 #include "golden/judge/suite_runs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
 
+#include "core/check/drift/model_drift.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
 
@@ -53,14 +57,22 @@ class SuiteRunJudge {
     }
     const Nanoseconds step = trackStep(session_.cell(), logs);
     std::vector<SessionTrack> tracks;
+    const Cell* newest_cell = nullptr;  // where all were accepted with other kinematics
+    bool is_accepted_today = false;
     for (std::size_t i = 0; i < logs.size(); ++i) {
       if (options_.stop && options_.stop()) {
         return Error{ErrorKind::refused, "interrupted: nothing was judged",
                      session_.suite().file.string()};
       }
-      auto track =
-          i == 0 ? trackSession(session_.cell(), logs[i], step)
-                 : options_.cache.track(session_.cell(), logs[i], accepted[i - 1].bytes, step);
+      const Cell* const own =
+          i > 0 && options_.cell_of ? options_.cell_of(accepted[i - 1]) : nullptr;
+      const Cell& cell = own == nullptr ? session_.cell() : *own;
+      if (i > 0) {
+        newest_cell = own;
+        is_accepted_today = is_accepted_today || own == nullptr;
+      }
+      auto track = i == 0 ? trackSession(cell, logs[i], step)
+                          : options_.cache.track(cell, logs[i], accepted[i - 1].bytes, step);
       if (!track.ok()) {
         judged.rule = log->named(track.error()).text();
         return {};
@@ -69,19 +81,78 @@ class SuiteRunJudge {
     }
     std::vector<const SessionTrack*> others;
     for (std::size_t i = 1; i < tracks.size(); ++i) others.push_back(&tracks[i]);
-    judged.judgement = judgeRun(run.spec, others, tracks.front());
-    judged.rule = judged.judgement.rule;
+    if (Status named = checkNames(run, tracks); !named) {
+      judged.rule = named.error().what;
+      return {};
+    }
+    RunJudgement& judgement = judged.judgement = judgeRun(run.spec, others, tracks.front());
+    addMaskNotes(run, accepted.back(), judgement);
+    if (!is_accepted_today) addModelFindings(*newest_cell, judgement);
+    judged.rule = judgement.rule;
     if (!judged.judgement.comparable) return {};
     judged.verdict =
         judged.judgement.findings.empty() ? FrameVerdict::same : FrameVerdict::different;
     return {};
   }
 
+  /// Masks and limits of names that nothing has switch nothing off, or the wrong thing.
+  Status checkNames(const SuiteRun& run, const std::vector<SessionTrack>& tracks) const {
+    std::set<std::string> items;
+    for (const SessionTrack& track : tracks) items.merge(itemsOf(track));
+    const auto complaints = namesThatMatchNothing(run.spec, session_.cell(), items);
+    if (complaints.empty()) return {};
+    return Error{ErrorKind::bad_argument, fmt::format("{}", fmt::join(complaints, "; ")), run.name};
+  }
+
+  static void addMaskNotes(const SuiteRun& run, const AcceptedRun& newest, RunJudgement& judged) {
+    if (newest.kinematics.empty()) return;  // accepted before masks were kept
+    for (const RunMask& mask : run.spec.masks) {
+      const std::string text = maskText(mask);
+      if (std::ranges::find(newest.masks, text) != newest.masks.end()) continue;
+      judged.notes.push_back(
+          fmt::format("mask `{}` was added since the last log was accepted", text));
+    }
+  }
+
+  void addModelFindings(const Cell& then, RunJudgement& judged) const {
+    std::vector<RunFinding> findings;
+    for (const Finding& drift : modelDrift(then, session_.cell())) {
+      if (std::ranges::find(kMoving, drift.rule) == kMoving.end()) continue;
+      RunFinding& finding = findings.emplace_back();
+      finding.kind = RunFinding::Kind::model;
+      finding.item = "model";
+      finding.what = "model: " + drift.text;
+      finding.until_accepted = judged.until;
+    }
+    if (findings.empty() || !judged.comparable) return;
+    judged.findings.insert(judged.findings.begin(), findings.begin(), findings.end());
+    judged.rule = runRule(judged);
+  }
+
+  /// Drift of a model that moves what is judged.
+  static constexpr std::array<std::string_view, 12> kMoving{
+      "drift.device-moved",  "drift.device-removed", "drift.joint-added",  "drift.joint-axis",
+      "drift.joint-mimic",   "drift.joint-order",    "drift.joint-origin", "drift.joint-parent",
+      "drift.joint-removed", "drift.joint-renamed",  "drift.joint-type",   "drift.link-renamed"};
+
   const SuiteSession& session_;
   const RunOptions& options_;
 };
 
 }  // namespace
+
+Result<JudgedRun> judgeOneRun(const SuiteSession& session, const SuiteRun& run,
+                              const RunOptions& options) {
+  return SuiteRunJudge(session, options).judge(run);
+}
+
+Result<std::string> judgeAlone(const SuiteSession& session, const SuiteRun& run) {
+  const std::filesystem::path& log = session.logOf(run)->log;
+  const auto track = trackSession(session.cell(), log, trackStep(session.cell(), {log}));
+  if (!track.ok()) return track.error();
+  const RunJudgement judged = judgeRun(run.spec, {&*track}, *track);
+  return judged.comparable ? std::string() : judged.rule;
+}
 
 Result<std::vector<JudgedRun>> judgeRuns(const SuiteSession& session, const RunOptions& options) {
   std::vector<JudgedRun> judged;

@@ -14,7 +14,17 @@ struct RunOptions {
   std::function<bool()> stop;
   std::function<double()> now_ms;  ///< a steady clock
   TrackCache cache{};              ///< of accepted logs
+  /// The cell that a log was accepted with; null: the session's. May be empty.
+  std::function<const Cell*(const AcceptedRun&)> cell_of{};
 };
+
+/// Judges one run of the session's suite, as judgeRuns() does.
+Result<JudgedRun> judgeOneRun(const SuiteSession& session, const SuiteRun& run,
+                              const RunOptions& options);
+
+/// Why the log under test could not be judged against itself, so that it must not be accepted: a
+/// sentence; empty when it can.
+Result<std::string> judgeAlone(const SuiteSession& session, const SuiteRun& run);
 
 /// Judges the selected runs of a session in suite order: each log is read once. Errors only when
 /// stopped: a log that cannot be judged makes its run incomparable.

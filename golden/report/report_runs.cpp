@@ -94,12 +94,45 @@ std::vector<double> readNumbers(const nlohmann::json& object, const char* key) {
   return numbers;
 }
 
+Json coverageJson(const RunCoverage& coverage) {
+  return {{"judged", coverage.judged},
+          {"lost", coverage.lost},
+          {"masked", coverage.masked},
+          {"left_out", leftOutJson(coverage.left_out)}};
+}
+
+RunCoverage readCoverage(const nlohmann::json& run) {
+  RunCoverage coverage;
+  const auto found = run.find("coverage");
+  if (found == run.end() || !found->is_object()) return coverage;
+  const auto itemsIn = [&](const char* key) {
+    const auto items = readTexts(*found, key);
+    return std::set<std::string>(items.begin(), items.end());
+  };
+  coverage.judged = itemsIn("judged");
+  coverage.lost = itemsIn("lost");
+  coverage.masked = itemsIn("masked");
+  const auto left_out = found->find("left_out");
+  if (left_out == found->end() || !left_out->is_object()) return coverage;
+  const auto items = left_out->find("items");
+  if (items == left_out->end() || !items->is_array()) return coverage;
+  for (const auto& item : *items) {
+    if (!item.is_object()) continue;
+    LeftOut one{readText(item, "kind"), readText(item, "name"), readText(item, "reason"),
+                readText(item, "first"), readNumber<std::uint64_t>(item, "count")};
+    if (readText(item, "severity") == nameOf(Severity::warning)) one.severity = Severity::warning;
+    coverage.left_out.leaveOut(std::move(one));
+  }
+  return coverage;
+}
+
 RunFinding readFinding(const nlohmann::json& json) {
   RunFinding finding;
   const std::string kind = readText(json, "kind");
   for (const auto one :
-       {RunFinding::Kind::event, RunFinding::Kind::rate, RunFinding::Kind::joint,
-        RunFinding::Kind::pose, RunFinding::Kind::fact, RunFinding::Kind::drawing}) {
+       {RunFinding::Kind::model, RunFinding::Kind::coverage, RunFinding::Kind::event,
+        RunFinding::Kind::rate, RunFinding::Kind::joint, RunFinding::Kind::pose,
+        RunFinding::Kind::fact, RunFinding::Kind::drawing}) {
     if (nameOf(one) == kind) finding.kind = one;
   }
   finding.item = readText(json, "item");
@@ -182,6 +215,7 @@ Json runsJson(const std::vector<JudgedRun>& runs) {
     for (const RunFinding& finding : judged.findings) {
       json["findings"].push_back(findingJson(finding));
     }
+    json["coverage"] = coverageJson(judged.coverage);
     json["changes"] = run.changes;
     json["notes"] = judged.notes;
     list.push_back(std::move(json));
@@ -222,6 +256,7 @@ std::vector<JudgedRun> readRunsJson(const nlohmann::json& list) {
     judged.from = Nanoseconds(readNumber<std::int64_t>(json, "from_ns"));
     judged.until = Nanoseconds(readNumber<std::int64_t>(json, "until_ns"));
     judged.notes = readTexts(json, "notes");
+    judged.coverage = readCoverage(json);
     const auto pictures = json.find("pictures");
     if (pictures != json.end() && pictures->is_array()) {
       for (const auto& picture : *pictures) {

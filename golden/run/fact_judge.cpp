@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "golden/run/run_coverage.h"
+
 namespace rocinante {
 namespace {
 
@@ -60,7 +62,8 @@ class FactJudge {
   FactJudge(const RunGrids& grids, const std::string& fact)
       : grids_(grids), fact_(fact), run_(grids.run, fact) {
     is_drawing_ = fact.starts_with("drawing/");
-    limits_ = grids.spec.limitsOf(maskName());
+    item_ = itemOfFact(fact);
+    limits_ = grids.spec.limitsOf(item_);
     for (const SessionTrack* track : grids.accepted) accepted_.emplace_back(*track, fact);
     // Facts are read once a sample, and half of the bound is rounding to samples.
     slack_ = Nanoseconds(std::llround(limits_.event_ms * 1e6)) + 2 * grids.first().step;
@@ -69,14 +72,14 @@ class FactJudge {
   void judge(std::vector<RunFinding>& findings) {
     std::optional<std::size_t> first, last;
     for (std::size_t i = 0; i < grids_.run_grid.size(); ++i) {
-      if (grids_.spec.isMasked(maskName(), grids_.sinceOrigin(i)) || isAsAccepted(i)) continue;
+      if (grids_.spec.isMasked(item_, grids_.sinceOrigin(i)) || isAsAccepted(i)) continue;
       if (!first) first = i;
       last = i;
     }
     if (!first) return;
     RunFinding finding;
     finding.kind = is_drawing_ ? RunFinding::Kind::drawing : RunFinding::Kind::fact;
-    finding.item = is_drawing_ ? fact_ : maskName();
+    finding.item = item_;
     finding.first_accepted = finding.at_accepted = grids_.sinceOrigin(*first);
     finding.first_run = finding.at_run = grids_.inRun(*first);
     finding.until_accepted = grids_.sinceOrigin(*last);
@@ -99,12 +102,6 @@ class FactJudge {
  private:
   static std::string said(const FactChange& change) {
     return change.text.empty() ? "nothing" : "\"" + change.text + "\"";
-  }
-
-  /// "visibility of arm/link3" is masked as arm/link3.
-  std::string maskName() const {
-    const std::size_t of = fact_.find(" of ");
-    return is_drawing_ || of == std::string::npos ? fact_ : fact_.substr(of + 4);
   }
 
   bool isSame(const FactChange& a, const FactChange& b) const {
@@ -135,6 +132,7 @@ class FactJudge {
   const RunGrids& grids_;
   const std::string& fact_;
   bool is_drawing_ = false;
+  std::string item_;
   RunLimits limits_;
   Nanoseconds slack_{0};
   FactHistory run_;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "golden/run/motion_words.h"
+#include "golden/run/run_coverage.h"
 #include "golden/run/run_curve.h"
 #include "golden/run/value_difference.h"
 
@@ -43,7 +44,7 @@ class ColumnJudge {
  public:
   ColumnJudge(const RunGrids& grids, const std::string& device, const TrackColumn& column)
       : grids_(grids), device_(device), column_(column) {
-    item_ = column.part.empty() ? device : device + "/" + column.part;
+    item_ = itemOf(device, column);
     limits_ = grids.spec.limitsOf(item_);
     reach_ = grids.reachOf(limits_);
     if (column.width() == 7) {
@@ -121,11 +122,17 @@ class ColumnJudge {
   }
 
   void judgeSample(std::size_t i) {
-    const double* const reference = accepted_.front().at(i);
-    if (std::isnan(reference[0])) return;
+    const double* reference = nullptr;
+    bool may_be_absent = false;
+    for (const ColumnValues& values : accepted_) {
+      const double* const its = values.at(i);
+      may_be_absent = may_be_absent || std::isnan(its[0]);
+      if (reference == nullptr && !std::isnan(its[0])) reference = its;
+    }
+    if (reference == nullptr) return;
     const double* const own = run_.at(i);
     if (std::isnan(own[0])) {
-      noteAbsence(i);
+      if (!may_be_absent) noteAbsence(i);
       return;
     }
     absent_ = 0;
@@ -159,7 +166,9 @@ class ColumnJudge {
       }
       note(measure, i, std::sqrt(square), sign);
     }
-    if (measures_.size() == 1) curve_.add(i, band.least[0], band.most[0], apart[0]);
+    // A curve is drawn beside the first accepted session.
+    if (measures_.size() == 1 && reference == accepted_.front().at(i))
+      curve_.add(i, band.least[0], band.most[0], apart[0]);
   }
 
   /// How far the accepted ones may have gone between samples: where a motion turns sharply, its

@@ -7,13 +7,12 @@
 #include <optional>
 
 #include "core/base/duration_text.h"
+#include "golden/run/run_coverage.h"
 
 namespace rocinante {
 namespace {
 
 using Moments = std::vector<std::optional<LogTime>>;
-
-std::string eventItem(const Event& event) { return "event/" + event.text; }
 
 std::string timeText(Nanoseconds since_origin) {
   return fmt::format("{:.3f} s", secondsOf(since_origin));
@@ -101,7 +100,7 @@ class EventJudge {
     }
     const Nanoseconds measured = since(new_, run_);
     const Nanoseconds its(std::llround(static_cast<double>(measured.count()) / rate));
-    const RunLimits limits = spec_.limitsOf(eventItem(first_.events[i]));
+    const RunLimits limits = spec_.limitsOf(itemOf(first_.events[i]));
     const Nanoseconds allowed(std::llround(
         limits.event_ms * 1e6 + std::abs(static_cast<double>(its.count())) * kClockPpm * 1e-6));
     late = its > most ? its - most : its < least ? its - least : Nanoseconds(0);
@@ -197,7 +196,7 @@ class EventJudge {
   RunFinding findingAt(const Event& event, LogTime accepted, LogTime run) const {
     RunFinding finding;
     finding.kind = RunFinding::Kind::event;
-    finding.item = eventItem(event);
+    finding.item = itemOf(event);
     finding.first_accepted = finding.at_accepted = finding.until_accepted =
         accepted - first_.origin;
     finding.first_run = finding.at_run = run - run_.origin;

@@ -15,4 +15,7 @@ namespace rocinante {
 RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*>& accepted,
                       const SessionTrack& run);
 
+/// The sentence of the findings, or of what was within the limits.
+std::string runRule(const RunJudgement& judged);
+
 }  // namespace rocinante

@@ -2,17 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <tuple>
 
 namespace rocinante {
 
 bool RunFinding::operator<(const RunFinding& other) const {
-  return std::tie(first_accepted, kind, item, unit) <
-         std::tie(other.first_accepted, other.kind, other.item, other.unit);
+  // Causes before effects: what changed in the model, and what is not judged, have no time.
+  const auto place = [](const RunFinding& its) {
+    return std::tuple(std::min(its.kind, Kind::event), its.first_accepted, its.kind,
+                      std::string_view(its.item), std::string_view(its.unit));
+  };
+  return place(*this) < place(other);
 }
 
 std::string_view nameOf(RunFinding::Kind kind) {
   switch (kind) {
+    case RunFinding::Kind::model:
+      return "model";
+    case RunFinding::Kind::coverage:
+      return "coverage";
     case RunFinding::Kind::event:
       return "event";
     case RunFinding::Kind::rate:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/time.h"
+#include "golden/run/run_coverage.h"
 #include "golden/run/time_map.h"
 
 namespace rocinante {
@@ -20,7 +21,7 @@ struct RunCurve {
 
 /// Something in which a run leaves what was accepted.
 struct RunFinding {
-  enum class Kind : std::uint8_t { event, rate, joint, pose, fact, drawing };
+  enum class Kind : std::uint8_t { model, coverage, event, rate, joint, pose, fact, drawing };
   Kind kind = Kind::joint;
   std::string item;  ///< "arm/elbow", "arm", "arm/hand", "event/picked", "drawing/planner/path"
   std::string unit;  ///< "°", "mm", "ms", "/s"; empty without a figure
@@ -37,10 +38,13 @@ std::string_view nameOf(RunFinding::Kind kind);
 
 /// The outcome of comparing a session with the accepted ones of a run.
 struct RunJudgement {
-  bool comparable = false;           ///< false: `rule` says why not
-  std::string rule;                  ///< one sentence
-  std::vector<RunFinding> findings;  ///< in order of time; empty: the run is as accepted
-  std::vector<std::string> notes;    ///< what was not judged
+  bool comparable = false;  ///< false: `rule` says why not
+  std::string rule;         ///< one sentence
+  /// What changed in the model, what is no longer judged, then in order of time; empty: the run is
+  /// as accepted.
+  std::vector<RunFinding> findings;
+  std::vector<std::string> notes;
+  RunCoverage coverage;
   std::size_t accepted = 0, items = 0, samples = 0, events = 0;
   Nanoseconds step{0};
   Nanoseconds from{0}, until{0};  ///< the judged range, since the accepted origin

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/duration_text.h"
 #include "core/base/pattern.h"
 
 namespace rocinante {
@@ -25,6 +26,13 @@ std::optional<RunAlign> runAlignNamed(std::string_view name) {
   return std::nullopt;
 }
 
+std::string maskText(const RunMask& mask) {
+  std::string text = mask.item;
+  if (mask.from != Nanoseconds::min()) text += " from " + secondsText(mask.from) + " s";
+  if (mask.until != Nanoseconds::max()) text += " until " + secondsText(mask.until) + " s";
+  return text;
+}
+
 RunLimits RunSpec::limitsOf(std::string_view item) const {
   RunLimits found = limits;
   const auto apply = [&](std::string_view name) {
@@ -40,11 +48,25 @@ RunLimits RunSpec::limitsOf(std::string_view item) const {
   return found;
 }
 
+namespace {
+
+bool covers(const RunMask& mask, std::string_view item) {
+  return patternMatches(mask.item, item) ||
+         patternMatches(mask.item, item.substr(0, item.find('/')));
+}
+
+}  // namespace
+
 bool RunSpec::isMasked(std::string_view item, Nanoseconds since_origin) const {
   return std::ranges::any_of(masks, [&](const RunMask& mask) {
-    if (since_origin < mask.from || since_origin > mask.until) return false;
-    return patternMatches(mask.item, item) ||
-           patternMatches(mask.item, item.substr(0, item.find('/')));
+    return since_origin >= mask.from && since_origin <= mask.until && covers(mask, item);
+  });
+}
+
+bool RunSpec::isMaskedThroughout(std::string_view item) const {
+  return std::ranges::any_of(masks, [&](const RunMask& mask) {
+    return mask.from == Nanoseconds::min() && mask.until == Nanoseconds::max() &&
+           covers(mask, item);
   });
 }
 

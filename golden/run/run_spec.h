@@ -41,6 +41,9 @@ struct RunMask {
   Nanoseconds from = Nanoseconds::min(), until = Nanoseconds::max();  ///< since the accepted origin
 };
 
+/// "arm/wrist from 2 s until 4 s".
+std::string maskText(const RunMask& mask);
+
 /// What to compare, and how closely.
 struct RunSpec {
   RunAlign align = RunAlign::events;
@@ -52,6 +55,8 @@ struct RunSpec {
   /// Of an item "DEVICE/PART": its own, else its device's, else the run's.
   RunLimits limitsOf(std::string_view item) const;
   bool isMasked(std::string_view item, Nanoseconds since_origin) const;
+  /// For the whole session.
+  bool isMaskedThroughout(std::string_view item) const;
 };
 
 }  // namespace rocinante

@@ -14,6 +14,7 @@
 #include "golden/run/fact_recorder.h"
 #include "golden/run/link_tracks.h"
 #include "golden/run/track_columns.h"
+#include "golden/run/unfit_values.h"
 
 namespace rocinante {
 namespace {
@@ -156,7 +157,10 @@ class TrackRecorder {
   /// A device that only packets brought.
   void touch(const std::string& name, LogTime time, bool at_start) {
     const Model* model = modelOf(name);
-    if (model == nullptr) return;
+    if (model == nullptr) {
+      unfit_.leaveOut("device", name, "the cell has no such device", time);
+      return;
+    }
     Recording& device = recording(name, model);
     for (; !at_start && isDue(device, time); ++device.filled) {
       device.track->rows.insert(device.track->rows.end(), ownWidth(device), kUnstated);
@@ -173,7 +177,8 @@ class TrackRecorder {
     const bool is_removed =
         said != nullptr && said->presence && said->presence->value.presence == Presence::removed;
     if (said == nullptr || is_removed) return;
-    if (modelOf(device.name) == device.model && (said->joints || !said->named_joints.empty())) {
+    if (modelOf(device.name) == device.model &&
+        unfit_.takesValues(device.name, *device.model, *said)) {
       const JointVector joints = jointsOf(*device.model, said);
       std::size_t column = 0;
       for (std::size_t joint = 0; joint < device.model->joints.size(); ++joint) {
@@ -305,6 +310,7 @@ class TrackRecorder {
   std::vector<std::string> new_names_;
   std::vector<Path> carrier_names_{Path{}};  ///< the first: the world
   FactRecorder facts_;
+  UnfitValues unfit_{track_};
   std::optional<LogTime> facts_due_;  ///< when something was stated that is not noted yet
 };
 

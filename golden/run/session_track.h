@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/cell/cell.h"
 #include "core/packet/session_state.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 
@@ -61,6 +62,8 @@ struct SessionTrack {
   std::map<std::string, DeviceTrack, std::less<>> devices;
   std::map<std::string, std::vector<FactChange>, std::less<>> facts;
   std::vector<Event> events;  ///< without marks
+  /// What packets stated and no device of the cell takes: other devices, values that do not fit.
+  Account left_out;
 };
 
 /// The step for tracks that are judged together: 20 ms, or the least multiple of it with which all

@@ -24,6 +24,7 @@ void trackFields(Wire& wire, Track& track) {
   wire.item(track.devices);
   wire.item(track.facts);
   wire.item(track.events);
+  wire.item(track.left_out);
 }
 
 class TrackWriter {
@@ -52,6 +53,7 @@ class TrackWriter {
       item(value);
     }
   }
+  void item(const Account& account) { item(accountLines(account)); }
   void item(const TrackColumn& column) {
     item(column.part);
     item(column.kind);
@@ -119,6 +121,11 @@ class TrackReader {
       item(name);
       item(values[name]);
     }
+  }
+  void item(Account& account) {
+    std::string lines;
+    item(lines);
+    account = accountOfLines(lines);
   }
   void item(TrackColumn& column) {
     item(column.part);

@@ -8,6 +8,7 @@
 #include "core/bundle/cell_folder.h"
 #include "core/check/drift/model_drift.h"
 #include "golden/why/file_change.h"
+#include "golden/why/golden_texts.h"
 
 namespace rocinante {
 namespace {
@@ -22,52 +23,6 @@ std::vector<std::string> driftLines(const Cell& golden, const Cell& now) {
   for (const Finding& finding : modelDrift(golden, now)) lines.push_back(plainText(finding.text));
   return lines;
 }
-
-/// Replaces the texts of a bundle with the golden's for the lifetime of this object.
-class GoldenTexts {
- public:
-  GoldenTexts(CellBundle& bundle, const FileHashes& golden, const FileTexts& texts)
-      : bundle_(bundle) {
-    for (std::size_t i = 0; i < bundle.contents.size(); ++i) {
-      BundleManifest::File& file = bundle.manifest.files[i];
-      const auto before = golden.find(file.name);
-      if (before == golden.end() || before->second == file.sha256) continue;
-      const auto text = texts.find(before->second);
-      if (text == texts.end()) {
-        unknown_ += isToldText(file.name) ? 1 : 0;
-        continue;
-      }
-      const ByteView bytes = bytesOf(text->second);
-      kept_.emplace_back(i, file, std::exchange(bundle.contents[i], {bytes.begin(), bytes.end()}));
-      file.bytes = bytes.size();
-      file.sha256 = before->second;
-    }
-  }
-  ~GoldenTexts() {
-    for (auto& [place, file, content] : kept_) {
-      bundle_.manifest.files[place] = std::move(file);
-      bundle_.contents[place] = std::move(content);
-    }
-  }
-  GoldenTexts(const GoldenTexts&) = delete;
-  GoldenTexts& operator=(const GoldenTexts&) = delete;
-
-  bool any() const { return !kept_.empty(); }
-  /// Number of changed files without a kept text.
-  std::size_t unknown() const { return unknown_; }
-
- private:
-  struct Kept {
-    Kept(std::size_t its_place, BundleManifest::File its_file, Bytes its_content)
-        : place(its_place), file(std::move(its_file)), content(std::move(its_content)) {}
-    std::size_t place;
-    BundleManifest::File file;
-    Bytes content;
-  };
-  CellBundle& bundle_;
-  std::vector<Kept> kept_;
-  std::size_t unknown_ = 0;
-};
 
 }  // namespace
 

@@ -2,7 +2,7 @@
 export ROCINANTE_USER=ada XDG_CACHE_HOME=$PWD/cache
 cp -r "$SRC/examples/demo" demo && cd demo && rm -rf goldens
 rocinante log export motion.mcap demo.cell.toml --ros2 -o bag.mcap >/dev/null 2>&1
-cat >arm.urdf <<'URDF'
+cat >swing.urdf <<'URDF'
 <robot name="arm">
   <link name="base"/> <link name="upper"/>
   <joint name="shoulder" type="revolute"> <parent link="base"/> <child link="upper"/>
@@ -15,7 +15,7 @@ table 0.00001 >again.csv
 table 0.2 >other.csv
 cat >runs.toml <<'TOML'
 format = 1
-cell = "arm.urdf"
+cell = "swing.urdf"
 [[run]]
 name = "swing"
 align = "origin"
@@ -35,6 +35,6 @@ printf '1,2,3,4\n' >>again.csv
 run --log swing=again.csv
 run --log swing=runs.toml | sed 's/:.*//'
 # A bag.
-sed 's/arm.urdf/demo.cell.toml/' runs.toml >demo.toml
+sed 's/swing.urdf/demo.cell.toml/' runs.toml >demo.toml
 rocinante golden approve demo.toml --run swing -m "a bag" --log swing=bag.mcap --replace 2>/dev/null
 rocinante golden run demo.toml --log swing=bag.mcap 2>/dev/null | tail -n 1

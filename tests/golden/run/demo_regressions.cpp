@@ -160,8 +160,8 @@ std::vector<Regression> demoRegressions() {
   add({"a session ends early", Kind::joint, "arm/joint2", 17.4, 19, [](SaidSession& s) {
          std::erase_if(s.packets, [](const auto& said) { return said.at_s > 17.5; });
        }});
-  add({"a device never speaks", Kind::joint, "arm/joint1", 0, 0.1,
-       [](SaidSession& s) { s.erase("arm", 0, 1e9); }, "no value"});
+  add({"a device never speaks", Kind::coverage, "arm", 0, 0.1,
+       [](SaidSession& s) { s.erase("arm", 0, 1e9); }, "states nothing of it"});
   add({"a canister stands elsewhere", Kind::pose, "canister", 0, 0.1, [](SaidSession& s) {
          s.replace("pose canister -2.4 -1 0.25", "pose canister -2.4 -1.002 0.25");
        }});

@@ -1,0 +1,125 @@
+#include "golden/run/run_coverage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/name_hint.h"
+#include "core/base/pattern.h"
+#include "core/base/plain_text.h"
+#include "golden/run/track_columns.h"
+
+namespace rocinante {
+namespace {
+
+std::string_view deviceOf(std::string_view item) { return item.substr(0, item.find('/')); }
+
+bool isOfDevice(const LeftOut& left_out, std::string_view device) {
+  return left_out.name == device ||
+         (left_out.name.starts_with(device) && left_out.name[device.size()] == '/');
+}
+
+/// What a mask or a limit may name besides what sessions state.
+std::set<std::string> namesOf(const Cell& cell) {
+  std::set<std::string> names;
+  for (const CellDevice& device : cell.devices) {
+    names.insert(device.name);
+    const Model* model = cell.modelOf(device);
+    if (model == nullptr) continue;
+    for (const TrackColumn& column : columnsOf(*model)) names.insert(itemOf(device.name, column));
+    for (const Link& link : model->links) names.insert(device.name + "/" + link.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string itemOf(std::string_view device, const TrackColumn& column) {
+  std::string item(device);
+  if (!column.part.empty()) item += "/" + column.part;
+  return item;
+}
+
+std::string itemOf(const Event& event) { return "event/" + event.text; }
+
+std::string itemOfFact(std::string_view fact) {
+  const std::size_t of = fact.find(" of ");
+  const bool is_drawing = fact.starts_with("drawing/");
+  return std::string(is_drawing || of == std::string_view::npos ? fact : fact.substr(of + 4));
+}
+
+bool isStated(const DeviceTrack& device, const TrackColumn& column) {
+  for (std::size_t at = column.offset; at < device.rows.size(); at += device.width) {
+    if (!std::isnan(device.rows[at])) return true;
+  }
+  return false;
+}
+
+bool isStated(const DeviceTrack& device) {
+  return std::ranges::any_of(device.columns,
+                             [&](const TrackColumn& column) { return isStated(device, column); });
+}
+
+std::set<std::string> itemsOf(const SessionTrack& track) {
+  std::set<std::string> items;
+  for (const auto& [name, device] : track.devices) {
+    for (const TrackColumn& column : device.columns) {
+      if (isStated(device, column)) items.insert(itemOf(name, column));
+    }
+  }
+  for (const auto& [fact, changes] : track.facts) items.insert(itemOfFact(fact));
+  for (const Event& event : track.events) items.insert(itemOf(event));
+  return items;
+}
+
+RunCoverage coverageOf(const RunSpec& spec, const std::vector<const SessionTrack*>& accepted,
+                       const SessionTrack& run) {
+  RunCoverage coverage;
+  std::set<std::string> all;
+  for (const SessionTrack* track : accepted) all.merge(itemsOf(*track));
+  const std::set<std::string> now = itemsOf(run);
+  for (const std::string& item : all) {
+    // Of events and facts the absence is judged.
+    const bool is_moved = std::ranges::any_of(accepted, [&](const SessionTrack* track) {
+      return track->devices.contains(deviceOf(item));
+    });
+    (spec.isMaskedThroughout(item)     ? coverage.masked
+     : now.contains(item) || !is_moved ? coverage.judged
+                                       : coverage.lost)
+        .insert(item);
+  }
+  coverage.left_out = run.left_out;
+  return coverage;
+}
+
+std::string whyLeftOut(const Account& left_out, std::string_view device) {
+  for (const LeftOut& item : left_out.leftOut()) {
+    if (isOfDevice(item, device)) return item.reason;
+  }
+  return {};
+}
+
+std::vector<std::string> namesThatMatchNothing(const RunSpec& spec, const Cell& cell,
+                                               const std::set<std::string>& items) {
+  std::set<std::string> known = namesOf(cell);
+  known.insert(items.begin(), items.end());
+  for (const std::string& item : items) known.emplace(deviceOf(item));
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  std::vector<std::string> complaints;
+  const auto complain = [&](const char* key, const std::string& name) {
+    const std::string hint = didYouMean(name, names);
+    complaints.push_back(fmt::format("{} `{}` matches nothing in the cell or in any session{}", key,
+                                     plainText(name), hint.empty() ? "" : " (" + hint + ")"));
+  };
+  for (const RunMask& mask : spec.masks) {
+    const auto matches = [&](std::string_view name) { return patternMatches(mask.item, name); };
+    if (std::ranges::none_of(names, matches)) complain("mask", mask.item);
+  }
+  for (const auto& [name, limits] : spec.own_limits) {
+    if (!known.contains(name)) complain("limits of", name);
+  }
+  return complaints;
+}
+
+}  // namespace rocinante

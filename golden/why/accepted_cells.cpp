@@ -1,0 +1,52 @@
+#include "golden/why/accepted_cells.h"
+
+#include <algorithm>
+
+#include "core/bundle/cell_folder.h"
+#include "golden/run/track_cache.h"
+#include "golden/why/file_change.h"
+#include "golden/why/frame_explainer.h"
+#include "golden/why/golden_texts.h"
+
+namespace rocinante {
+
+const Cell* AcceptedCells::of(const AcceptedRun& accepted) {
+  const std::string today = trackCellHash(session_.cell());
+  if (accepted.kinematics == today) return nullptr;
+  const auto [place, is_new] = cells_.try_emplace(accepted.cell);
+  if (is_new) {
+    place->second = rebuilt(accepted);
+    if (place->second && trackCellHash(*place->second) == today) place->second.reset();
+    // Nothing is known to have changed when it is an old version's golden with today's files.
+  }
+  return place->second ? &*place->second : nullptr;
+}
+
+std::optional<Cell> AcceptedCells::rebuilt(const AcceptedRun& accepted) {
+  const bool has_changed = !accepted.kinematics.empty();
+  const auto cannot = [&](const char* why) {
+    if (has_changed) unknown_ = why;
+    return std::nullopt;
+  };
+  const FileHashes* const before = session_.manifest().cellNamed(accepted.cell);
+  if (before == nullptr) return cannot("its files were not kept");
+  if (!collected_) {
+    collected_ = true;
+    auto bundle = collectSessionCell(session_, options_);
+    if (bundle.ok()) today_ = std::move(*bundle);
+  }
+  if (!today_) return cannot("today's cell has errors");
+  if (hashesOf(*today_) == *before) return std::nullopt;
+  const GoldenTexts put_back(*today_, *before, session_.manifest().texts);
+  if (!put_back.any()) return cannot("its files have other names");
+  CellOptions options;
+  options.geometry = false;
+  auto cell = loadBundle(*today_, "", options);
+  const auto isError = [](const Finding& fault) { return fault.severity == Severity::error; };
+  if (!cell.ok() || std::ranges::any_of(cell->faults, isError)) {
+    return cannot("it does not load with today's files");
+  }
+  return std::move(*cell);
+}
+
+}  // namespace rocinante
