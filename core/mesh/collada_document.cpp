@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 
+#include "core/document/xml_document.h"
 #include "core/document/xml_tags.h"
 
 namespace rocinante {
@@ -55,7 +56,6 @@ constexpr std::array kColladaReasons = {
     ColladaReason{"linestrips", "lines are not drawn"},
     ColladaReason{"spline", "curves are not drawn"},
     ColladaReason{"brep", "curved surfaces are not drawn"},
-    ColladaReason{"skew", "skewed nodes are drawn unskewed", Severity::warning},
     ColladaReason{"ambient", "the light around is the renderer's"},
     ColladaReason{"reflective", "reflections are not drawn"},
     ColladaReason{"reflectivity", "reflections are not drawn"},
@@ -116,14 +116,15 @@ std::size_t ColladaDocument::HashOfKey::operator()(const Key& key) const {
 }
 
 Status ColladaDocument::parse(ByteView bytes) {
-  const std::string_view text = textOf(bytes);
   const auto damaged = [](std::string what) {
     return Error{ErrorKind::damaged, std::move(what), {}};
   };
-  if (text.starts_with("PK")) return damaged("is a ZIP file; unpack it and name the .dae inside");
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    return damaged("is UTF-16 text; save it as UTF-8");
+  if (textOf(bytes).starts_with("PK")) {
+    return damaged("is a ZIP file; unpack it and name the .dae inside");
   }
+  std::string problem;
+  const std::string text = xmlAsUtf8(textOf(bytes), problem);
+  if (!problem.empty()) return damaged(std::move(problem));
   // Each tag takes a hundred bytes of memory, of which the file needs four.
   if (std::ranges::count(text, '<') > kMaxTags || std::ranges::count(text, '=') > kMaxTags) {
     return damaged(fmt::format("has more than {} tags", kMaxTags));

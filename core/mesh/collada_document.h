@@ -23,8 +23,8 @@ class ColladaDocument {
 
   explicit ColladaDocument(FaultList& faults) : faults_(faults) {}
 
-  /// damaged: not XML, not COLLADA, nested deeper than 100 elements, or more than 10 million tags.
-  /// The error lacks the file's name.
+  /// In any encoding of xmlAsUtf8(). damaged: another encoding, not XML, not COLLADA, nested deeper
+  /// than 100 elements, or more than 10 million tags. The error lacks the file's name.
   Status parse(ByteView bytes);
 
   Element& root() { return *xml_.RootElement(); }

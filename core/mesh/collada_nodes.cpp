@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <optional>
+
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
 
@@ -20,6 +23,22 @@ Mat4 lookAt(const Vec3& eye, const Vec3& interest, const Vec3& up) {
   if (!right) return translationMatrix(eye);
   const Vec3 above = crossOf(*back, *right);
   return Mat4(Vec4(*right, 0), Vec4(above, 0), Vec4(*back, 0), Vec4(eye, 1));
+}
+
+/// As RenderMan's Skew: moves points along `way`, so that the direction `from` leans towards it by
+/// the angle. Empty when it would lean as far as `way` or its opposite.
+std::optional<Mat4> skewMatrix(double angle, const Vec3& from, const Vec3& way) {
+  const auto along = normalized(way), tilted = normalized(from);
+  if (!along || !tilted) return std::nullopt;
+  const double part = dotOf(*tilted, *along);
+  const auto across = normalized(*tilted - part * *along);
+  if (!across) return std::nullopt;
+  const double before = arcTangent2(part, dotOf(*tilted, *across));
+  if (!(std::fabs(before + angle) < kPi / 2)) return std::nullopt;
+  const double shift = tangent(before + angle) - tangent(before);
+  Mat4 matrix(1.0);
+  for (int i = 0; i < 3; ++i) matrix[i] += Vec4(shift * (*across)[i] * *along, 0.0);
+  return matrix;
 }
 
 }  // namespace
@@ -93,6 +112,7 @@ Mat4 ColladaNodes::transformOf(Element& element) {
     const std::string_view kind = each->Name();
     const std::size_t size = kind == "matrix"                         ? 16
                              : kind == "lookat"                       ? 9
+                             : kind == "skew"                         ? 7
                              : kind == "rotate"                       ? 4
                              : kind == "translate" || kind == "scale" ? 3
                                                                       : 0;
@@ -106,6 +126,15 @@ Mat4 ColladaNodes::transformOf(Element& element) {
       transform = transform * matrix;
     } else if (kind == "lookat") {
       transform = transform * lookAt({n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]});
+    } else if (kind == "skew") {
+      const auto skew = skewMatrix(radiansOf(n[0]), {n[1], n[2], n[3]}, {n[4], n[5], n[6]});
+      if (skew) {
+        transform = transform * *skew;
+      } else {
+        document_.faults().error("collada.bad-value", ColladaDocument::placeOf(*each),
+                                 "<skew> has axes that are equal or 0, or an angle beyond them",
+                                 "the node is drawn unskewed");
+      }
     } else if (kind == "rotate") {
       const auto axis = normalized(Vec3(n[0], n[1], n[2]));
       if (axis) transform = transform * rotationMatrix(quaternionAbout(*axis, radiansOf(n[3])));

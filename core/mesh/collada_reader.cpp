@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/document/xml_tags.h"
 #include "core/mesh/collada_document.h"
 #include "core/mesh/collada_geometry.h"
 #include "core/mesh/collada_instances.h"
@@ -118,7 +119,8 @@ class ColladaReader {
     Element* const axis = asset == nullptr ? nullptr : ColladaDocument::child(*asset, "up_axis");
     double metres = 1;
     if (unit != nullptr && unit->Attribute("meter") != nullptr) {
-      const std::string_view text = ColladaDocument::attribute(*unit, "meter");
+      std::string_view text = ColladaDocument::attribute(*unit, "meter");
+      text.remove_prefix(std::min(text.find_first_not_of(kXmlBlanks), text.size()));
       const auto read = std::from_chars(text.data(), text.data() + text.size(), metres);
       if (read.ec != std::errc() || !(metres > 0) || !std::isfinite(metres)) {
         faults_.error("collada.bad-value", ColladaDocument::placeOf(*unit),

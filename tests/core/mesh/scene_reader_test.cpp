@@ -95,6 +95,99 @@ TEST(ColladaReader, EveryUpAxisComesOutZUpAndNotMirrored) {
   }
 }
 
+TEST(ColladaReader, ACommentedOutUpAxisDoesNotDecide) {
+  for (const std::string up :
+       {"<!-- <up_axis>Y_UP</up_axis> --><up_axis>Z_UP</up_axis>",
+        "<up_axis>Z_UP</up_axis><!-- <up_axis>X_UP</up_axis> -->",
+        "<up_axis><!-- Y_UP --> Z_UP</up_axis>", "<up_axis>\n\tZ_UP\r\n</up_axis>"}) {
+    SCOPED_TRACE(up);
+    std::string text = collada(1, "", kWedge);
+    const std::size_t behind = text.find("</asset>");
+    text.insert(behind, up);
+    const ReadMesh read = readMesh(text, "a.dae");
+    EXPECT_THAT(read.faults, IsEmpty());
+    expectSize(read.mesh, {0, 0, 0}, {2, 3, 4});
+  }
+  // None but a commented-out one: Y_UP, by the standard.
+  std::string text = collada(1, "", kWedgeTurnedYUp);
+  text.insert(text.find("</asset>"), "<!-- <up_axis>Z_UP</up_axis> -->");
+  const ReadMesh read = readMesh(text, "a.dae");
+  EXPECT_THAT(read.rules(), ElementsAre("mesh.up-axis"));
+  expectSize(read.mesh, {0, 0, 0}, {2, 3, 4});
+}
+
+TEST(ColladaReader, TheUnitMayHaveBlanksAroundIt) {
+  for (const char* metres : {" 0.01", "\n 0.01 ", "1e-2 "}) {
+    std::string text = collada(0.01, "Z_UP", kWedge);
+    text.replace(text.find("0.01"), 4, metres);
+    const ReadMesh read = readMesh(text, "a.dae");
+    EXPECT_THAT(read.faults, IsEmpty());
+    expectSize(read.mesh, {0, 0, 0}, {0.02, 0.03, 0.04});
+  }
+}
+
+TEST(ColladaReader, AFileIsReadInEveryEncodingThatItsXmlNames) {
+  std::string text = collada(1, "Z_UP", kWedge);
+  text.replace(text.find("\"wedge\""), 7, "\"gr\xC3\xBCn\"");
+  const auto wide = [&](bool big_endian, const std::string& mark) {
+    std::string bytes = mark;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const bool umlaut = text[i] == '\xC3';
+      if (umlaut) ++i;
+      const char low = umlaut ? '\xFC' : text[i];
+      bytes += big_endian ? std::string{'\0', low} : std::string{low, '\0'};
+    }
+    return bytes;
+  };
+  std::string latin = text;
+  latin.replace(latin.find("\xC3\xBC"), 2, "\xFC");
+  latin.insert(latin.find("?>"), " encoding=\"ISO-8859-1\"");
+  for (const std::string& bytes : {"\xEF\xBB\xBF" + text, wide(false, "\xFF\xFE"),
+                                   wide(true, "\xFE\xFF"), wide(false, ""), latin}) {
+    const ReadMesh read = readMesh(bytes, "a.dae");
+    EXPECT_THAT(read.faults, IsEmpty());
+    ASSERT_EQ(read.mesh.parts.size(), 1U);
+    EXPECT_EQ(read.mesh.parts[0].group, "gr\xC3\xBCn");
+    expectSize(read.mesh, {0, 0, 0}, {2, 3, 4});
+  }
+  Findings faults;
+  text.insert(text.find("?>"), " encoding=\"Shift_JIS\"");
+  text.replace(text.find("\xC3\xBC"), 2, "\x83\x41");
+  const auto refused = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().text(),
+            "the file is in the encoding `shift_jis`, which is not read: save it as UTF-8 (a.dae)");
+}
+
+TEST(ColladaReader, ASkewLeansItsFirstAxisTowardsItsSecond) {
+  const auto skewed = [](const std::string& numbers) {
+    return readMesh(
+        collada(1, "Z_UP", kWedge,
+                "<node><skew>" + numbers + "</skew><instance_geometry url=\"#g\"/></node>"),
+        "a.dae");
+  };
+  // z leans towards x by 45 degrees: its end moves by its height.
+  const ReadMesh upright = skewed("45 0 0 2 3 0 0");
+  EXPECT_THAT(upright.faults, IsEmpty());
+  expectSize(upright.mesh, {0, 0, 0}, {4, 3, 4});
+  EXPECT_NEAR(sixVolumes(upright.mesh), 24, 1e-4);
+  // Axes that are not perpendicular: x leans along (1, 0, 1) until it is 30 degrees from where it
+  // was, and what lies across stays.
+  const ReadMesh oblique = skewed("30 1 0 0 1 0 1");
+  const glm::vec3 end = oblique.mesh.vertices[2].position;
+  EXPECT_NEAR(end.z / end.x, std::tan(M_PI / 6), 1e-5);
+  EXPECT_NEAR((end.x - 2) / end.z, 1, 1e-5) << "moved along the second axis";
+  EXPECT_NEAR(sixVolumes(oblique.mesh), 24, 1e-4);
+  // No matrix leans an axis that far.
+  for (const std::string numbers : {"90 0 0 1 1 0 0", "-90 0 0 1 1 0 0", "45 1 0 0 1 0 0",
+                                    "45 0 0 0 1 0 0", "46 1 0 0 1 0 1", "1e400 0 0 1 1 0 0"}) {
+    SCOPED_TRACE(numbers);
+    const ReadMesh plain = skewed(numbers);
+    EXPECT_THAT(plain.rules(), ElementsAre("collada.bad-value"));
+    expectSize(plain.mesh, {0, 0, 0}, {2, 3, 4});
+  }
+}
+
 TEST(ColladaReader, TransformsOfNodesAreAppliedAndEachPlaceIsAPart) {
   const ReadMesh read = readMesh(
       collada(1, "Z_UP", kWedge,
