@@ -23,10 +23,6 @@ namespace {
 /// y up to z up: x stays right.
 const Mat4 kZUp(Vec4(1, 0, 0, 0), Vec4(0, 0, 1, 0), Vec4(0, -1, 0, 0), Vec4(0, 0, 0, 1));
 
-bool isFinitePoint(const glm::vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 class GltfReader {
  public:
   GltfReader(const GltfDocument& document, const std::filesystem::path& path,
@@ -260,17 +256,17 @@ class GltfReader {
       for (std::size_t c = 0; c < 3; ++c) {
         const std::uint32_t vertex = triangles.corners[i + c];
         corners[c].position = first.position + vertex;
-        sound = sound && isFinitePoint(loose_.positions[corners[c].position]);
+        sound = sound && isDrawablePoint(loose_.positions[corners[c].position]);
         if (first.texture != kNone) corners[c].texture = first.texture + vertex;
         if (first.normal == kNone) continue;
         const std::uint32_t normal = first.normal + vertex;
         if (!std::isnan(loose_.normals[normal].x)) corners[c].normal = normal;
       }
       if (!sound) {
-        faults_.error(
-            "mesh.bad-triangle", {},
-            fmt::format("triangle {} of meshes[{}] has a corner that is not finite", i / 3, mesh),
-            "it is left out");
+        faults_.error("mesh.bad-triangle", {},
+                      fmt::format("triangle {} of meshes[{}] has a corner beyond what can be drawn",
+                                  i / 3, mesh),
+                      "it is left out");
         continue;
       }
       if (is_mirrored) std::swap(corners[1], corners[2]);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "core/base/base64.h"
 #include "core/mesh/map_placing.h"
 #include "tests/core/mesh/mesh_test_support.h"
 #include "tests/support/shared_data.h"
@@ -35,6 +36,8 @@ TEST_P(GltfField, ComesOutAsItsReadmeSays) {
   test::expectSound(read.mesh);
   GetParam().judge(read);
 }
+
+constexpr float kTexturedCorners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 Vec3 sizeOfField(const test::ReadMesh& read) { return read.mesh.bounds.max - read.mesh.bounds.min; }
 
@@ -193,6 +196,45 @@ INSTANTIATE_TEST_SUITE_P(
           name, [](char c) { return !(c >= '0' && c <= '9') && !(c >= 'a' && c <= 'z'); }, '_');
       return name;
     });
+
+/// Case 42 has no glTF file: its PNG and JPEG pictures, named by one and inside one.
+TEST(GltfFieldTextures, EveryPngAndJpegIsUsedByNameAndInsideTheFile) {
+  const fs::path folder = test::sharedData("../field") / "42-textures";
+  if (!fs::exists(folder)) GTEST_SKIP() << "no field cases here: " << folder;
+  std::size_t pictures = 0;
+  for (const auto& entry : fs::directory_iterator(folder / "tex")) {
+    const std::string name = entry.path().filename().string();
+    const bool is_png = name.ends_with(".png");
+    if (!is_png && !name.ends_with(".jpg")) continue;
+    ++pictures;
+    const Result<Bytes> bytes = readWholeFile(entry.path(), std::uint64_t{1} << 20U);
+    ASSERT_TRUE(bytes.ok());
+    const std::string points = base64Of(std::as_bytes(std::span(kTexturedCorners)));
+    const std::string inside =
+        std::string("data:image/") + (is_png ? "png" : "jpeg") + ";base64," + base64Of(*bytes);
+    for (const std::string& uri : {"tex/" + name, inside}) {
+      SCOPED_TRACE(uri.substr(0, 20) + " " + name);
+      const std::string text = fmt::format(
+          R"({{"asset":{{"version":"2.0"}},"nodes":[{{"mesh":0}}],"scenes":[{{"nodes":[0]}}],
+"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"material":0}}]}}],
+"materials":[{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0}},"metallicFactor":0}}}}],
+"textures":[{{"source":0}}],"images":[{{"uri":"{}"}}],
+"accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}}],
+"bufferViews":[{{"buffer":0,"byteLength":36}}],
+"buffers":[{{"byteLength":36,"uri":"data:application/octet-stream;base64,{}"}}]}})",
+          uri, points);
+      const test::ReadMesh read = test::readMesh(text, (folder / "all.gltf").string());
+      EXPECT_THAT(read.faults, testing::IsEmpty());
+      if (uri == inside) {
+        ASSERT_NE(onlyMaterial(read).diffuse_bytes, nullptr);
+        EXPECT_TRUE(*onlyMaterial(read).diffuse_bytes == *bytes);
+      } else {
+        EXPECT_TRUE(fs::equivalent(onlyMaterial(read).diffuse_map, entry.path()));
+      }
+    }
+  }
+  EXPECT_GE(pictures, 6U);
+}
 
 }  // namespace
 }  // namespace rocinante
