@@ -36,7 +36,10 @@ struct LooseMesh {
   std::vector<glm::vec3> normals;     ///< unit length
   std::vector<std::uint32_t> colors;  ///< 0xRRGGBBAA by position; empty: none
   std::vector<Corner> corners;        ///< three per triangle
-  std::vector<MeshPart> parts;        ///< first_index and index_count count corners
+  /// By triangle: its smoothing group, 0 for one that is flat, kNone for one that is smoothed by
+  /// angle, like the triangles beyond the end.
+  std::vector<std::uint32_t> smoothing{};
+  std::vector<MeshPart> parts;  ///< first_index and index_count count corners
   std::vector<Material> materials;
 };
 

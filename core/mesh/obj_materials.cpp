@@ -1,8 +1,10 @@
 #include "core/mesh/obj_materials.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include "core/base/atomic_file.h"
 #include "core/mesh/mtl_reader.h"
-#include "core/mesh/text_scanner.h"
 
 namespace rocinante {
 namespace {
@@ -10,6 +12,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kLargestMtlBytes = std::uint64_t{64} << 20U;
+
+/// Words; those with blanks are in quotes.
+std::vector<std::string> fileNames(std::string_view text) {
+  std::vector<std::string> names;
+  while (!text.empty()) {
+    const bool quoted = text.front() == '"' && text.find('"', 1) != std::string_view::npos;
+    const std::size_t begin = quoted ? 1 : 0;
+    const std::size_t end =
+        std::min(quoted ? text.find('"', 1) : text.find_first_of(" \t"), text.size());
+    if (end > begin) names.emplace_back(text.substr(begin, end - begin));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return names;
+}
 
 }  // namespace
 
@@ -37,9 +53,7 @@ void ObjMaterials::readLibraries(const std::string& names, int line) {
   const fs::path beside = path_.parent_path();
   // One name with blanks, as some exporters write it, or several names.
   if (const fs::path whole = find(names, beside); !whole.empty()) return readLibrary(whole, line);
-  TextScanner words(names);
-  while (words.skipBlanks()) {
-    const std::string name(words.word());
+  for (const std::string& name : fileNames(names)) {
     const fs::path file = find(name, beside);
     if (!file.empty()) {
       readLibrary(file, line);
@@ -53,6 +67,11 @@ void ObjMaterials::readLibraries(const std::string& names, int line) {
 fs::path ObjMaterials::find(const std::string& name, const fs::path& beside) const {
   if (name.empty()) return {};
   if (fs::path found = resolve_(name, beside).path; !found.empty()) return found;
+  std::string slashes = name;
+  std::ranges::replace(slashes, '\\', '/');
+  if (slashes != name) {
+    if (fs::path found = resolve_(slashes, beside).path; !found.empty()) return found;
+  }
   // Written on another machine: absolute, perhaps with backslashes.
   const std::string bare = name.substr(name.find_last_of("/\\") + 1);
   return bare.empty() || bare == name ? fs::path{} : resolve_(bare, beside).path;

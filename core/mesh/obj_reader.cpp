@@ -44,11 +44,6 @@ class ObjReader {
     if (loose_.corners.empty()) {
       return Error{ErrorKind::damaged, "holds no face that can be drawn", path_.string()};
     }
-    if (first_smoothing_ > 0 &&
-        std::ranges::find(loose_.corners, kNone, &Corner::normal) != loose_.corners.end()) {
-      faults_.leaveOut("statement", "s", {first_smoothing_},
-                       "where normals are missing, faces are smoothed by their angles");
-    }
     if (first_without_vt_ > 0) {
       faults_.leaveOut("index", "vt", {first_without_vt_},
                        "faces name what the file has no `vt` for");
@@ -87,7 +82,7 @@ class ObjReader {
     } else if (keyword == "mtllib") {
       materials_.readLibraries(scan_.restOfLine(), line_);
     } else if (keyword == "s") {
-      if (first_smoothing_ == 0) first_smoothing_ = line_;
+      setSmoothing();
     } else if (!keyword.starts_with('#')) {
       passOver(keyword);
     }
@@ -121,6 +116,7 @@ class ObjReader {
   /// Behind a position: a weight, or red, green and blue.
   void readColor() {
     double numbers[3] = {0, 0, 0};
+    if (scan_.take('#')) return;  // a comment
     if (!scan_.number(numbers[0]))
       return leaveOut("value", "v", "it is not a number behind a point");
     if (!scan_.number(numbers[1])) {
@@ -181,7 +177,7 @@ class ObjReader {
 
   void readFace() {
     face_.clear();
-    while (scan_.skipBlanks()) {
+    while (scan_.skipBlanks() && !scan_.take('#')) {
       Corner corner;
       if (!readCorner(corner)) return;
       face_.push_back(corner);
@@ -205,6 +201,11 @@ class ObjReader {
             fmt::format("a concave face of {} corners is drawn as if it were convex",
                         face_.size()));
       }
+    }
+    if (smoothing_ != kNone && face_.front().normal == kNone) {
+      const std::size_t triangles = loose_.corners.size() / 3;
+      loose_.smoothing.resize(triangles + 2 - face_.size(), kNone);
+      loose_.smoothing.resize(triangles, smoothing_);
     }
   }
 
@@ -257,6 +258,19 @@ class ObjReader {
     }
     index = static_cast<std::uint32_t>(from_zero);
     return true;
+  }
+
+  /// A number from 1, or 0 or `off`.
+  void setSmoothing() {
+    scan_.skipBlanks();
+    std::int64_t number = 0;
+    if (scan_.integer(number) && number >= 0) {
+      smoothing_ = static_cast<std::uint32_t>(std::min<std::int64_t>(number, kNone - 1));
+      return;
+    }
+    const std::string_view word = scan_.word();
+    smoothing_ = word == "on" ? 1 : 0;
+    if (word != "on" && word != "off") badNumber("s");
   }
 
   void setGroup(std::string group) {
@@ -324,7 +338,7 @@ class ObjReader {
   std::string object_;
   MeshPart part_;                                    ///< the one being filled
   bool used_any_ = false;                            ///< part_.material is valid
-  int first_smoothing_ = 0;                          ///< line of the first `s`
+  std::uint32_t smoothing_ = kNone;                  ///< of the last `s`; kNone: before any
   int first_without_vt_ = 0, first_without_vn_ = 0;  ///< lines of faces; 0: none
   std::vector<Corner> face_;
   std::vector<glm::vec3> polygon_;

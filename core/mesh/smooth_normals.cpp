@@ -55,6 +55,36 @@ std::vector<std::uint32_t> groupOfTriangles(const LooseMesh& loose) {
   return groups;
 }
 
+/// Which triangles of one point share a normal.
+class Smoothing {
+ public:
+  Smoothing(const LooseMesh& loose, double angle_deg)
+      : smoothing_(loose.smoothing),
+        group_(groupOfTriangles(loose)),
+        // Slightly below the cosine: faces that meet at exactly the angle are smoothed.
+        least_cosine_(cosine(radiansOf(angle_deg)) - 1e-9) {}
+
+  /// `unit`: the normals of all triangles.
+  bool joins(const std::vector<Vec3>& unit, std::size_t face, std::size_t other) const {
+    if (group_[face] != group_[other]) return false;
+    // A face without area has no normal and is smoothed with all others.
+    if (unit[face] == Vec3(0.0)) return true;
+    const std::uint32_t smoothing = of(face);
+    if (smoothing != of(other)) return false;
+    if (smoothing == kNone) return glm::dot(unit[face], unit[other]) >= least_cosine_;
+    return smoothing != 0 || face == other;
+  }
+
+ private:
+  std::uint32_t of(std::size_t triangle) const {
+    return triangle < smoothing_.size() ? smoothing_[triangle] : kNone;
+  }
+
+  const std::vector<std::uint32_t>& smoothing_;
+  const std::vector<std::uint32_t> group_;
+  const double least_cosine_;
+};
+
 }  // namespace
 
 void smoothNormals(LooseMesh& loose, double angle_deg) {
@@ -62,9 +92,6 @@ void smoothNormals(LooseMesh& loose, double angle_deg) {
   bool complete = true;
   for (const Corner& corner : loose.corners) complete = complete && corner.normal != kNone;
   if (complete) return;
-  // Slightly below the cosine: faces that meet at exactly the angle are smoothed.
-  const double least_cosine = cosine(radiansOf(angle_deg)) - 1e-9;
-
   PositionIndex points(loose.positions.size());
   std::vector<std::uint32_t> point_of(loose.positions.size());
   for (std::size_t i = 0; i < loose.positions.size(); ++i) {
@@ -85,7 +112,7 @@ void smoothNormals(LooseMesh& loose, double angle_deg) {
   for (std::size_t t = 0; t < triangle_count; ++t) unit[t] = faceNormal(loose, t);
   std::vector<double> angles(corner_count);
   for (std::size_t i = 0; i < corner_count; ++i) angles[i] = angleAt(loose, i);
-  const std::vector<std::uint32_t> group = groupOfTriangles(loose);
+  const Smoothing smoothing(loose, angle_deg);
 
   for (std::size_t p = 0; p + 1 < first.size(); ++p) {
     const std::span<const std::uint32_t> around(at_point.data() + first[p],
@@ -98,14 +125,8 @@ void smoothNormals(LooseMesh& loose, double angle_deg) {
       if (around.size() > kSmoothedCorners) {
         sum = unit[face];
       } else {
-        // A face without area has no normal and is smoothed with all others.
-        const bool any_direction = unit[face] == Vec3(0.0);
         for (const std::uint32_t other : around) {
-          const std::size_t neighbour = other / 3;
-          if (group[neighbour] != group[face]) continue;
-          if (any_direction || glm::dot(unit[face], unit[neighbour]) >= least_cosine) {
-            sum += unit[neighbour] * angles[other];
-          }
+          if (smoothing.joins(unit, face, other / 3)) sum += unit[other / 3] * angles[other];
         }
       }
       sum = unitOrZero(sum);

@@ -176,6 +176,19 @@ TEST_F(MtlReader, ReadsSeveralLibrariesAndOneWithBlanksInItsName) {
   EXPECT_THAT(mesh.rules(), ElementsAre("mtl.duplicate-material"));
 }
 
+TEST_F(MtlReader, LibrariesMayBeQuotedOrInAFolderWithBackslashes) {
+  write("meshes/a.mtl", "newmtl a\nKd 1 0 0\n");
+  write("meshes/my own.mtl", "newmtl b\nKd 0 1 0\n");
+  write("meshes/below/c.mtl", "newmtl c\nKd 0 0 1\n");
+  const ReadMesh mesh = read("mtllib \"my own.mtl\" a.mtl  below\\c.mtl\nusemtl c");
+  ASSERT_EQ(mesh.mesh.materials.size(), 3U);
+  EXPECT_EQ(mesh.mesh.materials[0].name, "b");
+  EXPECT_EQ(mesh.mesh.materials[1].name, "a");
+  EXPECT_EQ(mesh.mesh.materials[2].diffuse, glm::vec4(0, 0, 1, 1));
+  EXPECT_THAT(mesh.rules(), IsEmpty());
+  EXPECT_THAT(read("mtllib \"a.mtl\nusemtl a").rules(), ElementsAre("obj.missing-mtllib"));
+}
+
 TEST_F(MtlReader, NamesMaterialsThatNoLibraryDefines) {
   write("meshes/a.mtl", "newmtl a\n");
   EXPECT_THAT(read("mtllib a.mtl\nusemtl b").rules(), ElementsAre("obj.unknown-material"));

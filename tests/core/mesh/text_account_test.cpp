@@ -19,7 +19,8 @@ struct TextCase {
 
 constexpr const char* kTextObj =
     "mtllib a.mtl\no thing\nv 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
-    "vn 0 0 1\nusemtl m\nf 1/1/1 2/2/1 3/3/1\ng part\nusemtl n\nf 1 2 4\ns 1\nl 1 2\ncurv 0 1\n";
+    "vn 0 0 1\nusemtl m\nf 1/1/1 2/2/1 3/3/1\ng part\nusemtl n\ns 1\nf 1 2 4\nf 1 4 3\nl 1 2\ncurv "
+    "0 1\n";
 constexpr const char* kTextMtl =
     "newmtl m\nKd 1 0 0.5\nKs 0.5 0 0\nKe 0 0 0.25\nNs 9\nd 0.5\nmap_Kd -s 2 2 -clamp on a.png\n"
     "Ka 1 1 1\nbump b.png\nnewmtl n\nKd 0 1 0\n";
