@@ -72,7 +72,7 @@ constexpr const char* kEverything = R"(<?xml version="1.0"?>
 <library_nodes><node id="lib" name="lib"><translate>0 0 7</translate><instance_geometry url="#quad"><bind_material><technique_common>
 <instance_material symbol="M" target="#m2"/></technique_common></bind_material></instance_geometry></node></library_nodes>
 <library_visual_scenes><visual_scene id="S">
-<node name="a"><matrix>1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1</matrix><rotate>0 0 1 90</rotate><scale>1 2 -1</scale>
+<node name="a"><matrix>1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1</matrix><rotate>0 0 1 90</rotate><skew>20 0 1 0 0 0 1</skew><scale>1 2 -1</scale>
 <instance_geometry url="#quad"><bind_material><technique_common><instance_material symbol="M" target="#m1">
 <bind_vertex_input semantic="UVB" input_semantic="TEXCOORD" input_set="1"/></instance_material></technique_common></bind_material></instance_geometry>
 <node name="b"><lookat>1 2 3 0 0 0 0 1 0</lookat><instance_geometry url="#many"><bind_material><technique_common>
