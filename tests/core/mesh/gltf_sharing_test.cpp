@@ -85,6 +85,7 @@ TEST(GltfSparse, ChangesAreFoundOnceForAllWhoUseThem) {
   ASSERT_TRUE(document.ok());
   const GltfAccessor first(*document, 1), second(*document, 1), base(*document, 0);
   ASSERT_EQ(document->changes.size(), 1U);
+  ASSERT_NE(document->changes.at(1), nullptr);
   EXPECT_EQ(document->changes.at(1)->size(), 4U);
   EXPECT_EQ(document->changes.at(1).use_count(), 3) << "the document's and two accessors'";
   std::vector<std::size_t> changed;
