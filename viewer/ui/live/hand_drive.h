@@ -31,8 +31,8 @@ class HandDrive {
   /// The same into a sink that is already open.
   static Result<HandDrive> into(std::unique_ptr<DatagramSink> sink, const DriveSettings& settings);
 
-  /// A finite value of a joint, to be sent when it is due; one that no packet can hold is told by
-  /// trouble().
+  /// A finite value of a joint, to be sent when it is due. trouble() names one that no packet can
+  /// hold.
   void set(const std::string& device, const std::string& joint, double value);
   /// The hand lets go: nothing is sent of them any more, and receivers forget what was. Unknown
   /// ones are ignored.
