@@ -22,6 +22,7 @@ SessionCheck::SessionCheck(const Cell& cell)
       layers_(cell),
       clearance_(cell) {
   const RuleSettings rules(cell.rules);
+  motion_.limit_excess = rules.threshold("joint.limit");
   motion_.velocity_factor = rules.threshold("joint.velocity");
   motion_.acceleration = rules.threshold("joint.acceleration");
   expectDevices();

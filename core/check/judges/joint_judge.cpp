@@ -12,8 +12,10 @@
 namespace rocinante {
 namespace {
 
-/// Values outside their limits by less than this are accepted: senders round.
+/// Senders round: for what values look like.
 constexpr double kLimitSlack = 1e-6;
+/// An excess of less than this part of the range looks like the noise of a sensor.
+constexpr double kNoisePart = 0.01;
 /// A joint without a velocity limit may not cross its whole range faster than this.
 constexpr double kRangeTime_s = 0.2;
 
@@ -24,7 +26,7 @@ constexpr std::array kFloating = {".x", ".y", ".z", ".qx", ".qy", ".qz", ".qw"};
 
 JointJudge::JointJudge(const Joint& joint, std::size_t component,
                        const MotionThresholds& thresholds)
-    : name_(joint.name) {
+    : name_(joint.name), limit_excess_(thresholds.limit_excess) {
   const bool is_planar = joint.type == JointType::planar;
   const bool is_floating = joint.type == JointType::floating;
   if (is_planar) name_ += kPlanar[component];
@@ -58,7 +60,7 @@ void JointJudge::judge(double value, const PacketPlace& place) {
   least_ = std::min(least_, value);
   most_ = std::max(most_, value);
   const double excess = std::max(lower_ - value, value - upper_);
-  if (excess <= kLimitSlack) {
+  if (excess <= limit_excess_) {
     // Restated values do not show motion.
     if (!place.is_restated) judgeMotion(value, place);
     return;
@@ -132,6 +134,11 @@ void JointJudge::report(const std::string& device, Findings& findings) const {
                               angleText(worst_))
                 : fmt::format("[{:.6g}, {:.6g}] m; the worst is {:.6g}", lower_, upper_, worst_);
   add(beyond_, "joint.limit", fmt::format("{}/{} is outside its limits {}", device, name_, beyond));
+  if (beyond_.count > 0 && worst_excess_ < kNoisePart * (upper_ - lower_)) {
+    findings.back().hint = fmt::format(
+        "if it is the noise of a sensor: [rules] \"joint.limit\" = {{ excess = {:.1g} }} in a cell",
+        2 * worst_excess_);
+  }
   const std::string speed = velocity_limit_
                                 ? fmt::format("its limit is {}/s", valueText(*velocity_limit_))
                                 : "its whole range is " + valueText(upper_ - lower_);

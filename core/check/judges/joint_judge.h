@@ -14,6 +14,7 @@ namespace rocinante {
 struct MotionThresholds {
   double velocity_factor = 1.1;  ///< of the model's velocity limit
   double acceleration = 0;       ///< rad/s^2 or m/s^2; 0: not judged
+  double limit_excess = 1e-6;    ///< rad or m that a value may be outside the model's limits
 };
 
 /// Judges one value of one joint: that of a revolute joint, or the `.yaw` of a planar one.
@@ -60,7 +61,7 @@ class JointJudge {
   double most_ = -std::numeric_limits<double>::infinity();
   MotionJudge motion_;
   Tally beyond_, jump_, velocity_, acceleration_;
-  double worst_excess_ = 0, worst_ = 0;
+  double limit_excess_ = 0, worst_excess_ = 0, worst_ = 0;
   double jump_distance_ = 0, jump_s_ = 0, worst_velocity_ = 0, velocity_s_ = 0;
   /// The packets of the worst fault, if their TIMEs are too near.
   std::string jump_twins_, velocity_twins_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/shell_word.h"
+
 namespace rocinante {
 
 void TwoSources::note(std::uint32_t& writer, const PacketPlace& place) {
@@ -20,6 +22,12 @@ void TwoSources::report(const std::string& device, std::string_view what,
       "packet.two-sources", device,
       fmt::format("the {} of device {} are written by {} and by {}; the last to write wins", what,
                   device, sources[before], sources[now])));
+  findings.back().hint =
+      fmt::format("to take one of a log: rocinante log filter LOG --source {} -o OUT",
+                  shellWord(sources[before]));
+  if (sources[before].starts_with("decoded:")) {
+    findings.back().hint += "; of a bag or table, LOG is what rocinante log import makes of it";
+  }
 }
 
 }  // namespace rocinante

@@ -102,7 +102,7 @@ constexpr auto kRules = std::to_array<Rule>({
      {"per_s2", 0}},
     {"joint.degrees", kError, "joint values look like degrees; radians are expected"},
     {"joint.jump", kWarning, "a joint moves farther in one packet than it can"},
-    {"joint.limit", kError, "a joint value is outside the limits of the model"},
+    {"joint.limit", kError, "a joint value is outside the limits of the model", {"excess", 1e-6}},
     {"joint.percent", kError, "joint values look like percent of their range"},
     {"joint.undriven", kNote, "a driven device has joints that never get a value"},
     {"joint.unnormalised", kWarning, "the quaternion of a floating joint is not of unit length"},

@@ -226,7 +226,41 @@ TEST_F(SessionCheckTest, NamesTwoSourcesOnTheSameJointsOnly) {
   ASSERT_THAT(rules(found), ElementsAre("packet.two-sources"));
   EXPECT_EQ(found.findings[0].text,
             "the joints of device arm are written by left and by right; the last to write wins");
+  EXPECT_EQ(found.findings[0].hint,
+            "to take one of a log: rocinante log filter LOG --source left -o OUT");
   EXPECT_EQ(found.verdict, CheckVerdict::compatible);
+}
+
+TEST_F(SessionCheckTest, NamesTheTopicOfABagThatOneTakes) {
+  say("decoded:ros:joint_states - -", "joint arm shoulder=1 elbow=0 slide=0");
+  say("decoded:ros:joint_states_desired - -", "joint arm shoulder=0.9");
+  say("decoded:ros:joint_states - -", "joint arm shoulder=1");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("packet.two-sources"));
+  EXPECT_EQ(found.findings[0].hint,
+            "to take one of a log: rocinante log filter LOG --source decoded:ros:joint_states -o "
+            "OUT; of a "
+            "bag or table, LOG is what rocinante log import makes of it");
+}
+
+TEST_F(SessionCheckTest, NoiseAtALimitIsAllowedByTheCell) {
+  say("joints arm 0 0 -0.00002");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("joint.limit"));
+  EXPECT_EQ(
+      found.findings[0].hint,
+      "if it is the noise of a sensor: [rules] \"joint.limit\" = { excess = 4e-05 } in a cell");
+  std::ofstream(folder_ / "cell.toml")
+      << kCell << "[rules]\n\"joint.limit\" = { excess = 4e-05 }\n";
+  Result<Cell> tolerant = loadCell(folder_ / "cell.toml", {});
+  ASSERT_TRUE(tolerant.ok()) << tolerant.error().text();
+  ASSERT_THAT(tolerant->faults, IsEmpty());
+  cell_ = std::move(*tolerant);
+  session_.emplace(cell_);
+  say("joints arm 0 0 -0.00002");
+  EXPECT_THAT(rules(report()), IsEmpty());
+  say("joints arm 0 0 -0.00005");
+  EXPECT_THAT(rules(report()), ElementsAre("joint.limit"));
 }
 
 TEST_F(SessionCheckTest, CountsFaultsOfPacketTextByKind) {
