@@ -10,6 +10,9 @@
 namespace rocinante::cli {
 namespace {
 
+/// The type of a positional, which is printed nowhere, where showRequired() marks it.
+constexpr const char* kRequired = "REQUIRED";
+
 constexpr const char* kExitCodes =
     "\nExit codes: 0 done, same or compatible; 1 the answer is no, or something was not kept;\n"
     "2 could not run, or nothing was judged.";
@@ -71,7 +74,8 @@ class HelpFormatter final : public CLI::Formatter {
          app->get_options([](const CLI::Option* each) { return each->get_positional(); })) {
       std::string word = option->get_name(true, false);
       if (option->get_expected_max() >= CLI::detail::expected_max_vector_size) word += "...";
-      usage += option->get_required() ? " " + word : " [" + word + "]";
+      const bool is_required = option->get_required() || option->get_type_name() == kRequired;
+      usage += is_required ? " " + word : " [" + word + "]";
     }
     const auto has_name = [](const CLI::App* each) {
       return !each->get_disabled() && !each->get_name().empty();
@@ -213,6 +217,8 @@ std::string examplesOf(std::string_view examples, const std::string& name) {
 }
 
 }  // namespace
+
+void showRequired(CLI::Option& positional) { positional.type_name(kRequired); }
 
 void setHelp(CLI::App& app, std::string_view examples) {
   const auto formatter = std::make_shared<HelpFormatter>();

@@ -11,6 +11,7 @@
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
+#include "core/cli/help_formatter.h"
 #include "core/cli/search_options.h"
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/report/json_text.h"
@@ -308,8 +309,8 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
 CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "bisect", "find the first time at which two logs, cells or builds draw different pictures");
-  command->add_option("LOG", arguments.log, "the session")->required();
   command->add_option("CELL", arguments.cell, "the cell; default: the one that LOG carries");
+  cli::showRequired(*command->add_option("LOG", arguments.log, "the session"));
   command->add_option("--other-log", arguments.other_log, "compare with this log");
   command->add_option("--other-cell", arguments.other_cell, "compare with this cell");
   command->add_option("--other-render", arguments.other_render,
@@ -331,7 +332,7 @@ CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments) {
 
 Result<cli::Exit> runBisectCommand(const BisectArguments& given) {
   BisectArguments arguments = given;
-  orderCellAndLog(arguments.cell, arguments.log);
+  if (Status has = orderLogAndItsCell(arguments.cell, arguments.log); !has) return has.error();
   if (arguments.other_log.empty() && arguments.other_cell.empty() &&
       arguments.other_render.empty()) {
     return Error{ErrorKind::bad_argument,

@@ -22,7 +22,7 @@ constexpr char kExamples[] =
     "  rocinante golden run examples/demo/demo.suite.toml --report out/report\n"
     "  rocinante golden run suite.toml --log new.mcap --only 'pick*' --junit out/junit.xml\n"
     "  rocinante golden approve suite.toml --only picked -m 'the gripper got longer fingers'\n"
-    "  rocinante golden bisect session.mcap cell.toml --other-cell new/cell.toml\n"
+    "  rocinante golden bisect cell.toml session.mcap --other-cell new/cell.toml\n"
     "  rocinante golden session accepted.mcap new.mcap cell.toml --report out/report\n"
     "  rocinante golden approve suite.toml -i -m 'looked at each'\n"
     "  rocinante golden list suite.toml --verify\n"

@@ -8,6 +8,7 @@
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/check/check.h"
+#include "core/cli/help_formatter.h"
 #include "core/cli/program.h"
 #include "core/copy/log_make.h"
 #include "core/copy/log_selection.h"
@@ -274,8 +275,8 @@ LogCommand addExportCommand(CLI::App& program) {
   auto my = std::make_shared<ExportArguments>();
   CLI::App* const app = program.add_subcommand(
       "export", "write a log for other tools: Foxglove, ROS 2, captures, glTF");
-  app->add_option("LOG", my->log, "the log to read")->required();
   addExportCellArguments(*app, "CELL", my->cell);
+  cli::showRequired(*app->add_option("LOG", my->log, "the log to read"));
   app->add_flag("--foxglove", my->foxglove, "an MCAP file of protobuf messages of foxglove");
   app->add_flag("--ros2", my->ros2, "a ROS 2 bag: an MCAP file of CDR messages");
   app->add_flag("--pcap", my->pcap, "a capture of the datagrams, with nanoseconds");
@@ -294,9 +295,10 @@ LogCommand addExportCommand(CLI::App& program) {
   app->add_option("-o,--output", my->output, "the file to make")->type_name("OUT")->required();
   app->add_flag("--force", my->force, "replace an existing output");
   app->add_flag("--json", my->json, "print what was made as JSON");
-  return {app, [my] {
+  return {app, [my]() -> Result<cli::Exit> {
             std::filesystem::path log = my->log;
-            if (orderCellAndLog(my->cell.cell, log)) my->log = log.string();
+            if (Status has = orderLogAndItsCell(my->cell.cell, log); !has) return has.error();
+            my->log = log.string();
             return runExport(*my);
           }};
 }

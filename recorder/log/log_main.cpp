@@ -45,7 +45,7 @@ constexpr const char* kExamples =
     "  rocinante log attach session.mcap --cell demo.cell.toml -o carries_its_cell.mcap\n"
     "  rocinante log extract session.mcap --cell -o demo/\n"
     "  rocinante log table session.mcap -o session.csv   joints and poses as columns\n"
-    "  rocinante log export session.mcap demo.cell.toml --foxglove -o foxglove.mcap\n"
+    "  rocinante log export demo.cell.toml session.mcap --foxglove -o foxglove.mcap\n"
     "  rocinante log import bag_0.mcap bag_1.mcap -o session.mcap --cell cell.toml\n";
 
 }  // namespace

@@ -115,7 +115,7 @@ Result<MadePage> pageFor(const PageJob& job) {
   options.parallel = job.parallel;
   auto cell = loadCellOrLog(job.cell.empty() ? job.log : job.cell, options);
   if (!cell && job.cell.empty() && cell.error().kind == ErrorKind::not_found) {
-    return Error{ErrorKind::not_found, "the log carries no cell: name one after it",
+    return Error{ErrorKind::not_found, "the log carries no cell: name one before it",
                  job.log.string()};
   }
   if (!cell) return cell.error();

@@ -15,10 +15,10 @@ namespace {
 using namespace rocinante;
 
 constexpr const char* kExamples =
-    "  rocinante page session.mcap cell.toml -o session.html\n"
+    "  rocinante page cell.toml session.mcap -o session.html\n"
     "  rocinante page session.mcap -o session.html          a log that carries its cell\n"
-    "  rocinante page session.mcap robot.urdf -o session.html --size 50MB\n"
-    "  rocinante page session.mcap site.cell.toml -o small.html --size 5MB --thin\n"
+    "  rocinante page robot.urdf session.mcap -o session.html --size 50MB\n"
+    "  rocinante page site.cell.toml session.mcap -o small.html --size 5MB --thin\n"
     "  rocinante page session.mcap -o fall.html --from 30s --until 45s\n"
     "  rocinante page --extract session.html -o session.mcap\n";
 
@@ -54,9 +54,9 @@ int main(int argc, char** argv) {
   PageJob job;
   std::string page;
   std::string most = "20MB";
-  app.add_option("LOG", job.log, "the session");
   app.add_option("CELL", job.cell,
                  "a .cell.toml, a .urdf or an .obj; without it, the cell that the log carries");
+  app.add_option("LOG", job.log, "the session");
   app.add_option("-o,--output", job.output, "the page; with --extract, the log")->required();
   app.add_option("--size", most, "the largest page that is written")->capture_default_str();
   app.add_flag("--thin", job.thin,
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     const cli::StopDeadline until_stopped("stopped");
     if (!page.empty()) {
-      if (!job.log.empty() || !job.from.empty() || !job.until.empty()) {
+      if (!job.cell.empty() || !job.from.empty() || !job.until.empty()) {
         return Error{ErrorKind::bad_argument, "--extract takes no LOG, no CELL and no times", {}};
       }
       const auto bytes = extractLog(page, job.output, job.overwrite);
@@ -85,10 +85,9 @@ int main(int argc, char** argv) {
       cli::say(fmt::format("{}: {}\n", job.output.string(), sizeText(*bytes)));
       return cli::Exit::done;
     }
-    if (job.log.empty()) {
+    if (!orderLogAndItsCell(job.cell, job.log)) {
       return Error{ErrorKind::bad_argument, "give a LOG, or --extract PAGE", {}};
     }
-    orderCellAndLog(job.cell, job.log);
     const auto bytes = parseSize(most);
     if (!bytes) return Error{bytes.error().kind, bytes.error().what, "--size"};
     job.most_bytes = *bytes;

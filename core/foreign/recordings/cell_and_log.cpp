@@ -36,4 +36,16 @@ bool orderCellAndLog(std::string& cell, std::string& log) {
   return true;
 }
 
+Status orderLogAndItsCell(std::filesystem::path& cell, std::filesystem::path& log) {
+  if (log.empty()) {
+    log = std::exchange(cell, {});
+  } else if (!orderCellAndLog(cell, log)) {
+    // Of a missing log behind which a cell stands, the error is to name the log.
+    std::error_code fault;
+    if (!std::filesystem::exists(cell, fault) && !isRecording(log)) std::swap(cell, log);
+  }
+  if (log.empty()) return Error{ErrorKind::bad_argument, "LOG is required", {}};
+  return {};
+}
+
 }  // namespace rocinante

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/result.h"
+
 namespace rocinante {
 
 /// True for a log, and for a recording that an import reads, by its content; false for a cell or a
@@ -14,5 +16,9 @@ bool isRecording(const std::filesystem::path& path);
 /// True when it exchanged them.
 bool orderCellAndLog(std::filesystem::path& cell, std::filesystem::path& log);
 bool orderCellAndLog(std::string& cell, std::string& log);
+
+/// The same for a program that needs a LOG and may take its cell from it: one word alone, in the
+/// place of the cell, is the log. bad_argument when there is none.
+Status orderLogAndItsCell(std::filesystem::path& cell, std::filesystem::path& log);
 
 }  // namespace rocinante

@@ -49,5 +49,22 @@ TEST_F(CellAndLog, StayAsTheyAreWhereTheContentDoesNotTell) {
   EXPECT_FALSE(exchanged(pipe, cell_));
 }
 
+TEST_F(CellAndLog, OneAloneIsTheLogWhereItMayCarryItsCell) {
+  std::filesystem::path cell = table_, log;
+  ASSERT_TRUE(orderLogAndItsCell(cell, log).ok());
+  EXPECT_EQ(cell, "");
+  EXPECT_EQ(log, table_);
+  cell = table_, log = cell_;
+  ASSERT_TRUE(orderLogAndItsCell(cell, log).ok());
+  EXPECT_EQ(cell, cell_);
+  EXPECT_EQ(log, table_);
+  cell = "missing.mcap", log = cell_;
+  ASSERT_TRUE(orderLogAndItsCell(cell, log).ok());
+  EXPECT_EQ(log, "missing.mcap");
+  cell.clear();
+  log.clear();
+  EXPECT_EQ(orderLogAndItsCell(cell, log).error().what, "LOG is required");
+}
+
 }  // namespace
 }  // namespace rocinante
