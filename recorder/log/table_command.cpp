@@ -22,6 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A day at 1 kHz.
+constexpr std::int64_t kMostRows = 100'000'000;
+
 struct TableArguments {
   std::string log;
   std::vector<std::string> devices;
@@ -53,15 +56,12 @@ Result<TableOptions> readTableOptions(const TableArguments& my, const LogSummary
   options.until = range->until;
   if (my.changes) options.rows = TableOptions::Rows::changed;
   if (my.every.empty()) return options;
-  const Result<Nanoseconds> every = parseDuration(my.every);
-  if (!every) return every.error();
-  if (every->count() <= 0) {
-    return Error{ErrorKind::bad_argument, "must be greater than zero", "--every"};
-  }
   options.rows = TableOptions::Rows::grid;
-  options.every = *every;
   options.from = std::max(options.from, log.start);
   options.until = std::min(options.until, std::min(log.end, kLastLogTime) + Nanoseconds(1));
+  const Result<Nanoseconds> every = readEvery(my.every, options.until - options.from, kMostRows);
+  if (!every) return every.error();
+  options.every = *every;
   return options;
 }
 
