@@ -11,6 +11,8 @@ namespace {
 
 /// Most devices that the sentence names.
 constexpr std::size_t kMostNamed = 3;
+/// Most kinds of things that note() names.
+constexpr std::size_t kMostInNote = 2;
 
 bool isDriven(const Joint& joint) { return joint.type != JointType::fixed && !joint.mimic; }
 
@@ -51,7 +53,7 @@ Account leftOutOf(const LogReader& log) {
 
 }  // namespace
 
-std::string LogAccount::sentence() const {
+std::string LogAccount::sentence(std::size_t most_listed) const {
   std::string text;
   if (no_packets) {
     text = "no message of the log is a packet: nothing moves";
@@ -70,13 +72,22 @@ std::string LogAccount::sentence() const {
     }
   }
   if (!text.empty() && !left_out.empty()) text += "; ";
-  return text + accountSentence(left_out);
+  return text + accountSentence(left_out, most_listed);
+}
+
+std::string LogAccount::note() const {
+  const bool all_at_rest = movable > 0 && at_rest.size() == movable;
+  if (!no_packets && !all_at_rest && (!imported || empty())) return {};
+  const bool is_whole = left_out.leftOut().size() <= kMostInNote && left_out.unlisted() == 0;
+  return sentence(kMostInNote) + (is_whole ? "" : "; rocinante check lists all");
 }
 
 LogAccount logAccount(const LogReader& log, const SessionState& last, const Cell* cell) {
   LogAccount account;
   account.left_out = leftOutOf(log);
-  account.imported = std::ranges::any_of(log.channels(), &LogChannel::imported);
+  // A capture becomes channels like those of a recorder.
+  account.imported = log.summary().end_reason == kImportedEnd || hasImportRecord(log.metadata()) ||
+                     std::ranges::any_of(log.channels(), &LogChannel::imported);
   account.no_packets = log.summary().profile == profile::kName && log.summary().messages > 0 &&
                        last.sources().empty() && last.devices().empty();
   if (cell == nullptr) return account;

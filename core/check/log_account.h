@@ -15,7 +15,7 @@
 namespace rocinante {
 
 /// What a log holds and no packet was made of, and what of a cell no packet of it moves
-/// (docs/decisions/034): every program that opens a recording prints sentence().
+/// (docs/decisions/034): every program that opens a recording prints note().
 struct LogAccount {
   /// Topics without packets, and what else an import did not use.
   Account left_out;
@@ -24,17 +24,15 @@ struct LogAccount {
   std::vector<std::string> at_rest;
   std::size_t movable = 0;  ///< devices with joints that are there
   bool no_packets = false;  ///< it has messages, and none is or became a packet
-  bool imported = false;    ///< it has messages of another program's recording
+  bool imported = false;    ///< what another program recorded
 
   bool empty() const { return left_out.empty() && at_rest.empty() && !no_packets; }
-  /// What every program says of a log that it opens. Of one that was recorded only that it moves
-  /// nothing: what it holds besides packets was recorded on purpose.
-  bool isNotable() const {
-    const bool all_at_rest = movable > 0 && at_rest.size() == movable;
-    return no_packets || all_at_rest || (imported && !empty());
-  }
   /// "no packet of the log moves arm; left out: 1 topic `/camera` (...)"; empty when empty().
-  std::string sentence() const;
+  std::string sentence(std::size_t most_listed = 4) const;
+  /// The line that every program prints of a log that it opens, or empty: a shorter sentence, and
+  /// which program has all of it. Of a log that was recorded only that it moves nothing: what it
+  /// holds besides packets was recorded on purpose.
+  std::string note() const;
 };
 
 /// Of a log whose last state is `last`. `cell` null: none is known.

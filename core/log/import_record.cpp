@@ -6,6 +6,11 @@
 
 namespace rocinante {
 
+bool hasImportRecord(const std::vector<LogMetadata>& metadata) {
+  return std::ranges::any_of(
+      metadata, [](const LogMetadata& record) { return record.name == kImportRecord; });
+}
+
 std::vector<std::string> importWarningsOf(const std::vector<LogMetadata>& metadata) {
   std::vector<std::string> warnings;
   for (const LogMetadata& record : metadata) {

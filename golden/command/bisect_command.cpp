@@ -15,6 +15,7 @@
 #include "core/cli/search_options.h"
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/report/json_text.h"
+#include "golden/command/log_note.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/session/bisect.h"
 #include "golden/store/child_output.h"
@@ -340,6 +341,8 @@ Result<cli::Exit> runBisectCommand(const BisectArguments& given) {
   }
   const auto question = bisectQuestion(arguments);
   if (!question.ok()) return question.error();
+  tellLogNote(arguments.log);
+  if (!arguments.other_log.empty()) tellLogNote(arguments.other_log);
   const auto answer = bisectPictures(*question);
   if (!answer.ok()) return answer.error();
   std::vector<StateChange> changes;

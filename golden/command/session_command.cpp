@@ -9,6 +9,7 @@
 
 #include "core/cli/search_options.h"
 #include "core/foreign/recordings/cell_and_log.h"
+#include "golden/command/log_note.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/report/report_folder.h"
 #include "golden/session/session_comparison_text.h"
@@ -95,6 +96,8 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& given) {
   auto comparison = judgeSessions(cell, options, *question, progress);
   if (shows_progress) fmt::print(stderr, "\r\033[K");
   if (!comparison.ok()) return comparison.error();
+  tellLogNote(arguments.a);
+  tellLogNote(arguments.b);
   std::cout << (arguments.json ? sessionJson(*comparison) : sessionText(*comparison));
   if (!arguments.report.empty()) {
     comparison->report.made_at = nowText();

@@ -53,7 +53,8 @@ Status readLogArguments(const std::vector<std::string>& arguments, Suite& suite,
 /// What no packet of the log moves, and what of it became none.
 void tellAccount(const OpenedRecording& recording, const Cell& cell) {
   const auto account = logAccount(recording.log, &cell);
-  if (account.ok() && account->isNotable()) cli::warn(account->sentence());
+  const std::string note = account.ok() ? account->note() : std::string();
+  if (!note.empty()) cli::warn(note);
 }
 
 /// What another program recorded becomes a log, and warnings say what it could not keep.

@@ -6,11 +6,11 @@
 #include "core/base/atomic_file.h"
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
-#include "core/check/log_account.h"
 #include "core/cli/import_progress.h"
 #include "core/cli/no_wait.h"
 #include "core/cli/program.h"
 #include "core/foreign/recordings/opened_recording.h"
+#include "core/report/account.h"
 #include "player/control/command_slot.h"
 #include "player/control/control_socket.h"
 #include "player/control/control_thread.h"
@@ -237,8 +237,8 @@ Result<PlayReport> playWithControl(Arguments& my) {
     if (!found) return found.error();
     for (const std::string& warning : found->warnings) cli::warn(warning);
     if (!found->not_kept.empty()) cli::warn(found->not_kept);
-    const auto account = logAccount(found->log, nullptr);
-    if (account && account->imported && account->isNotable()) cli::warn(account->sentence());
+    // Topics without packets are played as they are.
+    if (!found->left_out.empty()) cli::warn(accountSentence(found->left_out));
     log = found->log;
     opened.push_back(std::move(*found));
   }

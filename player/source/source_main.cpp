@@ -225,7 +225,7 @@ Result<PlayReport> send(Arguments& my) {
     for (const std::string& warning : opened->warnings) cli::warn(warning);
     if (!opened->not_kept.empty()) cli::warn(opened->not_kept);
     const auto account = logAccount(opened->log, nullptr);
-    if (account && account->imported && account->isNotable()) cli::warn(account->sentence());
+    if (account && account->imported && !account->note().empty()) cli::warn(account->note());
     LogSourceOptions log = my.log;
     log.log = opened->log;
     Result<PlayReport> report = sendLog(log, my.options, surroundings);

@@ -29,7 +29,7 @@ Result<cli::Exit> make(PageJob job) {
   job.parallel = cli::workerThreads();
   const auto report = makePage(job);
   if (!report) return report.error();
-  if (report->account.isNotable()) cli::warn(report->account.sentence());
+  if (const std::string note = report->account.note(); !note.empty()) cli::warn(note);
   for (std::size_t i = 0; i < report->warnings.size() && i < kWarningsShown; ++i) {
     cli::warn(report->warnings[i]);
   }

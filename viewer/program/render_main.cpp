@@ -40,7 +40,7 @@ constexpr const char* kExamples =
 constexpr std::size_t kWarningsShown = 5;
 
 void printWarnings(const RenderReport& report) {
-  if (report.account.isNotable()) cli::warn(report.account.sentence());
+  if (const std::string note = report.account.note(); !note.empty()) cli::warn(note);
   for (std::size_t i = 0; i < report.warnings.size() && i < kWarningsShown; ++i) {
     cli::warn(report.warnings[i]);
   }
@@ -79,6 +79,9 @@ Result<OpenedRecording> openBeside(RenderJob& job) {
   auto opened = openedRecording(request);
   if (!opened) return opened.error();
   for (const std::string& warning : opened->warnings) cli::warn(warning);
+  const auto account = logAccount(opened->log, nullptr);
+  const std::string note = account ? account->note() : std::string();
+  if (!note.empty()) cli::warn(note);
   job.beside = opened->log;
   return opened;
 }

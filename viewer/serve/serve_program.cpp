@@ -146,7 +146,8 @@ Result<ServeReport> serveUntilStopped(const ServeRequest& request,
     content.log = log.file();
     content.log_bytes = log.size();
     const auto account = logAccount(request.log, &*cell);
-    if (account && account->isNotable()) surroundings.told(account->sentence());
+    const std::string note = account ? account->note() : std::string();
+    if (!note.empty()) surroundings.told(note);
   }
   auto page = pageFor(request, *cell);
   // Foxglove clients of a live session need no page; whoever named a viewer wants one.

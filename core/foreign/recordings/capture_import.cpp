@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/count_text.h"
+#include "core/log/import_record.h"
 #include "core/pcap/pcap_source.h"
 #include "core/recording/capture_time.h"
 #include "core/recording/capture_writer.h"
@@ -104,7 +105,7 @@ class CapturePump {
     handOver();
     queue_.finish();
     writer_.write(queue_.take(Nanoseconds(0)), queue_);
-    writer_.close("rocinante log import", queue_);
+    writer_.close(std::string(kImportedEnd), queue_);
     if (writer_.trouble()) return *writer_.trouble();
     return {};
   }

@@ -199,6 +199,7 @@ class RecordingOpening {
     if (!reader) return reader.error();
     opened.log = log;
     opened.warnings = importWarningsOf(reader->metadata());
+    opened.left_out = accountOfLines(importLeftOutOf(reader->metadata()));
     return opened;
   }
 

@@ -9,6 +9,7 @@
 #include "core/base/model_search.h"
 #include "core/base/result.h"
 #include "core/bundle/private_folder.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 
@@ -27,6 +28,7 @@ struct OpenedRecording {
   std::filesystem::path log;          ///< to be read in its place; the same for a log
   bool imported = false;              ///< `log` was made from the recording
   std::vector<std::string> warnings;  ///< what could not be kept or translated, as sentences
+  Account left_out;                   ///< what became nothing of the log; LogAccount has more
   std::string not_kept;               ///< why `log` is a temporary file, as a sentence; or empty
   std::shared_ptr<const PrivateFolder> folder;
 

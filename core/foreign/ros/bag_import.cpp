@@ -6,6 +6,7 @@
 #include "core/base/hash.h"
 #include "core/foreign/ros/names.h"
 #include "core/foreign/ros/robot_description.h"
+#include "core/log/import_record.h"
 #include "core/log/log_profile.h"
 #include "core/log/mapped_file.h"
 #include "core/mcap/chunk_expander.h"
@@ -273,7 +274,7 @@ class Import {
     if (Status noted = session_.log().writeMetadata(warningsRecord(report_)); !noted) {
       return noted.error();
     }
-    if (Status closed = session_.log().close("rocinante log import"); !closed) {
+    if (Status closed = session_.log().close(std::string(kImportedEnd)); !closed) {
       return closed.error();
     }
     report_.bytes = session_.log().bytesWritten();

@@ -47,7 +47,7 @@ class LogAccountTest : public testing::Test {
   }
 
   LogAccount of(const std::vector<std::pair<std::string, std::string>>& said,
-                const std::string& left_out = {}) {
+                const std::string& left_out = {}, const std::string& ended = "done") {
     LogWriterOptions options;
     options.overwrite = true;
     auto log = LogWriter::create(folder_ / "s.mcap", options, "session-1");
@@ -66,7 +66,7 @@ class LogAccountTest : public testing::Test {
                                       {{std::string(kImportLeftOutKey), left_out}}})
                       .ok());
     }
-    EXPECT_TRUE(session.log().close("done").ok());
+    EXPECT_TRUE(session.log().close(ended).ok());
     const auto account = logAccount(folder_ / "s.mcap", &cell_);
     EXPECT_TRUE(account.ok());
     return account ? *account : LogAccount();
@@ -80,7 +80,7 @@ TEST_F(LogAccountTest, NamesWhatNoPacketMoves) {
   const LogAccount one = of({{"rk1", "RK1 s 0 -\njoint left j=1\n"}});
   EXPECT_THAT(one.at_rest, ElementsAre("right"));
   EXPECT_EQ(one.sentence(), "no packet of the log moves right (1 of 2 devices with joints)");
-  EXPECT_FALSE(one.isNotable());
+  EXPECT_EQ(one.note(), "");
   // A pose moves it, a name that the model lacks does not, and what `add` brought is there.
   EXPECT_THAT(
       of({{"rk1", "RK1 s 0 -\npose left 0 0 1 0 0 0 1\njoint right k=1\nadd spare arm.urdf\n"}})
@@ -94,7 +94,7 @@ TEST_F(LogAccountTest, NamesWhatNoPacketMoves) {
 TEST_F(LogAccountTest, OfALogWithoutPacketsNamesItsTopics) {
   const LogAccount account = of({{"octets", "what is this"}});
   EXPECT_TRUE(account.no_packets);
-  EXPECT_TRUE(account.isNotable());
+  EXPECT_NE(account.note(), "");
   EXPECT_EQ(account.sentence(),
             "no message of the log is a packet: nothing moves; left out: 1 topic `/udp/octets` "
             "(octets, and no decoder made packets of them)");
@@ -106,6 +106,26 @@ TEST_F(LogAccountTest, ReadsWhatAnImportLeftOut) {
                                 "warning\t-1\ttopic\t/x\ty\tz\nwarning\t1\ttopic\t/y\t\t\n");
   EXPECT_EQ(account.sentence(), "left out: 3 topics `/camera` (pictures), 1 topic `/y`");
   EXPECT_EQ(account.left_out.leftOut()[1].severity, Severity::warning);
+}
+
+TEST_F(LogAccountTest, OfAnImportIsTold) {
+  const std::string moves = "RK1 s 0 -\njoint left j=1\njoint right j=1\n";
+  // A capture becomes channels like those of a recorder: its end says that it was imported.
+  const std::vector<std::pair<std::string, std::string>> said = {{"rk1", moves}, {"octets", "?"}};
+  EXPECT_EQ(of(said).note(), "") << "a recorder keeps it on purpose";
+  EXPECT_EQ(of(said, {}, std::string(kImportedEnd)).note(),
+            "left out: 1 topic `/udp/octets` (octets, and no decoder made packets of them)");
+  Account account;
+  account.leaveOut({.kind = "trailer", .reason = "not recorded", .count = 5});
+  account.leaveOut({.kind = "frame", .name = "ARP", .reason = "no datagram"});
+  // Also after another program copied the log.
+  EXPECT_EQ(of({{"rk1", moves}}, accountLines(account)).note(),
+            "left out: 5 trailers (not recorded), 1 frame `ARP` (no datagram)");
+  account.leaveOut({.kind = "value", .name = "effort", .reason = "r", .count = 3});
+  EXPECT_EQ(of({{"rk1", moves}}, accountLines(account)).note(),
+            "left out: 5 trailers (not recorded), 1 frame `ARP` (no datagram), and 3 things more; "
+            "rocinante check lists all");
+  EXPECT_EQ(of({{"rk1", moves}}, {}, std::string(kImportedEnd)).note(), "");
 }
 
 TEST_F(LogAccountTest, LinesOfHostileFilesAreBounded) {

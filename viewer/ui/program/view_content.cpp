@@ -108,6 +108,8 @@ Status showBeside(const ContentRequest& request, const fs::path& cell,
   auto beside = Timeline::open(opened->log);
   if (!beside.ok()) return opened->named(beside.error());
   beside->useStop(stop);
+  const std::string note = logAccount(*beside, nullptr).note();
+  if (!note.empty()) content.warnings.push_back(note);
   content.beside_folder = opened->folder;
   return content.model->showBeside(std::move(*beside), request.align);
 }
@@ -266,8 +268,11 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
     if (!opened.ok()) return recording.named(opened.error());
     session = std::move(*opened);
     if (!session->growing()) {
-      const LogAccount account = logAccount(*session, &*cell);
-      if (account.isNotable()) content.warnings.push_back(account.sentence());
+      const std::string note = logAccount(*session, &*cell).note();
+      if (!note.empty()) {
+        content.warnings.push_back(note);
+        notes.push_back({note, false});
+      }
     }
   }
   auto feed = openFeed(request, *cell, content.warnings);
