@@ -96,9 +96,12 @@ Result<std::vector<RenderMoment>> momentsOf(const RenderJob& job, Timeline* sess
   return renderMoments(chosen, *session, hiding);
 }
 
-std::vector<std::string> warningsOf(const FrameMaker& maker) {
+std::vector<std::string> warningsOf(const FrameMaker& maker, const RenderStyle& style) {
   std::vector<std::string> warnings;
+  const bool has_collisions = !style.collision.empty() || !style.collision_over.empty();
   for (const Finding& fault : maker.cell().faults) {
+    // Whoever asked for the collisions has seen it.
+    if (has_collisions && fault.rule == "model.no-visual") continue;
     if (fault.severity != Severity::note) warnings.push_back(fault.print());
   }
   for (const std::string& warning : maker.warnings()) {
@@ -250,7 +253,7 @@ Result<RenderReport> render(const RenderJob& given,
 
   report.key = maker->key();
   report.inputs = maker->inputsHash();
-  report.warnings = warningsOf(*maker);
+  report.warnings = warningsOf(*maker, job.look.style);
   if (std::string incomplete = incompleteText(maker->cell()); !incomplete.empty()) {
     report.warnings.insert(report.warnings.begin(), std::move(incomplete));
     report.is_whole = false;
