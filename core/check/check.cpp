@@ -131,8 +131,10 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
       if (!packet.empty()) session.add(message.log_time, "rk1", false, bytesOf(packet));
       continue;
     }
+    const auto sender = message.channel->metadata.find("remote");
     session.add(message.log_time, message.channel->encoding, message.channel->captured(),
-                message.payload);
+                message.payload,
+                sender != message.channel->metadata.end() ? sender->second : std::string_view());
   }
   octets.finish(session);
   for (const LossSpan& loss : log.losses()) session.addLoss(loss);

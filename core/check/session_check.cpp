@@ -76,9 +76,10 @@ DeviceJudge* SessionCheck::deviceNamed(std::string_view name) {
   return &found->second;
 }
 
-void SessionCheck::add(LogTime time, std::string_view encoding, bool captured, ByteView datagram) {
+void SessionCheck::add(LogTime time, std::string_view encoding, bool captured, ByteView datagram,
+                       std::string_view sender) {
   log_.takeTime(time);
-  StreamJudge::Judged judged = stream_.add(time, encoding, captured, datagram);
+  StreamJudge::Judged judged = stream_.add(time, encoding, captured, datagram, sender);
   stream_.takeEvents();
   if (judged.source == nullptr) return;
   clearance_.take(time, *judged.packet, stream_.state());

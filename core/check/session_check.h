@@ -27,7 +27,9 @@ class SessionCheck {
 
   /// The next datagram in time order. `captured`: it came from outside (LogChannel::captured); all
   /// others are restatements by a recorder, judged but not counted.
-  void add(LogTime time, std::string_view encoding, bool captured, ByteView datagram);
+  /// `sender`: its address and port, where they are known.
+  void add(LogTime time, std::string_view encoding, bool captured, ByteView datagram,
+           std::string_view sender = {});
 
   /// Octets that the decoders of the session may have understood; when they did, their packet
   /// follows by add() as not captured.

@@ -96,7 +96,12 @@ Status LiveInput::drain(std::size_t index) {
 }
 
 void LiveInput::take(std::size_t index, const ReceivedDatagram& datagram) {
-  LiveDatagram taken{encodingOf(datagram.payload), datagram.payload, std::nullopt};
+  if (sender_text_.empty() || sender_ != datagram.sender) {
+    sender_ = datagram.sender;
+    sender_text_ = sender_.text();
+  }
+  LiveDatagram taken{encodingOf(datagram.payload), datagram.payload,
+                     datagram.subject.empty() ? sender_text_ : "", std::nullopt};
   if (decoder_) {
     const MadePacket* const made = decoder_->decode(index, datagram, *last_);
     if (made != nullptr) taken.decoded = made->text;

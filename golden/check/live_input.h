@@ -25,15 +25,18 @@ enum class LiveTime : std::uint8_t {
 struct LiveDatagram {
   std::string_view encoding;
   ByteView payload;
+  std::string_view sender;                  ///< its address and port; empty: not known
   std::optional<std::string_view> decoded;  ///< the packet text that a decoder made of it
 };
 
 /// Gives it to a SessionCheck or a FindingWatch.
 template <class Judge>
 void judge(Judge& judge, LogTime time, const LiveDatagram& datagram) {
-  if (!datagram.decoded) return judge.add(time, datagram.encoding, true, datagram.payload);
+  if (!datagram.decoded) {
+    return judge.add(time, datagram.encoding, true, datagram.payload, datagram.sender);
+  }
   judge.addOctets(time, datagram.encoding, true);
-  judge.add(time, "rk1", false, bytesOf(*datagram.decoded));
+  judge.add(time, "rk1", false, bytesOf(*datagram.decoded), datagram.sender);
 }
 
 /// The datagrams that several endpoints receive, in the order of one time line that never
@@ -82,6 +85,8 @@ class LiveInput {
   Take take_;
   std::unique_ptr<ReceivedDecoder> decoder_;  ///< null without decoders
   std::optional<SessionClock> clock_;         ///< of LiveTime::steady
+  SocketAddress sender_;                      ///< of the last datagram
+  std::string sender_text_;                   ///< empty before the first
   std::vector<std::uint64_t> received_, dropped_;
   std::vector<std::string> names_;
   std::optional<LogTime> first_, last_, losses_until_;

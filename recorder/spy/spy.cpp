@@ -97,8 +97,9 @@ void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime ar
       decoders_ ? decoders_->decode(endpoint, datagram, arrived) : nullptr;
   if (made != nullptr) stream_.addOctets(arrived, encoding, true);
   const ByteView said = made != nullptr ? bytesOf(made->text) : datagram.payload;
+  const std::string address = sender != nullptr ? sender->seen.address : senderText(datagram);
   const StreamJudge::Judged judged =
-      stream_.add(arrived, made != nullptr ? "rk1" : encoding, made == nullptr, said);
+      stream_.add(arrived, made != nullptr ? "rk1" : encoding, made == nullptr, said, address);
   if (sender != nullptr) {
     SpySender& seen = sender->seen;
     const std::size_t bytes = datagram.payload.size();
@@ -112,7 +113,6 @@ void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime ar
     sender->rate.hit(arrived);
     sender->last = arrived;
   }
-  const std::string address = sender != nullptr ? sender->seen.address : senderText(datagram);
   constexpr FaultAt kNotAPacket{PacketFault::not_a_packet, 1, 1};
   const bool is_undecoded = judged.packet == nullptr && judged.faults.empty();
   readFaults(is_undecoded ? std::span(&kNotAPacket, 1) : judged.faults, said, address);

@@ -115,7 +115,7 @@ class Reasons {
   }
 
   void judge(const SpySource& source) {
-    if (source.turns == 0) return;
+    if (source.turns == 0 || takesTurnsByRun(source.name)) return;
     const std::string name = plainText(source.name);
     const bool only_copies = source.late > 0 && source.late == source.duplicates;
     if (only_copies && source.restarts <= 1) {
@@ -132,6 +132,13 @@ class Reasons {
     }
     std::erase_if(judged_, [&](const Finding& each) {
       return each.subject == source.name && std::ranges::count(kByTwoSenders, each.rule) > 0;
+    });
+  }
+
+  /// Told by their RUNs, which name the senders as well.
+  bool takesTurnsByRun(std::string_view source) const {
+    return std::ranges::any_of(judged_, [&](const Finding& each) {
+      return each.rule == "source.two-senders" && each.subject == source;
     });
   }
 
@@ -179,6 +186,7 @@ constexpr auto kOldReasons = std::to_array<std::pair<std::string_view, std::stri
     {"source.gap", "gap"},
     {"source.late", "late"},
     {"source.restart", "restarts"},
+    {"source.two-senders", "two_senders"},
     {"source.unrestated", "never_restates"},
 });
 

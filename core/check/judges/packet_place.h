@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "core/base/bytes.h"
 #include "core/base/time.h"
@@ -13,6 +14,7 @@ struct PacketPlace {
   LogTime time{};            ///< arrival
   std::uint64_t packet = 0;  ///< captured datagrams from 1
   ByteView datagram;
+  std::string_view sender;              ///< its address and port; empty: not known
   std::uint32_t line = 0;               ///< in the datagram, from 1
   std::uint64_t sequence = 0;           ///< SEQUENCE; 0 where there is none
   std::optional<std::int64_t> sent_ns;  ///< TIME: nanoseconds since the epoch on its clock

@@ -54,6 +54,7 @@ void SourceJudge::take(const PacketHeader& header, Applied applied, const Source
   const bool own = header.by.empty();
   if (header.reset || counts.restarts != seen_.restarts) ++stretch_;
   if (header.reset && !own) clock_.ignore();
+  senders_.take(header, place);
   watchNumbers(counts, place);
   place.sent_ns = header.time_ns;
   place.source = number_;
@@ -113,6 +114,7 @@ void SourceJudge::dropFindings() {
   dropped_ = seen_;
   gap_ = late_ = duplicate_ = restart_ = mixed_ = unrestated_ = {};
   longest_unrestated_s_ = 0;
+  senders_.dropFindings();
   clock_.dropFindings();
   cadence_.dropFindings();
 }
@@ -135,7 +137,9 @@ void SourceJudge::report(LogTime end, Findings& findings) const {
       fmt::format("packets of source {} that arrived late and were dropped", name_));
   add(duplicate_, duplicates, "source.duplicate",
       fmt::format("packets of source {} that arrived twice; the second was dropped", name_));
-  add(restart_, since(seen_.restarts, dropped_.restarts), "source.restart",
+  senders_.report(name_, findings);
+  const bool take_turns = senders_.found();
+  add(restart_, take_turns ? 0 : since(seen_.restarts, dropped_.restarts), "source.restart",
       fmt::format("restarts of source {}", name_));
   add(mixed_, mixed_.count, "source.mixed",
       fmt::format("source {} is heard whole and also filtered by relay {}", name_, relay_));

@@ -6,6 +6,7 @@
 #include "core/cell/cell.h"
 #include "core/check/judges/cadence_judge.h"
 #include "core/check/judges/clock_judge.h"
+#include "core/check/judges/sender_judge.h"
 #include "core/check/judges/tally.h"
 #include "core/packet/session_state.h"
 
@@ -60,6 +61,7 @@ class SourceJudge {
   std::uint64_t lost_ = 0;  ///< directly before the packet that is being judged
   Tally gap_, late_, duplicate_, restart_, mixed_;
   std::string relay_;  ///< NAME:OUTPUT of the first packet of a mixed source that was filtered
+  SenderJudge senders_;
   ClockJudge clock_;
   CadenceJudge cadence_;
   bool has_statics_ = false;

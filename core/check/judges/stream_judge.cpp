@@ -34,7 +34,7 @@ StreamJudge::Source& StreamJudge::source(std::string_view name) {
 }
 
 StreamJudge::Judged StreamJudge::add(LogTime time, std::string_view encoding, bool captured,
-                                     ByteView datagram) {
+                                     ByteView datagram, std::string_view sender) {
   if (captured) ++datagrams_;
   end_ = std::max(end_, time);
   Judged judged;
@@ -42,6 +42,7 @@ StreamJudge::Judged StreamJudge::add(LogTime time, std::string_view encoding, bo
   place.time = time;
   place.packet = datagrams_;
   place.datagram = datagram;
+  place.sender = sender;
   Decoder* const decoder = decoderFor(encoding);
   if (decoder == nullptr) {
     faults_.takeUndecoded(encoding, place);

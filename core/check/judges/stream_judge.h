@@ -52,7 +52,9 @@ class StreamJudge {
   void addOctets(LogTime time, std::string_view encoding, bool decoded);
   /// The next datagram in time order. `captured`: it came from outside (LogChannel::captured); all
   /// others are restatements by a recorder, judged but not counted.
-  Judged add(LogTime time, std::string_view encoding, bool captured, ByteView datagram);
+  /// `sender`: its address and port, where they are known.
+  Judged add(LogTime time, std::string_view encoding, bool captured, ByteView datagram,
+             std::string_view sender = {});
 
   /// Faults of the packet at `place` that only the caller can tell.
   void takeFaults(std::span<const FaultAt> faults, const PacketPlace& place) {

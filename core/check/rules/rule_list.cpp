@@ -198,6 +198,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"source.relay-gap", kWarning, "packets were lost behind a relay"},
     {"source.restart", kNote, "a source began a new run"},
     {"source.silence", kWarning, "a source was silent for too long", {"s", 10}},
+    {"source.two-senders", kError, "two processes send as one source"},
     {"source.unlisted-device", kWarning,
      "a source writes a device that the cell gives to another source"},
     {"source.unrestated", kWarning, "a source does not restate its static state", {"s", 10}},

@@ -61,8 +61,9 @@ class FindingWatch {
   FindingWatch(const Cell& cell, const WatchOptions& options);
 
   /// The next datagram in time order, as SessionCheck takes it.
-  void add(LogTime time, std::string_view encoding, bool captured, ByteView datagram) {
-    session_.add(time, encoding, captured, datagram);
+  void add(LogTime time, std::string_view encoding, bool captured, ByteView datagram,
+           std::string_view sender = {}) {
+    session_.add(time, encoding, captured, datagram, sender);
   }
   /// What is not packet text, and whether a decoder understood it; its packet is added as another.
   void addOctets(LogTime time, std::string_view encoding, bool decoded) {

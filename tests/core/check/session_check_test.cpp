@@ -289,6 +289,44 @@ TEST_F(SessionCheckTest, CountsGapsLatePacketsAndRestarts) {
   EXPECT_EQ(found.verdict, CheckVerdict::compatible);
 }
 
+TEST_F(SessionCheckTest, RunsThatTakeTurnsAreTwoSenders) {
+  for (int i = 0; i < 250; ++i) {
+    now_ += std::chrono::milliseconds(4);
+    for (const std::string_view run : {"a", "b"}) {
+      session_->add(now_, "rk1", true, bytesOf(fmt::format("RK1 me@{} {} -\n", run, i)),
+                    run == "a" ? "10.0.0.1:4000" : "10.0.0.1:4001");
+    }
+  }
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("device.undriven", "source.two-senders"));
+  EXPECT_EQ(found.findings[1].count, 498U);
+  EXPECT_EQ(found.findings[1].example, "RUN b from 10.0.0.1:4001; RUN a from 10.0.0.1:4000");
+  EXPECT_EQ(found.verdict, CheckVerdict::incompatible);
+  // Forgotten and followed on: a watch tells it again only while it goes on.
+  session_->dropFindings();
+  EXPECT_THAT(rules(report()), ElementsAre("device.undriven"));
+  say("me@a 300 -", "");
+  EXPECT_THAT(rules(report()), ElementsAre("device.undriven", "source.two-senders"));
+}
+
+TEST_F(SessionCheckTest, ARestartWithAPacketThatWasOvertakenIsOneSender) {
+  say("me@a 0 -", "joint arm shoulder=0");
+  say("me@b 0 -", "joint arm shoulder=0");
+  say("me@a 1 -", "joint arm shoulder=0");
+  for (int i = 1; i < 9; ++i) say(fmt::format("me@b {} -", i), "joint arm shoulder=0");
+  EXPECT_THAT(rules(report()), ElementsAre("source.restart"));
+}
+
+TEST_F(SessionCheckTest, APlayerThatLoopsIsOneSender) {
+  for (int loop = 0; loop < 5; ++loop) {
+    say("me@a 0 - by=play reset restated", "");
+    for (const std::string_view run : {"a", "b"}) {
+      for (int i = 1; i < 5; ++i) say(fmt::format("me@{} {} -", run, i), "joint arm shoulder=0");
+    }
+  }
+  EXPECT_THAT(rules(report()), ElementsAre("joint.undriven", "source.restart"));
+}
+
 TEST_F(SessionCheckTest, ReportsLossesAndDamageOfTheLog) {
   say("joints arm 0 0 0");
   LossSpan loss;

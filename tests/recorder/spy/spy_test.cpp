@@ -149,6 +149,20 @@ TEST_F(SpyTest, TwoSendersOfOneNameAreFoundOut) {
     hear(fmt::format("RK1 arm@r {} -\n", 10 + i), milliseconds(20 * i), 40'000);
     hear(fmt::format("RK1 arm@s {} -\n", 20 + i), milliseconds(20 * i + 10), 40'001);
   }
+  const SpyReport report = after(seconds(1));
+  EXPECT_THAT(report.reasons, Contains(reason("source.two-senders")));
+  EXPECT_THAT(report.reasons, Not(Contains(reason("live.two-senders"))));
+  for (const Finding& each : report.reasons) {
+    if (each.rule != "source.two-senders") continue;
+    EXPECT_EQ(each.example, "RUN s from 127.0.0.1:40001; RUN r from 127.0.0.1:40000");
+  }
+}
+
+TEST_F(SpyTest, TwoSendersOfOneNameWithoutARunAreFoundOut) {
+  for (int i = 0; i < 5; ++i) {
+    hear(fmt::format("RK1 arm {} -\n", 10 + i), milliseconds(20 * i), 40'000);
+    hear(fmt::format("RK1 arm {} -\n", 20 + i), milliseconds(20 * i + 10), 40'001);
+  }
   EXPECT_THAT(after(seconds(1)).reasons, Contains(reason("live.two-senders")));
 }
 
