@@ -16,6 +16,13 @@ constexpr double kRateSlack = 0.05;
 /// A source sent often if its run has this many packets, with at most this mean interval.
 constexpr std::uint64_t kOftenPackets = 20;
 constexpr double kOften_s = 1;
+/// A silence is this many periods, and at least this long.
+constexpr double kSilencePeriods = 20;
+constexpr double kLeastSilence_s = 0.25;
+/// How much of a source shows its usual interval.
+constexpr double kKnownRhythm_s = 2;
+/// Restatements come every two seconds.
+constexpr double kIdle_s = 3;
 /// The mean period is known after this many intervals, and follows about as many.
 constexpr std::uint64_t kKnownIntervals = 32;
 /// An interval of this many periods is a pause, not jitter.
@@ -38,47 +45,84 @@ void CadenceJudge::begin(const PacketPlace& place) {
   was_long_ = false;
   intervals_ = 0;
   period_s_ = 0;
+  usual_.clear();
+  is_steady_ = true;
+  was_restatement_ = was_pause_ = false;
 }
 
 void CadenceJudge::take(const PacketPlace& place, std::uint64_t lost) {
   last_place_ = place;
   last_place_.datagram = {};
   if (!is_begun_ || stretch_ != place.stretch) return begin(place);
-  judgeSilence(place);
+  judgeSilence(place, false);
   const double interval_s = secondsOf(place.time - last_);
-  const bool is_pause = interval_s > thresholds_.silence_s;
+  const bool is_pause = interval_s > kLeastSilence_s && interval_s > silenceLimit();
   const std::uint64_t sent = std::min<std::uint64_t>(lost, 1000) + 1;
   ++packets_;
   ++all_packets_;
   if (thresholds_.rate_hz) judgeRate(place, sent, interval_s);
   if (thresholds_.jitter_s) judgeJitter(place, interval_s, sent, is_pause);
+  // One pause is none of its intervals; one after the other, they are its rate.
+  if (!is_pause || was_pause_) usual_.take(place.time - last_);
+  was_pause_ = is_pause;
   last_ = last_sign_ = place.time;
+  was_restatement_ = false;
 }
 
 void CadenceJudge::takeRestatement(const PacketPlace& place) {
   if (!is_begun_ || stretch_ != place.stretch) return begin(place);
-  judgeSilence(place);
+  judgeSilence(place, true);
+  is_steady_ = is_steady_ && !was_restatement_;
   last_sign_ = place.time;
+  was_restatement_ = true;
 }
 
 bool CadenceJudge::isExpected() const {
   if (thresholds_.is_silence_given) return true;
+  if (thresholds_.rate_hz && thresholds_.rate_hz->first > 0) return true;
   return packets_ >= kOftenPackets &&
          secondsOf(last_ - began_) < kOften_s * static_cast<double>(packets_);
 }
 
-void CadenceJudge::judgeSilence(const PacketPlace& place) {
-  const double silence_s = secondsOf(place.time - last_sign_);
-  if (silence_s <= thresholds_.silence_s || !isExpected()) return;
-  silence_.hit(place);
-  longest_silence_s_ = std::max(longest_silence_s_, silence_s);
+double CadenceJudge::silenceLimit() const {
+  if (thresholds_.is_silence_own) return thresholds_.silence_s;
+  const bool is_rate_given = thresholds_.rate_hz && thresholds_.rate_hz->first > 0;
+  if (!is_rate_given && usual_.span_s() < kKnownRhythm_s) return thresholds_.silence_s;
+  const double period_s = is_rate_given ? 1 / thresholds_.rate_hz->first : usual_.seconds();
+  return std::clamp(kSilencePeriods * period_s, kLeastSilence_s,
+                    std::max(kLeastSilence_s, thresholds_.silence_s));
+}
+
+double CadenceJudge::idleLimit() const {
+  return thresholds_.is_silence_own ? thresholds_.silence_s : std::max(kIdle_s, silenceLimit());
+}
+
+void CadenceJudge::Silences::hit(const PacketPlace& place, LogTime since, double limit) {
+  PacketPlace began = place;
+  began.time = since;
+  tally.hit(began);
+  tally.last = place.time;
+  const double silent_s = secondsOf(place.time - since);
+  if (silent_s <= longest_s) return;
+  longest_s = silent_s;
+  limit_s = limit;
+}
+
+void CadenceJudge::judgeSilence(const PacketPlace& place, bool is_restatement) {
+  const double silent_s = secondsOf(place.time - last_sign_);
+  if (silent_s <= std::min(kLeastSilence_s, thresholds_.silence_s) || !isExpected()) return;
+  const double idle_s = idleLimit();
+  if (silent_s > idle_s) idle_silences_.hit(place, last_sign_, idle_s);
+  const bool may_idle = is_restatement || was_restatement_;
+  const double limit_s = may_idle ? idle_s : silenceLimit();
+  if (silent_s > limit_s) silences_.hit(place, last_sign_, limit_s);
 }
 
 void CadenceJudge::judgeRate(const PacketPlace& place, std::uint64_t sent, double interval_s) {
   const auto [low, high] = *thresholds_.rate_hz;
   window_sent_ += sent;
-  // One long interval is a pause; one after the other, they are the rate.
-  const bool is_long = low > 0 && interval_s > std::max(kOften_s, kPausePeriods / low);
+  // One long interval is a silence, and reported as that; one after the other, they are the rate.
+  const bool is_long = low > 0 && interval_s > silenceLimit();
   if (is_long && !was_long_) window_has_pause_ = true;
   was_long_ = is_long;
   const double window_s = secondsOf(place.time - window_began_);
@@ -120,8 +164,10 @@ void CadenceJudge::judgeJitter(const PacketPlace& place, double interval_s, std:
 }
 
 void CadenceJudge::dropFindings() {
-  rate_ = silence_ = {};
-  worst_rate_hz_ = worst_rate_off_ = longest_silence_s_ = 0;
+  rate_ = {};
+  silences_ = idle_silences_ = {};
+  usual_.fade();
+  worst_rate_hz_ = worst_rate_off_ = 0;
   all_packets_ /= 2;
   uneven_.count /= 2;
   if (uneven_.count > 0) return;
@@ -131,21 +177,19 @@ void CadenceJudge::dropFindings() {
 
 void CadenceJudge::report(const std::string& source, LogTime end, Findings& findings) const {
   if (!is_begun_) return;
-  Tally silence = silence_;
-  double longest_s = longest_silence_s_;
-  const double at_end_s = secondsOf(end - last_sign_);
-  if (at_end_s > thresholds_.silence_s && isExpected()) {
+  Silences silences = is_steady_ ? silences_ : idle_silences_;
+  const double limit_s = is_steady_ && !was_restatement_ ? silenceLimit() : idleLimit();
+  if (secondsOf(end - last_sign_) > limit_s && isExpected()) {
     PacketPlace place = last_place_;
     place.line = 0;
-    silence.hit(place);
-    longest_s = std::max(longest_s, at_end_s);
-    silence.last = end;
+    place.time = end;
+    silences.hit(place, last_sign_, limit_s);
   }
-  if (silence.count > 0) {
-    findings.push_back(silence.finding(
+  if (silences.tally.count > 0) {
+    findings.push_back(silences.tally.finding(
         "source.silence", source,
-        fmt::format("source {} was silent for {:.3g} s; {:.6g} s are expected at most", source,
-                    longest_s, thresholds_.silence_s)));
+        fmt::format("source {} was silent for {:.3g} s; {:.2g} s are expected at most", source,
+                    silences.longest_s, silences.limit_s)));
   }
   if (rate_.count > 0) {
     const auto [low, high] = *thresholds_.rate_hz;

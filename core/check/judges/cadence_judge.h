@@ -6,17 +6,23 @@
 #include <vector>
 
 #include "core/check/judges/tally.h"
+#include "core/check/judges/usual_interval.h"
 
 namespace rocinante {
 
 struct CadenceThresholds {
-  double silence_s = 10;
+  double silence_s = 10;          ///< longest silence, or its upper bound
+  bool is_silence_own = false;    ///< the cell or a rule sets it; else it follows from the rate
   bool is_silence_given = false;  ///< by the cell for this source: judged at any rate
   std::optional<std::pair<double, double>> rate_hz;
   std::optional<double> jitter_s;
 };
 
 /// Judges when the packets of one source arrive: how often, how evenly, and whether at all.
+///
+/// A silence is longer than kSilencePeriods of the source's own periods (the slowest that the cell
+/// expects, else the usual one so far), within kLeastSilence_s and `silence_s`. A source may only
+/// restate while nothing moves: then it is a silence after kIdle_s.
 class CadenceJudge {
  public:
   explicit CadenceJudge(const CadenceThresholds& thresholds) : thresholds_(thresholds) {}
@@ -34,7 +40,11 @@ class CadenceJudge {
 
  private:
   void begin(const PacketPlace& place);
-  void judgeSilence(const PacketPlace& place);
+  void judgeSilence(const PacketPlace& place, bool is_restatement);
+  /// The longest time without a packet that is not a silence.
+  double silenceLimit() const;
+  /// The same where restatements may be all that it sends.
+  double idleLimit() const;
   void judgeRate(const PacketPlace& place, std::uint64_t sent, double interval_s);
   void judgeJitter(const PacketPlace& place, double interval_s, std::uint64_t sent, bool is_pause);
   /// Whether a silence of this source is a fault: it sent often until then.
@@ -44,6 +54,7 @@ class CadenceJudge {
   bool is_begun_ = false;
   std::uint32_t stretch_ = 0;
   LogTime began_{}, last_{}, last_sign_{};
+  bool was_restatement_ = false;                 ///< the last sign
   std::uint64_t packets_ = 0, all_packets_ = 0;  ///< of this run, and of all runs
   PacketPlace last_place_;
 
@@ -58,8 +69,15 @@ class CadenceJudge {
   Tally uneven_;
   double worst_uneven_s_ = 0;
 
-  Tally silence_;
-  double longest_silence_s_ = 0;
+  UsualInterval usual_;
+  bool is_steady_ = true;  ///< it never restated twice with nothing in between
+  bool was_pause_ = false;
+  struct Silences {
+    Tally tally;
+    double longest_s = 0, limit_s = 0;
+    void hit(const PacketPlace& place, LogTime since, double limit_s);
+  };
+  Silences silences_, idle_silences_;  ///< by silenceLimit(); by idleLimit()
 };
 
 }  // namespace rocinante

@@ -32,6 +32,8 @@ SourceThresholds SourceThresholds::of(const RuleSettings& rules, const CellSourc
   all.clock.drift_ppm = rules.threshold("source.clock-drift");
   all.clock.step_s = rules.threshold("source.clock-step") * 1e-3;
   all.cadence.silence_s = limits.silence_s.value_or(rules.threshold("source.silence"));
+  all.cadence.is_silence_own =
+      limits.silence_s.has_value() || rules.hasOwnThreshold("source.silence");
   all.cadence.is_silence_given = limits.silence_s.has_value();
   all.restate_s = limits.restate_s.value_or(rules.threshold("source.unrestated"));
   if (source != nullptr) all.cadence.rate_hz = source->rate_hz;

@@ -36,7 +36,7 @@ StreamJudge::Source& StreamJudge::source(std::string_view name) {
 StreamJudge::Judged StreamJudge::add(LogTime time, std::string_view encoding, bool captured,
                                      ByteView datagram, std::string_view sender) {
   if (captured) ++datagrams_;
-  end_ = std::max(end_, time);
+  if (captured || datagrams_ == 0) end_ = std::max(end_, time);
   Judged judged;
   PacketPlace& place = judged.place;
   place.time = time;

@@ -65,7 +65,7 @@ class StreamJudge {
   std::vector<Event> takeEvents() { return state_.takeEvents(); }
   std::uint64_t datagrams() const { return datagrams_; }
   std::uint64_t packets() const { return packets_; }
-  /// Of the latest datagram.
+  /// Of the latest datagram that was sent, not restated by a recorder.
   LogTime end() const { return end_; }
 
   /// Names by the number of their source.

@@ -339,6 +339,8 @@ const Mutation kMutations[] = {
        s.replace(s.cell, "devices = [\"left\"]", "devices = [\"left\"]\nsilence_s = 1");
        s.erase(kLeft, 12.02, 100);
      }},
+    {"a source that dies while the others go on", "source.silence",
+     [](SoundSession& s) { s.erase(kLeft, 12.02, 100); }},
     {"nothing said again", "source.unrestated",
      [](SoundSession& s) {
        std::erase_if(s.packets,
@@ -386,12 +388,12 @@ const Mutation kHarmless[] = {
        }
        s.sort();
      }},
-    {"a pause of five seconds", "",
+    {"a pause of half a second", "",
      [](SoundSession& s) {
        for (SaidPacket& p : s.packets) {
          if (p.arrives_s < 6.01) continue;
-         p.arrives_s += 5;
-         p.time = fmt::format("{:.6f}", std::stod(p.time) + 5);
+         p.arrives_s += 0.5;
+         p.time = fmt::format("{:.6f}", std::stod(p.time) + 0.5);
        }
      }},
     {"a clock that is a third of a second behind", "",

@@ -327,6 +327,54 @@ TEST_F(SessionCheckTest, APlayerThatLoopsIsOneSender) {
   EXPECT_THAT(rules(report()), ElementsAre("joint.undriven", "source.restart"));
 }
 
+TEST_F(SessionCheckTest, ASilenceFollowsFromTheRateAndEndsWithTheSession) {
+  const auto send = [&](std::string_view source) {
+    session_->add(now_, "rk1", true,
+                  bytesOf(fmt::format("RK1 {} - -\njoint arm {}=0\n", source,
+                                      source == "a" ? "shoulder" : "elbow")));
+  };
+  for (int i = 0; i < 600; ++i) {
+    now_ += std::chrono::microseconds(16'667);
+    if (i < 480) send("a");
+    if (i % 6 == 0) send("b");
+  }
+  // A recorder that runs on restates what it knows: the session is over.
+  session_->add(now_ + std::chrono::seconds(2), "rk1", false,
+                bytesOf("RK1 b - - by=rec restated\n"));
+  const CheckReport found = report();
+  const auto silence = std::ranges::find(found.findings, "source.silence", &Finding::rule);
+  ASSERT_NE(silence, found.findings.end());
+  EXPECT_EQ(silence->subject, "a");
+  EXPECT_EQ(silence->count, 1U);
+  EXPECT_THAT(silence->text, HasSubstr("a was silent for 1.9"));
+  EXPECT_EQ(silence->last, now_ - std::chrono::microseconds(5 * 16'667)) << "b's last packet";
+  EXPECT_NEAR(static_cast<double>((*silence->last - *silence->first).count()) * 1e-9, 1.92, 0.01);
+  EXPECT_EQ(std::ranges::count(rules(found), "source.silence"), 1);
+}
+
+TEST_F(SessionCheckTest, ASourceThatOnlyRestatesWhileNothingMovesIsNotSilent) {
+  for (int i = 0; i < 30; ++i) {
+    for (int packet = 0; packet < 50; ++packet) {
+      now_ += std::chrono::milliseconds(16);
+      say("me - -", "joint arm shoulder=0");
+    }
+    for (int idle = 0; idle < 3; ++idle) {
+      now_ += std::chrono::seconds(2);
+      say("me - - restated", "joint arm shoulder=0");
+    }
+    now_ += std::chrono::seconds(1);
+  }
+  EXPECT_EQ(std::ranges::count(rules(report()), "source.silence"), 0);
+}
+
+TEST_F(SessionCheckTest, PacketsInBurstsAreNotSilentBetweenThem) {
+  for (int burst = 0; burst < 30; ++burst) {
+    now_ += std::chrono::milliseconds(900);
+    for (int i = 0; i < 30; ++i) say("me - -", "joint arm shoulder=0");
+  }
+  EXPECT_EQ(std::ranges::count(rules(report()), "source.silence"), 0);
+}
+
 TEST_F(SessionCheckTest, ReportsLossesAndDamageOfTheLog) {
   say("joints arm 0 0 0");
   LossSpan loss;
