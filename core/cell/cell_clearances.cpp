@@ -25,13 +25,13 @@ bool isKnown(const Cell& cell, const std::string& device) {
          });
 }
 
-/// A name that the cell does not have is a warning: a session may add it.
+/// A session adds only devices that the cell has as `optional`: any other name judges nothing.
 void checkName(const TomlTable& table, Place place, const Cell& cell, const std::string& text) {
   if (isPattern(text) || text.starts_with("layer/")) return;
   const std::size_t slash = text.find('/');
   const std::string device = text.substr(0, slash);
   if (!isKnown(cell, device)) {
-    table.faults().warning(
+    table.faults().error(
         "cell.unknown-device", place,
         fmt::format("[[clearance]] names {}, which the cell does not have", quotedInFault(device)),
         deviceHint(table, cell, device));

@@ -62,6 +62,9 @@ TEST_F(CellClearances, FaultsAreNamedAndTheTableIsLeftOut) {
             "cell.wrong-kind cell.wrong-kind");
   EXPECT_EQ(ruleOf("self = \"arm\"\nmin_m = 1\nexcept = \"a\"\n"), "cell.wrong-kind");
   EXPECT_EQ(ruleOf("self = \"amr\"\nmin_m = 1\n"), "cell.unknown-device");
+  const Finding unknown = read("[[clearance]]\nself = \"amr\"\nmin_m = 1\n").faults.at(0);
+  EXPECT_EQ(unknown.severity, Severity::error) << "the gate would judge nothing";
+  EXPECT_EQ(unknown.hint, "did you mean `arm`?");
   EXPECT_EQ(ruleOf("between = [\"arm/tip\", \"*\"]\nmin_m = 1\n"), "cell.unknown-link");
   EXPECT_EQ(ruleOf("self = \"arm\"\nmin_m = 1\nminimum = 2\n"), "cell.unknown-key");
   EXPECT_TRUE(read("[[clearance]]\nself = \"arm\"\nmin_m = -1\n").clearances.empty());
