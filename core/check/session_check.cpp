@@ -91,7 +91,7 @@ void SessionCheck::add(LogTime time, std::string_view encoding, bool captured, B
 
 void SessionCheck::judge(const Statement& statement, SourceJudge& source,
                          const PacketPlace& place) {
-  source.takeStatement(statement.kind, place);
+  source.takeStatement(statement, place);
   if (!statement.carrier.first.empty()) judgePath(statement.carrier, place);
   switch (statement.kind) {
     case StatementKind::show:

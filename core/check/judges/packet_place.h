@@ -14,7 +14,10 @@ struct PacketPlace {
   LogTime time{};            ///< arrival
   std::uint64_t packet = 0;  ///< captured datagrams from 1
   ByteView datagram;
-  std::string_view sender;              ///< its address and port; empty: not known
+  std::string_view sender;  ///< its address and port; empty: not known
+  /// Of a packet that a decoder or an import made: what it writes first, which tells the publishers
+  /// of one topic apart. Empty: the source itself.
+  std::string_view publisher;
   std::uint32_t line = 0;               ///< in the datagram, from 1
   std::uint64_t sequence = 0;           ///< SEQUENCE; 0 where there is none
   std::optional<std::int64_t> sent_ns;  ///< TIME: nanoseconds since the epoch on its clock

@@ -7,24 +7,6 @@
 #include "core/check/rules/rule_settings.h"
 
 namespace rocinante {
-namespace {
-
-/// What a late joiner misses when it is not restated.
-bool isStatic(StatementKind kind) {
-  switch (kind) {
-    case StatementKind::joints:
-    case StatementKind::joint:
-    case StatementKind::pose:
-    case StatementKind::event:
-    case StatementKind::seen:
-      return false;
-    default:
-      return true;
-  }
-}
-
-}  // namespace
-
 SourceThresholds SourceThresholds::of(const RuleSettings& rules, const CellSource* source) {
   const SourceLimits limits = source != nullptr ? source->limits : SourceLimits{};
   SourceThresholds all;
@@ -48,14 +30,14 @@ SourceJudge::SourceJudge(std::string name, std::uint32_t number, const SourceThr
     : name_(std::move(name)),
       number_(number),
       restate_s_(thresholds.restate_s),
-      clock_(thresholds.clock),
+      clocks_(thresholds.clock),
       cadence_(thresholds.cadence) {}
 
 void SourceJudge::take(const PacketHeader& header, Applied applied, const SourceCounts& counts,
                        PacketPlace& place) {
   const bool own = header.by.empty();
   if (header.reset || counts.restarts != seen_.restarts) ++stretch_;
-  if (header.reset && !own) clock_.ignore();
+  if (header.reset && !own) clocks_.ignore();
   senders_.take(header, place);
   watchNumbers(counts, place);
   place.sent_ns = header.time_ns;
@@ -69,7 +51,7 @@ void SourceJudge::take(const PacketHeader& header, Applied applied, const Source
     if (own) cadence_.takeRestatement(place);
     return;
   }
-  clock_.take(place);
+  clocks_.take(place);
   cadence_.take(place, lost_);
   judgeRestatement(place);
 }
@@ -93,18 +75,20 @@ void SourceJudge::watchNumbers(const SourceCounts& counts, const PacketPlace& pl
   seen_ = {counts.gap, counts.late, counts.duplicates, counts.restarts};
 }
 
-void SourceJudge::takeStatement(StatementKind kind, const PacketPlace& place) {
-  if (!isStatic(kind)) return;
-  if (place.is_restated) {
-    has_statics_ = true;
-  } else if (!has_statics_) {
-    has_statics_ = true;
-    said_again_ = place.time;
-  }
+void SourceJudge::takeStatement(const Statement& statement, const PacketPlace& place) {
+  if (!StaticItems::isStatic(statement.kind)) return;
+  statics_.take(statement, place.time);
+  if (!has_statics_ && !place.is_restated) said_again_ = place.time;
+  has_statics_ = true;
+}
+
+LogTime SourceJudge::lastRestated() const {
+  return std::max(said_again_, statics_.oldest().value_or(said_again_));
 }
 
 void SourceJudge::judgeRestatement(const PacketPlace& place) {
-  if (!has_statics_) return;
+  if (!has_statics_ || secondsOf(place.time - said_again_) <= restate_s_) return;
+  said_again_ = lastRestated();
   const double since_s = secondsOf(place.time - said_again_);
   if (since_s <= restate_s_) return;
   unrestated_.hit(place);
@@ -117,7 +101,7 @@ void SourceJudge::dropFindings() {
   gap_ = late_ = duplicate_ = restart_ = mixed_ = unrestated_ = {};
   longest_unrestated_s_ = 0;
   senders_.dropFindings();
-  clock_.dropFindings();
+  clocks_.dropFindings();
   cadence_.dropFindings();
 }
 
@@ -148,12 +132,12 @@ void SourceJudge::report(LogTime end, Findings& findings) const {
   if (mixed_.count > 0) {
     findings.back().hint = "listen to the source or to one output of the relay, not to both";
   }
-  clock_.report(name_, findings);
+  clocks_.report(name_, findings);
   cadence_.report(name_, end, findings);
 
   Tally unrestated = unrestated_;
   double longest_s = longest_unrestated_s_;
-  const double at_end_s = secondsOf(end - said_again_);
+  const double at_end_s = secondsOf(end - lastRestated());
   if (has_statics_ && at_end_s > restate_s_) {
     PacketPlace place;
     place.time = end;

@@ -7,6 +7,8 @@
 #include "core/check/judges/cadence_judge.h"
 #include "core/check/judges/clock_judge.h"
 #include "core/check/judges/sender_judge.h"
+#include "core/check/judges/source_clocks.h"
+#include "core/check/judges/static_items.h"
 #include "core/check/judges/tally.h"
 #include "core/packet/session_state.h"
 
@@ -36,7 +38,7 @@ class SourceJudge {
   void take(const PacketHeader& header, Applied applied, const SourceCounts& counts,
             PacketPlace& place);
   /// A statement of the packet.
-  void takeStatement(StatementKind kind, const PacketPlace& place);
+  void takeStatement(const Statement& statement, const PacketPlace& place);
 
   /// `end`: of the session.
   void report(LogTime end, Findings& findings) const;
@@ -47,6 +49,8 @@ class SourceJudge {
   void watchPath(const PacketHeader& header, const SourceCounts& counts, const PacketPlace& place);
   void watchNumbers(const SourceCounts& counts, const PacketPlace& place);
   void judgeRestatement(const PacketPlace& place);
+  /// When all of its static state had last been said again.
+  LogTime lastRestated() const;
 
   std::string name_;
   std::uint32_t number_;
@@ -62,8 +66,9 @@ class SourceJudge {
   Tally gap_, late_, duplicate_, restart_, mixed_;
   std::string relay_;  ///< NAME:OUTPUT of the first packet of a mixed source that was filtered
   SenderJudge senders_;
-  ClockJudge clock_;
+  SourceClocks clocks_;
   CadenceJudge cadence_;
+  StaticItems statics_;
   bool has_statics_ = false;
   LogTime said_again_{};  ///< when static state was last restated, or first sent
   Tally unrestated_;

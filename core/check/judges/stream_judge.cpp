@@ -65,6 +65,9 @@ StreamJudge::Judged StreamJudge::add(LogTime time, std::string_view encoding, bo
   Source& from = source(header.source);
   place.line = 1;
   place.sequence = header.sequence.value_or(0);
+  if (!captured && header.by.empty() && !judged.packet->statements.empty()) {
+    place.publisher = judged.packet->statements.front().name;
+  }
   from.judge.take(header, applied, *from.counts, place);
   // A late packet is dropped whole and has no effect.
   if (applied != Applied::late) judged.source = &from.judge;

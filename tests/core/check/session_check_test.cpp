@@ -375,6 +375,43 @@ TEST_F(SessionCheckTest, PacketsInBurstsAreNotSilentBetweenThem) {
   EXPECT_EQ(std::ranges::count(rules(report()), "source.silence"), 0);
 }
 
+TEST_F(SessionCheckTest, StateThatIsSaidAgainAndAgainIsRestatedWithoutTheWord) {
+  const auto send = [&](std::string_view statements) {
+    now_ += std::chrono::milliseconds(99);
+    say("me - -", statements);
+  };
+  for (int i = 0; i < 300; ++i) send("color arm #ff0000\nshow arm\njoint arm shoulder=0");
+  EXPECT_EQ(std::ranges::count(rules(report()), "source.unrestated"), 0);
+  // One of them is said no more.
+  for (int i = 0; i < 300; ++i) send("color arm #ff0000\njoint arm shoulder=0");
+  EXPECT_EQ(std::ranges::count(rules(report()), "source.unrestated"), 1);
+}
+
+TEST_F(SessionCheckTest, PublishersOfOneTopicHaveClocksOfTheirOwn) {
+  const auto publish = [&](std::string_view device, double time_s) {
+    session_->add(now_, "rk1", false,
+                  bytesOf(fmt::format("RK1 tf - {:.3f}\npose {} 0 0 0 0 0 0 1\n", time_s, device)));
+  };
+  for (int i = 0; i < 300; ++i) {
+    now_ += std::chrono::milliseconds(50);
+    const double time_s = 1'700'000'000 + 0.05 * i;
+    publish("arm", time_s);
+    publish("spare", time_s - 2);
+  }
+  EXPECT_EQ(std::ranges::count(rules(report()), "source.clock-step"), 0);
+  publish("arm", 1'700'000'000);
+  publish("spare", 1'700'000'000);
+  const CheckReport found = report();
+  std::vector<std::string> texts;
+  for (const Finding& finding : found.findings) {
+    if (finding.rule != "source.clock-step") continue;
+    texts.push_back(finding.text);
+    EXPECT_EQ(finding.count, 1U);
+  }
+  EXPECT_THAT(texts, ::testing::UnorderedElementsAre(HasSubstr("in what is sent of arm"),
+                                                     HasSubstr("in what is sent of spare")));
+}
+
 TEST_F(SessionCheckTest, ReportsLossesAndDamageOfTheLog) {
   say("joints arm 0 0 0");
   LossSpan loss;
