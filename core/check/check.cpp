@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "core/check/rules/unjudged_rules.h"
 #include "core/check/session_check.h"
 #include "core/log/import_record.h"
 #include "core/log/log_profile.h"
@@ -16,8 +17,10 @@ namespace {
 /// How often progress is reported.
 constexpr std::uint64_t kProgressMessages = 2048;
 
-CheckReport reportOfCell(const Cell& cell) {
+CheckReport reportOfCell(const Cell& cell, bool has_session) {
   CheckReport report;
+  report.has_session = has_session;
+  report.unjudged = unjudgedRules(cell, has_session);
   report.cell = cell.file;
   report.findings = cell.faults;
   report.rules = RuleSettings(cell.rules);
@@ -29,14 +32,13 @@ CheckReport reportOfCell(const Cell& cell) {
 }  // namespace
 
 CheckReport checkCell(const Cell& cell) {
-  CheckReport report = reportOfCell(cell);
+  CheckReport report = reportOfCell(cell, false);
   conclude(report);
   return report;
 }
 
 CheckReport checkSession(const Cell& cell, const SessionCheck& session) {
-  CheckReport report = reportOfCell(cell);
-  report.has_session = true;
+  CheckReport report = reportOfCell(cell, true);
   session.finish(report);
   conclude(report);
   return report;

@@ -116,6 +116,8 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell,
   if (my.log != my.cell) {
     Findings drift = driftOf(*log, cell, opened.imported);
     report->findings.insert(report->findings.end(), drift.begin(), drift.end());
+    const auto carried = readAttachedCell(*log);
+    if (!carried || *carried) report->unjudged.erase("drift");
   }
   return report;
 }

@@ -183,6 +183,7 @@ Baseline Baseline::of(const CheckReport& report) {
 
 void Baseline::applyTo(CheckReport& report) const {
   report.has_baseline = true;
+  report.unjudged.erase("baseline");
   std::set<BaselineKey> met;
   for (Finding& finding : report.findings) {
     const BaselineKey key = baselineKeyOf(report, finding);

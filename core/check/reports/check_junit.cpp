@@ -41,6 +41,12 @@ JunitCase testCase(const CheckReport& report, std::string_view rule,
   } else if (!accepted.empty() && others.empty()) {
     test.outcome = JunitCase::Outcome::skipped;
     test.message = "accepted by the baseline";
+  } else if (findings.empty()) {
+    const auto why = report.unjudged.find(rule.substr(0, rule.find('.')));
+    if (why != report.unjudged.end()) {
+      test.outcome = JunitCase::Outcome::skipped;
+      test.message = "nothing to judge: " + why->second;
+    }
   }
   test.output = others + accepted;
   return test;

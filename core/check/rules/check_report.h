@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -53,6 +54,8 @@ struct CheckReport {
   Findings findings;                         ///< errors first, then by first time, then by rule
   std::vector<CheckedClearance> clearances;  ///< as the cell has them, then by device
   RuleSettings rules;  ///< the rules as the cell sets them; conclude() applies them
+  /// Why the rules with this first part ("urdf", "joint") had nothing to judge.
+  std::map<std::string, std::string, std::less<>> unjudged;
   bool has_baseline = false;
   bool interrupted = false;
   Severity fail_on = Severity::error;  ///< a finding this severe makes it incompatible

@@ -116,6 +116,24 @@ TEST(CheckJunit, IsWhatJenkinsReadsHoweverHostileTheSession) {
   EXPECT_EQ(text.find('\xFF'), text.npos);
 }
 
+TEST(CheckJunit, RulesWithNothingToJudgeAreSkippedWithTheReason) {
+  CheckReport report = hostileReport();
+  report.unjudged = {{"urdf", "the cell has no file of URDF"}, {"obj", "none"}};
+  const std::string text = checkJunit(report);
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(text.c_str()), tinyxml2::XML_SUCCESS);
+  std::map<std::string, std::string> skipped;
+  const auto* suite = document.FirstChildElement()->FirstChildElement("testsuite");
+  for (auto* each = suite->FirstChildElement("testcase"); each != nullptr;
+       each = each->NextSiblingElement("testcase")) {
+    const auto* why = each->FirstChildElement("skipped");
+    if (why != nullptr) skipped[each->Attribute("name")] = why->Attribute("message");
+  }
+  EXPECT_EQ(skipped["urdf.xml"], "nothing to judge: the cell has no file of URDF");
+  EXPECT_FALSE(skipped.contains("obj.bad-face")) << "it has a finding";
+  EXPECT_FALSE(skipped.contains("source.gap"));
+}
+
 TEST(CheckJunit, ASessionThatNobodyJudgedIsAnError) {
   CheckReport report = hostileReport();
   report.findings.clear();
