@@ -14,8 +14,10 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <mutex>
 
 #include "core/base/plain_text.h"
+#include "core/base/reader_notice.h"
 #include "core/base/unfinished_path.h"
 #include "core/base/version.h"
 #include "core/cli/help_formatter.h"
@@ -80,6 +82,32 @@ void onCountedSignal(int signal_number) {
   signal_counts[static_cast<std::size_t>(signal_number)].fetch_add(1);
 }
 
+// Keys of notices that were printed, one a line; guarded, since threads print.
+std::mutex told_mutex;
+std::string told_notices;
+
+/// Remembers the notices of readers that this output states.
+void noteTold(std::string_view output) {
+  if (!hasReaderNotices()) return;
+  for (const ReaderNotice& notice : readerNotices()) {
+    if (output.find(notice.key) == output.npos) continue;
+    const std::lock_guard lock(told_mutex);
+    told_notices += notice.key + '\n';
+  }
+}
+
+/// Prints what the program left unsaid; true when there is any notice.
+bool tellNotices() {
+  for (const ReaderNotice& notice : readerNotices()) {
+    const bool is_told = [&] {
+      const std::lock_guard lock(told_mutex);
+      return told_notices.find(notice.key + '\n') != told_notices.npos;
+    }();
+    if (!is_told) warn(notice.text);
+  }
+  return hasReaderNotices();
+}
+
 }  // namespace
 
 int run(CLI::App& app, int argc, char** argv, std::string_view examples,
@@ -100,6 +128,8 @@ int run(CLI::App& app, int argc, char** argv, std::string_view examples,
   }
   try {
     const Result<Exit> outcome = body();
+    if (!outcome) noteTold(outcome.error().text());
+    const bool is_doubtful = tellNotices();
     if (!outcome) {
       warn(outcome.error().text());
       // The body reached an answer, but output failed.
@@ -110,7 +140,7 @@ int run(CLI::App& app, int argc, char** argv, std::string_view examples,
       warn(std::string("cannot write to standard output: ") + std::strerror(errno));
       return static_cast<int>(Exit::no);
     }
-    return static_cast<int>(*outcome);
+    return static_cast<int>(*outcome == Exit::done && is_doubtful ? Exit::no : *outcome);
   } catch (const std::exception& fault) {
     warn(std::string("stopped by an internal error: ") + fault.what());
     return static_cast<int>(Exit::could_not_run);
@@ -167,8 +197,14 @@ void warn(std::string_view text) {
   tell(shown);
 }
 
-void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void say(std::string_view text) {
+  noteTold(text);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
 
-void tell(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+void tell(std::string_view text) {
+  noteTold(text);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
 
 }  // namespace rocinante::cli

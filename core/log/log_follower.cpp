@@ -8,6 +8,7 @@
 #include "core/log/followed_records.h"
 #include "core/log/log_index.h"
 #include "core/log/log_profile.h"
+#include "core/log/other_format.h"
 #include "core/mcap/parse_record.h"
 
 namespace rocinante {
@@ -78,7 +79,10 @@ struct LogFollower::Impl {
     if (origin || metadata.name != profile::kSession) return;
     const auto format = metadata.metadata.find(std::string(profile::kFormatKey));
     const std::string said = format == metadata.metadata.end() ? std::string() : format->second;
-    if (said != profile::kFormat) records.damaged(profile::otherFormatText(said), 0);
+    if (said != profile::kFormat) {
+      records.damaged(profile::otherFormatText(said), 0);
+      noteOtherFormat(said, records.file().name());
+    }
     const auto entry = metadata.metadata.find(std::string(profile::kOriginKey));
     if (entry != metadata.metadata.end()) origin = profile::parseOrigin(entry->second);
   }

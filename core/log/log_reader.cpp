@@ -16,6 +16,7 @@
 #include "core/log/log_index_walk.h"
 #include "core/log/log_profile.h"
 #include "core/log/mapped_file.h"
+#include "core/log/other_format.h"
 #include "core/log/recorded_losses.h"
 #include "core/log/span_damage.h"
 #include "core/log/span_merge.h"
@@ -215,6 +216,7 @@ struct LogReader::Impl {
       if (summary.format == profile::kFormat) return;
       index.damage.push_back(
           {0, file.size(), profile::otherFormatText(summary.format), std::uint64_t{0}});
+      noteOtherFormat(summary.format, name);
       return;
     }
   }

@@ -22,3 +22,37 @@ try rocinante log split log.mcap -o pieces/ --time 1s
 try rocinante log merge log.mcap log.mcap -o both.mcap
 try rocinante log recover log.mcap -o made.mcap
 ls
+# Programs that only show or judge what is in it cannot forget the warning: the reader gives it.
+cat >arm.urdf <<'URDF'
+<robot name="arm"><link name="base"/><link name="hand"><visual><geometry><box size="1 1 1"/></geometry></visual></link>
+<joint name="turn" type="continuous"><parent link="base"/><child link="hand"/></joint></robot>
+URDF
+cat >cell.toml <<'TOML'
+format = 1
+[[device]]
+name = "puma"
+model = "arm.urdf"
+TOML
+cat >suite.toml <<'TOML'
+format = 1
+cell = "cell.toml"
+log = "log.mcap"
+[[case]]
+name = "begin"
+at = "0s"
+size = [16, 16]
+samples = 1
+TOML
+export ROCINANTE_USER=ada
+short() { "$@" >out 2>&1 && status=0 || status=$?; echo "$2 $3: $(grep -c 'format "9"' out) exit $status"; }
+short rocinante render cell.toml log.mcap --at 0s --size 16x16 -o picture.png
+short rocinante model fk cell.toml --device puma --log log.mcap --at 0s
+short rocinante check cell.toml log.mcap
+short rocinante golden approve suite.toml -m first
+short rocinante golden run suite.toml
+short rocinante golden session log.mcap log.mcap cell.toml --align origin --no-pictures
+short rocinante golden bisect log.mcap cell.toml --other-log log.mcap --size 16x16
+short rocinante log extract log.mcap --list
+short rocinante log table log.mcap --cell cell.toml
+short rocinante log diff log.mcap log.mcap
+short rocinante log export log.mcap cell.toml --foxglove -o fox.mcap
