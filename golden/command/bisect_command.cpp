@@ -12,6 +12,7 @@
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/cli/help_formatter.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/search_options.h"
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/report/json_text.h"
@@ -339,8 +340,22 @@ Result<cli::Exit> runBisectCommand(const BisectArguments& given) {
     return Error{ErrorKind::bad_argument,
                  "one of --other-log, --other-cell and --other-render is required", ""};
   }
+  const auto log = cli::openSession(arguments.log, arguments.cell, arguments);
+  if (!log.ok()) return log.error();
+  const bool is_alone = arguments.cell.empty();
+  if (is_alone) arguments.cell = log->log;
+  arguments.log = log->log;
+  OpenedRecording other;
+  if (!arguments.other_log.empty()) {
+    auto opened = cli::openSession(arguments.other_log, arguments.cell, arguments);
+    if (!opened.ok()) return opened.error();
+    other = std::move(*opened);
+    arguments.other_log = other.log.string();
+  }
+  // The meshes of its own robot were looked for when it was imported.
+  if (is_alone && log->imported) static_cast<ModelSearch&>(arguments) = {};
   const auto question = bisectQuestion(arguments);
-  if (!question.ok()) return question.error();
+  if (!question.ok()) return other.named(log->named(question.error()));
   tellLogNote(arguments.log);
   if (!arguments.other_log.empty()) tellLogNote(arguments.other_log);
   const auto answer = bisectPictures(*question);

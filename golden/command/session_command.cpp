@@ -7,6 +7,7 @@
 #include <iostream>
 #include <tuple>
 
+#include "core/cli/opened_session.h"
 #include "core/cli/search_options.h"
 #include "core/foreign/recordings/cell_and_log.h"
 #include "golden/command/log_note.h"
@@ -84,6 +85,16 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& given) {
   // The cell may stand anywhere; A stays before B.
   orderCellAndLog(arguments.cell, arguments.b);
   if (orderCellAndLog(arguments.cell, arguments.a)) std::swap(arguments.a, arguments.b);
+  const auto accepted = cli::openSession(arguments.a, arguments.cell, arguments);
+  if (!accepted.ok()) return accepted.error();
+  const bool is_alone = arguments.cell.empty();
+  if (is_alone) arguments.cell = accepted->log;
+  const auto fresh = cli::openSession(arguments.b, arguments.cell, arguments);
+  if (!fresh.ok()) return fresh.error();
+  arguments.a = accepted->log;
+  arguments.b = fresh->log;
+  // The meshes of its own robot were looked for when it was imported.
+  if (is_alone && accepted->imported) static_cast<ModelSearch&>(arguments) = {};
   const auto question = questionOf(arguments);
   if (!question.ok()) return question.error();
   CellOptions options;
@@ -92,12 +103,15 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& given) {
   const auto progress = [&](const std::string& what) {
     if (shows_progress) fmt::print(stderr, "\r\033[K{} ", what);
   };
-  const std::filesystem::path& cell = arguments.cell.empty() ? arguments.a : arguments.cell;
-  auto comparison = judgeSessions(cell, options, *question, progress);
+  auto comparison = judgeSessions(arguments.cell, options, *question, progress);
   if (shows_progress) fmt::print(stderr, "\r\033[K");
-  if (!comparison.ok()) return comparison.error();
+  if (!comparison.ok()) return fresh->named(accepted->named(comparison.error()));
   tellLogNote(arguments.a);
   tellLogNote(arguments.b);
+  if (accepted->imported || fresh->imported) {
+    comparison->report.suite =
+        accepted->recording.string() + " against " + fresh->recording.string();
+  }
   std::cout << (arguments.json ? sessionJson(*comparison) : sessionText(*comparison));
   if (!arguments.report.empty()) {
     comparison->report.made_at = nowText();

@@ -8,7 +8,7 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/check/log_account.h"
-#include "core/cli/import_progress.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/log/log_reader.h"
 #include "golden/judge/frame_judge.h"
@@ -57,22 +57,6 @@ void tellAccount(const OpenedRecording& recording, const Cell& cell) {
   if (!note.empty()) cli::warn(note);
 }
 
-/// What another program recorded becomes a log, and warnings say what it could not keep.
-Result<OpenedRecording> openLog(const std::filesystem::path& log, const std::filesystem::path& cell,
-                                const ModelSearch& search) {
-  RecordingRequest request;
-  request.recording = log;
-  request.cell = cell;
-  request.search = search;
-  request.progress = cli::importProgress(log.string());
-  const cli::StopDeadline deadline("stopped while reading the session");
-  auto opened = openedRecording(request);
-  if (!opened.ok()) return opened;
-  for (const std::string& warning : opened->warnings) cli::warn(warning);
-  if (!opened->not_kept.empty()) cli::warn(opened->not_kept);
-  return opened;
-}
-
 }  // namespace
 
 const OpenedRecording* SuiteSession::logOf(const SuiteRun& run) const {
@@ -96,7 +80,7 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   OpenedRecording recording;
   ModelSearch search = options;
   if (the_suite.log) {
-    auto opened = openLog(*the_suite.log, the_suite.cell, options);
+    auto opened = cli::openSession(*the_suite.log, the_suite.cell, options);
     if (!opened.ok()) return opened.error();
     recording = std::move(*opened);
     const bool is_alone = the_suite.cell.empty() || the_suite.cell == *the_suite.log;
@@ -105,7 +89,7 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
     if (is_alone && recording.imported) search = {};
   }
   for (const auto& [run, log] : run_logs) {
-    auto opened = openLog(log, the_suite.cell, search);
+    auto opened = cli::openSession(log, the_suite.cell, search);
     if (!opened.ok()) return opened.error();
     made.run_logs_.emplace(run, std::move(*opened));
   }

@@ -90,10 +90,12 @@ class Golden:
     def session(self, log: Any, cell: Any = None, name: str | None = None, **more: Any) -> None:
         """Fails unless the recording did the same as the accepted NAME.mcap (default: the log's own name).
 
+        What another program recorded (a bag, a capture, a table) is accepted as it is, NAME.csv.
+
         Other keywords are those of `rocinante.goldens.compare_sessions`.
         """
         name = name or pathlib.Path(os.fspath(log)).stem
-        golden = self._file(name, ".mcap")
+        golden = self._file(name, pathlib.Path(os.fspath(log)).suffix or ".mcap")
         report = self._result(name, ".report")
         shutil.rmtree(report, ignore_errors=True)
         judged = compare_sessions(golden, log, cell, report=report, **more) if golden.exists() else None

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ._programs import PathLike, Time, options, run, run_json, time_word
+from ._programs import Error, PathLike, Time, options, run, run_json, time_word
 
 
 @dataclass(frozen=True)
@@ -70,8 +70,31 @@ class Session:
     def __init__(self, log: PathLike, cell: PathLike | None = None) -> None:
         self.log = os.fspath(log)
         self.cell = None if cell is None else os.fspath(cell)
+        self._imported: tempfile.TemporaryDirectory[str] | None = None  # holds the log while it is read
         #: what `rocinante log info --json` prints
-        self.info: dict[str, Any] = run_json("log", "info", "--json", self.log)
+        self.info: dict[str, Any] = self._open()
+
+    def _open(self) -> dict[str, Any]:
+        """The log's info. What another program recorded becomes the log that `log import` makes of it."""
+        info = None
+        try:
+            info = run_json("log", "info", "--json", self.log)
+        except Error:
+            if not os.path.exists(self.log):
+                raise
+        if info is not None and info["profile"] == "rocinante":
+            return info
+        folder = tempfile.TemporaryDirectory()
+        log = os.path.join(folder.name, "session.mcap")
+        try:
+            run("log", "import", self.log, "-o", log, *options({"cell": self.cell}))
+        except Error:
+            # An MCAP file with packets of ours, by another writer.
+            if info is None:
+                raise
+            return info
+        self._imported, self.log = folder, log
+        return run_json("log", "info", "--json", log)
 
     def __repr__(self) -> str:
         return f"<Session {self.log}, {self.duration:.3f} s, {self.info['messages']} messages>"

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/duration_text.h"
+#include "core/cli/opened_session.h"
 #include "recorder/diff/log_diff.h"
 #include "recorder/diff/log_diff_report.h"
 #include "recorder/diff/replay_diff.h"
@@ -92,7 +93,13 @@ Result<cli::Exit> runReplayDiff(const DiffOptions& options) {
   return diff->same() && !damaged ? cli::Exit::done : cli::Exit::no;
 }
 
-Result<cli::Exit> runDiff(const DiffOptions& options) {
+Result<cli::Exit> runDiff(DiffOptions options) {
+  const auto opened_a = cli::openSession(options.a);
+  if (!opened_a) return opened_a.error();
+  const auto opened_b = cli::openSession(options.b);
+  if (!opened_b) return opened_b.error();
+  options.a = opened_a->log.string();
+  options.b = opened_b->log.string();
   if (options.replay) return runReplayDiff(options);
   Result<LogReader> a = LogReader::open(options.a);
   if (!a) return a.error();

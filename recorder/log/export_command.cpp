@@ -9,6 +9,7 @@
 #include "core/base/duration_text.h"
 #include "core/check/check.h"
 #include "core/cli/help_formatter.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/copy/log_make.h"
 #include "core/copy/log_selection.h"
@@ -243,9 +244,12 @@ Status checkExport(const ExportArguments& my) {
   return {};
 }
 
-Result<cli::Exit> runExport(const ExportArguments& my) {
+Result<cli::Exit> runExport(ExportArguments my) {
   if (Status fit = checkExport(my); !fit) return fit.error();
   if (Status free = checkOutput(my.output, my.force, {{my.log}}); !free) return free.error();
+  const auto opened = cli::openSession(my.log, my.cell.cell);
+  if (!opened) return opened.error();
+  my.log = opened->log.string();
   TimeRange range;
   {
     const Result<LogReader> log = LogReader::open(my.log);

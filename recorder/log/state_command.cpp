@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/duration_text.h"
+#include "core/cli/opened_session.h"
 #include "core/session/moment_name.h"
 #include "core/session/timeline.h"
 #include "recorder/contents/log_state.h"
@@ -21,7 +22,10 @@ struct StateCommandOptions {
   bool json = false;
 };
 
-Result<cli::Exit> runState(const StateCommandOptions& options) {
+Result<cli::Exit> runState(StateCommandOptions options) {
+  const auto opened = cli::openSession(options.log);
+  if (!opened) return opened.error();
+  options.log = opened->log.string();
   Result<Timeline> session = Timeline::open(options.log);
   if (!session) return session.error();
   if (session->log().summary().messages == 0) {

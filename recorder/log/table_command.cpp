@@ -7,6 +7,7 @@
 
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/copy/log_selection.h"
 #include "core/copy/output_file.h"
@@ -124,7 +125,7 @@ Result<std::optional<ClearanceColumns>> clearancesOf(const TableArguments& my, c
   return columns;
 }
 
-Result<cli::Exit> runTable(const TableArguments& my) {
+Result<cli::Exit> runTable(TableArguments my) {
   const Result<TableForm> form = formOf(my.output);
   if (!form) return form.error();
   const bool to_output = my.output.empty() || my.output == "-";
@@ -135,6 +136,9 @@ Result<cli::Exit> runTable(const TableArguments& my) {
   if (!to_output) {
     if (Status free = checkOutput(my.output, my.force, {{my.log}}); !free) return free.error();
   }
+  const auto opened = cli::openSession(my.log, my.cell.cell);
+  if (!opened) return opened.error();
+  my.log = opened->log.string();
   Result<MomentWalk> session = MomentWalk::open(my.log);
   if (!session) return session.error();
   Result<TableOptions> options = readTableOptions(my, session->log().summary());

@@ -26,6 +26,18 @@ def test_joints_are_columns_by_name(demo):
         arm["wrong"]
 
 
+def test_what_another_program_recorded_is_a_session(tmp_path):
+    arm = tmp_path / "arm.urdf"
+    arm.write_text("""<robot name="arm"><link name="base"/><link name="upper"/>
+        <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/>
+        <limit lower="-2" upper="2" effort="1" velocity="9"/></joint></robot>""")
+    table = tmp_path / "swing.csv"
+    table.write_text("t,shoulder\n" + "".join(f"{i / 20},{i / 100}\n" for i in range(100)))
+    session = rocinante.Session(table, arm)
+    assert session.joints("arm")["shoulder"].tolist() == [i / 100 for i in range(100)]
+    assert session.state(2).devices["arm"].named_joints == {"shoulder": 0.4}
+
+
 def test_a_device_without_values_is_named(demo):
     cell, log = demo
     with pytest.raises(rocinante.Error, match="no chosen device has joints or a pose"):

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/plain_text.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/text_table.h"
 #include "core/kinematics/joint_values.h"
 #include "core/math/trigonometry.h"
@@ -51,9 +52,16 @@ Result<Posed> posedDevice(const Cell& cell, const std::string& name) {
   return Posed{device, model};
 }
 
-Result<SessionState> sessionState(const PoseRequest& request, StateDamage* damage) {
+Result<SessionState> sessionState(const Cell& cell, const PoseRequest& request,
+                                  StateDamage* damage) {
   if (request.log.empty()) return SessionState{};
-  Result<Timeline> session = Timeline::open(request.log);
+  // What another program recorded is of the cell's devices. One inside a log is no file.
+  std::error_code none;
+  const bool is_file = std::filesystem::is_regular_file(cell.file, none);
+  const auto opened = cli::openSession(
+      request.log, is_file ? std::filesystem::path(cell.file) : std::filesystem::path());
+  if (!opened) return opened.error();
+  Result<Timeline> session = Timeline::open(opened->log);
   if (!session) return session.error();
   const auto moment = request.at.empty() ? momentOfEvent(request.event, *session)
                                          : parseMoment(request.at, *session);
@@ -70,7 +78,7 @@ Result<SessionState> sessionState(const PoseRequest& request, StateDamage* damag
 }  // namespace
 
 Result<SessionState> posedState(const Cell& cell, const PoseRequest& request, StateDamage* damage) {
-  Result<SessionState> state = sessionState(request, damage);
+  Result<SessionState> state = sessionState(cell, request, damage);
   if (!state) return state.error();
   const bool says = request.joints || !request.named.empty() || request.base;
   if (!says && request.device.empty()) return state;

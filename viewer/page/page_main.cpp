@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/size_text.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
@@ -75,7 +76,7 @@ int main(int argc, char** argv) {
   app.add_flag("--force", job.overwrite, "replace an existing file");
   cli::addSearchOptions(app, job);
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
-    const cli::StopDeadline until_stopped("stopped");
+    std::optional<cli::StopDeadline> until_stopped(std::in_place, "stopped");
     if (!page.empty()) {
       if (!job.cell.empty() || !job.from.empty() || !job.until.empty()) {
         return Error{ErrorKind::bad_argument, "--extract takes no LOG, no CELL and no times", {}};
@@ -91,6 +92,12 @@ int main(int argc, char** argv) {
     const auto bytes = parseSize(most);
     if (!bytes) return Error{bytes.error().kind, bytes.error().what, "--size"};
     job.most_bytes = *bytes;
+    // One deadline at a time.
+    until_stopped.reset();
+    const auto opened = cli::openSession(job.log, job.cell, job);
+    until_stopped.emplace("stopped");
+    if (!opened) return opened.error();
+    job.log = opened->log;
     return make(std::move(job));
   });
 }

@@ -11,6 +11,7 @@
 #include "core/base/size_text.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cli/no_wait.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
@@ -38,6 +39,7 @@ struct Arguments {
   bool no_wait = false;
   bool is_live = false;
   bool quiet = false;
+  OpenedRecording opened;  ///< of the log: it lasts as long as it is served
 };
 
 Error bad(std::string what, const std::string& where) {
@@ -51,8 +53,17 @@ Status readSession(Arguments& my) {
     return bad("a log and --live cannot be used together", "");
   }
   if (!my.is_live && request.log.empty()) {
-    if (!isLog(request.cell)) return bad("give a LOG after the cell, or --live", "");
+    if (!isRecording(request.cell)) return bad("give a LOG after the cell, or --live", "");
     request.log = request.cell;
+  }
+  if (!my.is_live) {
+    const bool is_alone = request.cell.empty() || request.cell == request.log;
+    auto opened =
+        cli::openSession(request.log, is_alone ? std::filesystem::path() : request.cell, request);
+    if (!opened) return opened.error();
+    my.opened = std::move(*opened);
+    if (is_alone) request.cell = my.opened.log;
+    request.log = my.opened.log;
   }
   if (!my.is_live && (!request.trust.empty() || !request.decoders.empty())) {
     return bad("--trust and --decoders are for --live", "");
