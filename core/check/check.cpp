@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "core/check/judges/model_units.h"
 #include "core/check/rules/unjudged_rules.h"
 #include "core/check/session_check.h"
 #include "core/log/import_record.h"
@@ -23,6 +24,7 @@ CheckReport reportOfCell(const Cell& cell, bool has_session) {
   report.unjudged = unjudgedRules(cell, has_session);
   report.cell = cell.file;
   report.findings = cell.faults;
+  judgeModelUnits(cell, report.findings);
   report.rules = RuleSettings(cell.rules);
   const Findings& of_rules = report.rules.faults();
   report.findings.insert(report.findings.end(), of_rules.begin(), of_rules.end());

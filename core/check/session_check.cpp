@@ -22,9 +22,9 @@ SessionCheck::SessionCheck(const Cell& cell)
       layers_(cell),
       clearance_(cell) {
   const RuleSettings rules(cell.rules);
-  motion_.limit_excess = rules.threshold("joint.limit");
   motion_.velocity_factor = rules.threshold("joint.velocity");
   motion_.acceleration = rules.threshold("joint.acceleration");
+  motion_.limit_slack = rules.threshold("joint.limit");
   expectDevices();
 }
 

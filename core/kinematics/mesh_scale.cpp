@@ -9,6 +9,8 @@
 namespace rocinante {
 namespace {
 
+/// The joints of a model reach at most this many times the size of its median mesh.
+constexpr double kMaxReachOverMeshes = 500;
 constexpr double kMaxOverOther = 8, kMaxOverMiddle = 20, kMaxOverReach = 5;
 constexpr std::size_t kLeastJoints = 3, kLeastMeshes = 3;  // below these nothing is judged
 constexpr const char* kHint =
@@ -59,6 +61,16 @@ void judgeScale(const Model& model, const std::vector<MeshUse>& uses, FaultList&
         "model.scale", first->place,
         fmt::format("the meshes are {:.3g} m large, and the joints reach {:.3g} m", middle, reach),
         kHint);
+    return;
+  }
+  if (middle > 0 && reach > middle * kMaxReachOverMeshes) {
+    const auto first = std::find_if(uses.begin(), uses.end(),
+                                    [](const MeshUse& use) { return !use.is_collision; });
+    faults.warning(
+        "model.scale", first->place,
+        fmt::format("the joints reach {:.3g} m, and the meshes are {:.3g} m large", reach, middle),
+        "the origins of the joints may be in millimetres, or the `scale` of the meshes may be a "
+        "thousandth too much");
     return;
   }
   for (const MeshUse& use : uses) {

@@ -29,6 +29,7 @@ struct CheckArguments : ModelSearch {
   std::size_t most_a_rule = 10;
   std::string rule_pages;
   std::vector<std::string> rules;  ///< ID=SEVERITY
+  std::string preset;              ///< "ci", or empty
   std::string fail_on = "error";
   bool strict = false;
   std::string baseline;

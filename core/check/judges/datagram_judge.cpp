@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/base/name_hint.h"
+#include "core/base/plain_text.h"
 #include "core/check/judges/fault_rules.h"
 #include "core/report/traffic_findings.h"
 
@@ -12,6 +14,16 @@ namespace {
 
 /// Most encodings that are counted separately.
 constexpr std::size_t kMaxEncodings = 200;
+/// Longer words are cut.
+constexpr std::size_t kMaxWord = 64;
+
+const std::vector<std::string_view> kStatementWords = [] {
+  std::vector<std::string_view> words;
+  for (int kind = 0; kind <= static_cast<int>(StatementKind::seen); ++kind) {
+    words.push_back(nameOf(static_cast<StatementKind>(kind)));
+  }
+  return words;
+}();
 
 /// The bytes of a datagram from the place of a fault.
 std::string_view textAt(ByteView datagram, const FaultAt& at) {
@@ -58,9 +70,26 @@ void DatagramJudge::takeFaults(std::span<const FaultAt> faults, PacketPlace plac
       if (not_finite_.hit(place)) not_finite_column_ = fault.column;
       continue;
     }
+    if (fault.fault == PacketFault::unknown_statement && isMisspelt(place.datagram, fault)) {
+      if (misspelt_.hit(place)) {
+        misspelt_word_ = last_word_;
+        misspelt_hint_ = meant_hint_;
+      }
+      continue;
+    }
     const auto kind = static_cast<std::size_t>(fault.fault);
     if (faults_[kind].hit(place)) columns_[kind] = fault.column;
   }
+}
+
+bool DatagramJudge::isMisspelt(ByteView datagram, const FaultAt& at) {
+  std::string_view word = textAt(datagram, at);
+  word = word.substr(0, std::min(word.find_first_of(" \t\r\n"), kMaxWord));
+  if (word != last_word_) {
+    last_word_ = word;
+    meant_hint_ = didYouMean(word, kStatementWords);
+  }
+  return !meant_hint_.empty();
 }
 
 void DatagramJudge::dropFindings() { *this = {}; }
@@ -79,6 +108,9 @@ void DatagramJudge::report(Findings& findings) const {
   }
   add(not_finite_, "packet.not-finite", "lines with a number that is nan or infinite",
       ruleOf(PacketFault::bad_number).hint, not_finite_column_);
+  add(misspelt_, "packet.misspelt-statement",
+      fmt::format("lines with the unknown statement `{}`", plainText(misspelt_word_)),
+      misspelt_hint_, 0);
   for (const auto& [encoding, tally] : undecoded_) {
     findings.push_back(
         tally.finding("packet.unknown-protocol", encoding, "datagrams in an unknown protocol"));

@@ -12,8 +12,6 @@
 namespace rocinante {
 namespace {
 
-/// Senders round: for what values look like.
-constexpr double kLimitSlack = 1e-6;
 /// An excess of less than this part of the range looks like the noise of a sensor.
 constexpr double kNoisePart = 0.01;
 /// A joint without a velocity limit may not cross its whole range faster than this.
@@ -26,7 +24,7 @@ constexpr std::array kFloating = {".x", ".y", ".z", ".qx", ".qy", ".qz", ".qw"};
 
 JointJudge::JointJudge(const Joint& joint, std::size_t component,
                        const MotionThresholds& thresholds)
-    : name_(joint.name), limit_excess_(thresholds.limit_excess) {
+    : name_(joint.name), slack_(thresholds.limit_slack) {
   const bool is_planar = joint.type == JointType::planar;
   const bool is_floating = joint.type == JointType::floating;
   if (is_planar) name_ += kPlanar[component];
@@ -60,7 +58,7 @@ void JointJudge::judge(double value, const PacketPlace& place) {
   least_ = std::min(least_, value);
   most_ = std::max(most_, value);
   const double excess = std::max(lower_ - value, value - upper_);
-  if (excess <= limit_excess_) {
+  if (excess <= slack_) {
     // Restated values do not show motion.
     if (!place.is_restated) judgeMotion(value, place);
     return;
@@ -112,12 +110,10 @@ void JointJudge::dropFindings() {
 
 bool JointJudge::fitsAsDegrees() const {
   constexpr double kRadians = std::numbers::pi / 180;
-  return least_ * kRadians >= lower_ - kLimitSlack && most_ * kRadians <= upper_ + kLimitSlack;
+  return least_ * kRadians >= lower_ - slack_ && most_ * kRadians <= upper_ + slack_;
 }
 
-bool JointJudge::fitsAsPercent() const {
-  return least_ >= -kLimitSlack && most_ <= 100 + kLimitSlack;
-}
+bool JointJudge::fitsAsPercent() const { return least_ >= -slack_ && most_ <= 100 + slack_; }
 
 double JointJudge::largest() const { return std::max(std::abs(least_), std::abs(most_)); }
 
@@ -134,9 +130,12 @@ void JointJudge::report(const std::string& device, Findings& findings) const {
                               angleText(worst_))
                 : fmt::format("[{:.6g}, {:.6g}] m; the worst is {:.6g}", lower_, upper_, worst_);
   add(beyond_, "joint.limit", fmt::format("{}/{} is outside its limits {}", device, name_, beyond));
-  if (beyond_.count > 0 && worst_excess_ < kNoisePart * (upper_ - lower_)) {
+  if (beyond_.count > 0) findings.back().hint = unitHint();
+  if (beyond_.count > 0 && findings.back().hint.empty() &&
+      worst_excess_ < kNoisePart * (upper_ - lower_)) {
     findings.back().hint = fmt::format(
-        "if it is the noise of a sensor: [rules] \"joint.limit\" = {{ excess = {:.1g} }} in a cell",
+        "if it is the noise of a sensor: [rules] \"joint.limit\" = {{ rad_or_m = {:.1g} }} in a "
+        "cell",
         2 * worst_excess_);
   }
   const std::string speed = velocity_limit_
@@ -156,6 +155,16 @@ void JointJudge::report(const std::string& device, Findings& findings) const {
   add(acceleration_, "joint.acceleration",
       fmt::format("{}/{} speeds up or slows down by {}/s^2, above {}/s^2", device, name_,
                   valueText(worst_acceleration_), valueText(acceleration_limit_)));
+}
+
+std::string JointJudge::unitHint() const {
+  if (is_angle_ || largest() < 10 * std::max(std::abs(lower_), std::abs(upper_))) return {};
+  const bool fits_mm = least_ / 1000 >= lower_ - slack_ && most_ / 1000 <= upper_ + slack_;
+  const bool fits_percent = fitsAsPercent() && most_ > 1;
+  if (fits_mm && fits_percent) return "are these millimetres, or percent? packets give metres";
+  if (fits_mm) return "are these millimetres? packets give metres";
+  if (fits_percent) return "are these percent? packets give metres: lower + value / 100 * range";
+  return {};
 }
 
 std::string JointJudge::twinsText() const {

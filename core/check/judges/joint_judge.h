@@ -14,7 +14,7 @@ namespace rocinante {
 struct MotionThresholds {
   double velocity_factor = 1.1;  ///< of the model's velocity limit
   double acceleration = 0;       ///< rad/s^2 or m/s^2; 0: not judged
-  double limit_excess = 1e-6;    ///< rad or m that a value may be outside the model's limits
+  double limit_slack = 1e-4;     ///< rad or m beyond a limit that are accepted
 };
 
 /// Judges one value of one joint: that of a revolute joint, or the `.yaw` of a planar one.
@@ -51,7 +51,11 @@ class JointJudge {
   std::string valueText(double value) const;
 
   std::string name_;
+  /// What unit the values of a sliding joint seem to have; empty: none.
+  std::string unitHint() const;
+
   bool is_angle_ = true, is_written_ = false;
+  double slack_ = 1e-4;
   double lower_ = -std::numeric_limits<double>::infinity();
   double upper_ = std::numeric_limits<double>::infinity();
   std::optional<double> velocity_limit_;
@@ -61,7 +65,7 @@ class JointJudge {
   double most_ = -std::numeric_limits<double>::infinity();
   MotionJudge motion_;
   Tally beyond_, jump_, velocity_, acceleration_;
-  double limit_excess_ = 0, worst_excess_ = 0, worst_ = 0;
+  double worst_excess_ = 0, worst_ = 0;
   double jump_distance_ = 0, jump_s_ = 0, worst_velocity_ = 0, velocity_s_ = 0;
   /// The packets of the worst fault, if their TIMEs are too near.
   std::string jump_twins_, velocity_twins_;

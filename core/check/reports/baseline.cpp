@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "core/base/atomic_file.h"
+#include "core/base/count_text.h"
 #include "core/base/json_parse.h"
 #include "core/base/plain_text.h"
+#include "core/check/reports/worst_value.h"
 
 namespace rocinante {
 namespace {
@@ -16,6 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kStale = "baseline.stale";
+constexpr std::string_view kUnvalued = "baseline.unvalued";
 constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20U;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -164,7 +169,16 @@ Result<Baseline> Baseline::parse(ByteView bytes, const std::string& name) {
                                        "text}} with a rule and a text",
                                        number));
     }
-    baseline.accepted_.insert({*rule, *subject, *file, withoutAngleUnits(*sentence)});
+    std::optional<double> worst;
+    if (const auto found = entry.find("worst"); found != entry.end()) {
+      if (!found->is_number()) {
+        return damaged(name,
+                       fmt::format("`worst` of entry {} of the baseline is not a number", number));
+      }
+      worst = found->get<double>();
+    }
+    baseline.accepted_.insert_or_assign(
+        BaselineKey{*rule, *subject, *file, withoutAngleUnits(*sentence)}, worst);
   }
   return baseline;
 }
@@ -174,8 +188,11 @@ Baseline Baseline::of(const CheckReport& report) {
   for (const Finding& finding : report.findings) {
     const bool counts =
         finding.accepted || report.isFailure(finding) || finding.severity >= Severity::warning;
-    if (counts && finding.rule != kStale) {
-      baseline.accepted_.insert(baselineKeyOf(report, finding));
+    if (counts && finding.rule != kStale && finding.rule != kUnvalued) {
+      const auto worst = worstValue(finding);
+      auto& kept =
+          baseline.accepted_.try_emplace(baselineKeyOf(report, finding), worst).first->second;
+      if (kept && worst) kept = std::max(*kept, *worst);
     }
   }
   return baseline;
@@ -185,12 +202,27 @@ void Baseline::applyTo(CheckReport& report) const {
   report.has_baseline = true;
   report.unjudged.erase("baseline");
   std::set<BaselineKey> met;
+  std::size_t unvalued = 0;
   for (Finding& finding : report.findings) {
     const BaselineKey key = baselineKeyOf(report, finding);
-    finding.accepted = accepted_.contains(key);
-    if (finding.accepted) met.insert(key);
+    const auto entry = accepted_.find(key);
+    finding.accepted = entry != accepted_.end() && accepts(key, finding);
+    if (entry == accepted_.end()) continue;
+    met.insert(key);
+    if (!finding.accepted) finding.hint = "worse than what the baseline accepts";
+    unvalued += !entry->second && worstValue(finding);
   }
-  for (const BaselineKey& key : accepted_) {
+  if (unvalued > 0) {
+    Finding finding;
+    finding.rule = kUnvalued;
+    finding.severity = Severity::note;
+    finding.text = fmt::format("the baseline accepts {} however large: it has no worst value",
+                               countText(unvalued, "finding"));
+    finding.hint = "--update-baseline writes them";
+    finding.file = name_;
+    report.findings.push_back(std::move(finding));
+  }
+  for (const auto& [key, worst] : accepted_) {
     if (met.contains(key)) continue;
     Finding finding;
     finding.rule = kStale;
@@ -204,15 +236,24 @@ void Baseline::applyTo(CheckReport& report) const {
   }
 }
 
+bool Baseline::accepts(const BaselineKey& key, const Finding& finding) const {
+  const auto entry = accepted_.find(key);
+  if (entry == accepted_.end()) return false;
+  const auto worst = worstValue(finding);
+  // Sentences give six digits.
+  return !entry->second || !worst || *worst <= *entry->second + 1e-5 * std::abs(*entry->second);
+}
+
 std::string Baseline::text() const {
   std::string text = "{\n  \"format\": 1,\n  \"accepted\": [";
   bool is_first = true;
-  for (const BaselineKey& key : accepted_) {
+  for (const auto& [key, worst] : accepted_) {
     Json entry;
     entry["rule"] = key.rule;
     if (!key.subject.empty()) entry["subject"] = key.subject;
     if (!key.file.empty()) entry["file"] = key.file;
     entry["text"] = key.sentence;
+    if (worst) entry["worst"] = *worst;
     text += is_first ? "\n    " : ",\n    ";
     text += entry.dump(-1, ' ', false, Json::error_handler_t::replace);
     is_first = false;

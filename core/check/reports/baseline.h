@@ -2,7 +2,8 @@
 
 #include <compare>
 #include <filesystem>
-#include <set>
+#include <map>
+#include <optional>
 #include <string>
 
 #include "core/base/bytes.h"
@@ -24,7 +25,8 @@ struct BaselineKey {
 };
 BaselineKey baselineKeyOf(const CheckReport& report, const Finding& finding);
 
-/// Known and accepted findings: a JSON file (docs/programs/check.md, "Baselines").
+/// Known and accepted findings, each up to its worst value: a JSON file (docs/programs/check.md,
+/// "Baselines").
 class Baseline {
  public:
   /// not_found or unreadable; damaged, with the place, when it is not a baseline. `path` names it.
@@ -38,7 +40,9 @@ class Baseline {
   /// afterwards.
   void applyTo(CheckReport& report) const;
 
-  bool accepts(const BaselineKey& key) const { return accepted_.contains(key); }
+  /// The finding of this key, where its worst value (an angle, a distance, a speed) is not beyond
+  /// the accepted one. An entry without one, as older versions wrote, accepts any.
+  bool accepts(const BaselineKey& key, const Finding& finding) const;
 
   /// As read() takes it; sorted, one entry per line, so that diffs are small.
   std::string text() const;
@@ -46,7 +50,7 @@ class Baseline {
 
  private:
   std::string name_;
-  std::set<BaselineKey> accepted_;
+  std::map<BaselineKey, std::optional<double>> accepted_;  ///< with the worst value
 };
 
 }  // namespace rocinante

@@ -68,7 +68,7 @@ void FindingWatch::tellCell(std::vector<FindingChange>& changes, LogTime now) {
   for (Finding& finding : checkCell(cell_).findings) {
     if (finding.severity < options_.least) continue;
     const BaselineKey key = baselineKeyOf(names_, finding);
-    if (options_.baseline != nullptr && options_.baseline->accepts(key)) continue;
+    if (options_.baseline != nullptr && options_.baseline->accepts(key, finding)) continue;
     if (known_.size() >= kMax) {
       is_full_ = true;
       continue;
@@ -83,7 +83,7 @@ void FindingWatch::tellCell(std::vector<FindingChange>& changes, LogTime now) {
 
 void FindingWatch::take(Finding finding, LogTime now, std::vector<FindingChange>& changes) {
   BaselineKey key = baselineKeyOf(names_, finding);
-  if (options_.baseline != nullptr && options_.baseline->accepts(key)) return;
+  if (options_.baseline != nullptr && options_.baseline->accepts(key, finding)) return;
   auto found = known_.find(key);
   if (found == known_.end()) {
     if (known_.size() >= kMax) {

@@ -244,22 +244,22 @@ TEST_F(SessionCheckTest, NamesTheTopicOfABagThatOneTakes) {
 }
 
 TEST_F(SessionCheckTest, NoiseAtALimitIsAllowedByTheCell) {
-  say("joints arm 0 0 -0.00002");
+  say("joints arm 0 0 -0.0002");
   const CheckReport found = report();
   ASSERT_THAT(rules(found), ElementsAre("joint.limit"));
   EXPECT_EQ(
       found.findings[0].hint,
-      "if it is the noise of a sensor: [rules] \"joint.limit\" = { excess = 4e-05 } in a cell");
+      "if it is the noise of a sensor: [rules] \"joint.limit\" = { rad_or_m = 0.0004 } in a cell");
   std::ofstream(folder_ / "cell.toml")
-      << kCell << "[rules]\n\"joint.limit\" = { excess = 4e-05 }\n";
+      << kCell << "[rules]\n\"joint.limit\" = { rad_or_m = 0.0004 }\n";
   Result<Cell> tolerant = loadCell(folder_ / "cell.toml", {});
   ASSERT_TRUE(tolerant.ok()) << tolerant.error().text();
   ASSERT_THAT(tolerant->faults, IsEmpty());
   cell_ = std::move(*tolerant);
   session_.emplace(cell_);
-  say("joints arm 0 0 -0.00002");
+  say("joints arm 0 0 -0.0002");
   EXPECT_THAT(rules(report()), IsEmpty());
-  say("joints arm 0 0 -0.00005");
+  say("joints arm 0 0 -0.0005");
   EXPECT_THAT(rules(report()), ElementsAre("joint.limit"));
 }
 
@@ -410,6 +410,32 @@ TEST_F(SessionCheckTest, PublishersOfOneTopicHaveClocksOfTheirOwn) {
   }
   EXPECT_THAT(texts, ::testing::UnorderedElementsAre(HasSubstr("in what is sent of arm"),
                                                      HasSubstr("in what is sent of spare")));
+}
+
+TEST_F(SessionCheckTest, AMisspeltStatementIsAWarningWithTheRightWord) {
+  say("joint arm shoulder=0\ncolour arm ff0000ff\nflash arm 3");
+  const CheckReport found = report();
+  const auto misspelt =
+      std::ranges::find(found.findings, "packet.misspelt-statement", &Finding::rule);
+  ASSERT_NE(misspelt, found.findings.end());
+  EXPECT_EQ(misspelt->severity, Severity::warning);
+  EXPECT_EQ(misspelt->hint, "did you mean `color`?");
+  EXPECT_EQ(std::ranges::count(rules(found), "packet.unknown-statement"), 1) << "flash";
+}
+
+TEST_F(SessionCheckTest, EncodersRestALittleBeyondTheirStops) {
+  say("joint arm shoulder=1.50002 slide=-0.0005");
+  EXPECT_EQ(std::ranges::count(rules(report()), "joint.limit"), 0);
+  say("joint arm shoulder=1.5002");
+  EXPECT_EQ(std::ranges::count(rules(report()), "joint.limit"), 1);
+}
+
+TEST_F(SessionCheckTest, ASlidingJointInMillimetresIsHinted) {
+  say("joint arm slide=150");
+  const CheckReport found = report();
+  const auto limit = std::ranges::find(found.findings, "joint.limit", &Finding::rule);
+  ASSERT_NE(limit, found.findings.end());
+  EXPECT_EQ(limit->hint, "are these millimetres? packets give metres");
 }
 
 TEST_F(SessionCheckTest, ReportsLossesAndDamageOfTheLog) {

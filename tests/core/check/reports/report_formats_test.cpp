@@ -147,6 +147,42 @@ TEST(CheckJunit, ASessionThatNobodyJudgedIsAnError) {
   EXPECT_THAT(checkJunit(report), HasSubstr("type=\"interrupted\""));
 }
 
+TEST(Baseline, AcceptsUpToTheWorstValue) {
+  const auto reportOf = [](std::string_view worst) {
+    CheckReport report;
+    report.has_session = true;
+    report.packets = 1;
+    report.findings.push_back(findingOf(
+        "joint.limit", Severity::error,
+        "arm/turn is outside its limits [-90°, 90°]; the worst is " + std::string(worst) + "°"));
+    conclude(report);
+    return report;
+  };
+  const auto isAccepted = [&](const Baseline& baseline, std::string_view worst) {
+    CheckReport report = reportOf(worst);
+    baseline.applyTo(report);
+    return report.findings.front().accepted;
+  };
+  const std::string text = Baseline::of(reportOf("149")).text();
+  EXPECT_THAT(text, HasSubstr("\"worst\":59.0"));
+  const Result<Baseline> known = Baseline::parse(bytesOf(text), "known.json");
+  ASSERT_TRUE(known.ok()) << known.error().text();
+  EXPECT_TRUE(isAccepted(*known, "149"));
+  EXPECT_TRUE(isAccepted(*known, "-120"));
+  EXPECT_FALSE(isAccepted(*known, "984"));
+  EXPECT_FALSE(isAccepted(*known, "-150"));
+  // One of an older version accepts any, and says so once.
+  const Result<Baseline> old = Baseline::parse(
+      bytesOf("{\"format\": 1, \"accepted\": [{\"rule\": \"joint.limit\", \"text\": "
+              "\"arm/turn is outside its limits [#, #]; the worst is #\"}]}"),
+      "old.json");
+  ASSERT_TRUE(old.ok()) << old.error().text();
+  EXPECT_TRUE(isAccepted(*old, "984"));
+  CheckReport report = reportOf("984");
+  old->applyTo(report);
+  EXPECT_EQ(std::ranges::count(report.findings, "baseline.unvalued", &Finding::rule), 1);
+}
+
 TEST(CheckSarif, HasWhatTheSchemaRequiresAndCodeScanningShows) {
   const CheckReport report = hostileReport();
   const Json log = Json::parse(checkSarif(report, "https://example.org/rules"));
