@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "core/base/count_text.h"
@@ -25,8 +26,15 @@ bool looksLikeDegrees(const JointLimits& limits) {
 }  // namespace
 
 void judgeModelUnits(const Cell& cell, Findings& findings) {
+  // A model may have several names, such as its file's and its own: the shortest is shown.
+  std::map<const Model*, std::string> names;
   for (const auto& [name, model] : cell.models) {
     if (model == nullptr) continue;
+    const auto [place, is_new] = names.try_emplace(model.get(), name);
+    if (!is_new && name.size() < place->second.size()) place->second = name;
+  }
+  for (const auto& [name, model] : cell.models) {
+    if (model == nullptr || names.at(model.get()) != name) continue;
     std::size_t turning = 0, degrees = 0, still = 0;
     std::string first, first_still;
     for (const Joint& joint : model->joints) {

@@ -424,7 +424,7 @@ TEST_F(SessionCheckTest, AMisspeltStatementIsAWarningWithTheRightWord) {
 }
 
 TEST_F(SessionCheckTest, EncodersRestALittleBeyondTheirStops) {
-  say("joint arm shoulder=1.50002 slide=-0.0005");
+  say("joint arm shoulder=1.50002 slide=-0.00005");
   EXPECT_EQ(std::ranges::count(rules(report()), "joint.limit"), 0);
   say("joint arm shoulder=1.5002");
   EXPECT_EQ(std::ranges::count(rules(report()), "joint.limit"), 1);
