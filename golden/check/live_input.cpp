@@ -101,7 +101,7 @@ void LiveInput::take(std::size_t index, const ReceivedDatagram& datagram) {
     sender_text_ = sender_.text();
   }
   LiveDatagram taken{encodingOf(datagram.payload), datagram.payload,
-                     datagram.subject.empty() ? sender_text_ : "", std::nullopt};
+                     datagram.subject.empty() ? std::string_view(sender_text_) : "", std::nullopt};
   if (decoder_) {
     const MadePacket* const made = decoder_->decode(index, datagram, *last_);
     if (made != nullptr) taken.decoded = made->text;
