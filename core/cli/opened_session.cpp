@@ -1,5 +1,6 @@
 #include "core/cli/opened_session.h"
 
+#include "core/check/log_account.h"
 #include "core/cli/import_progress.h"
 #include "core/cli/program.h"
 
@@ -18,6 +19,12 @@ Result<OpenedRecording> openSession(const std::filesystem::path& recording,
   for (const std::string& warning : opened->warnings) warn(warning);
   if (!opened->not_kept.empty()) warn(opened->not_kept);
   return opened;
+}
+
+void warnOfAccount(const std::filesystem::path& log, const Cell* cell) {
+  const auto account = logAccount(log, cell);
+  const std::string note = account ? account->note() : std::string();
+  if (!note.empty()) warn(note);
 }
 
 }  // namespace rocinante::cli

@@ -4,6 +4,7 @@
 
 #include "core/base/model_search.h"
 #include "core/base/result.h"
+#include "core/cell/cell.h"
 #include "core/foreign/recordings/opened_recording.h"
 
 namespace rocinante::cli {
@@ -14,5 +15,9 @@ namespace rocinante::cli {
 Result<OpenedRecording> openSession(const std::filesystem::path& recording,
                                     const std::filesystem::path& cell = {},
                                     const ModelSearch& search = {});
+
+/// Prints on standard error what of a log moves nothing or became no packet (LogAccount::note());
+/// nothing where all is used, or the log cannot be read. `cell` may be null.
+void warnOfAccount(const std::filesystem::path& log, const Cell* cell);
 
 }  // namespace rocinante::cli

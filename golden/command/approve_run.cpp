@@ -96,6 +96,9 @@ Status refuseFor(const std::vector<std::string>& objections, const OpenedRecordi
   for (std::size_t i = 0; i < std::min(objections.size(), kMostPrinted); ++i) {
     cli::warn(objections[i]);
   }
+  if (objections.size() > kMostPrinted) {
+    cli::warn(fmt::format("and {} objections more", objections.size() - kMostPrinted));
+  }
   if (objections.empty() || anyway) return {};
   return Error{ErrorKind::refused, "not accepted; --anyway accepts it all the same",
                log.recording.string()};

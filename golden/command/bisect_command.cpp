@@ -16,7 +16,6 @@
 #include "core/cli/search_options.h"
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/report/json_text.h"
-#include "golden/command/log_note.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/session/bisect.h"
 #include "golden/store/child_output.h"
@@ -356,8 +355,8 @@ Result<cli::Exit> runBisectCommand(const BisectArguments& given) {
   if (is_alone && log->imported) static_cast<ModelSearch&>(arguments) = {};
   const auto question = bisectQuestion(arguments);
   if (!question.ok()) return other.named(log->named(question.error()));
-  tellLogNote(arguments.log);
-  if (!arguments.other_log.empty()) tellLogNote(arguments.other_log);
+  cli::warnOfAccount(arguments.log, nullptr);
+  if (!arguments.other_log.empty()) cli::warnOfAccount(arguments.other_log, nullptr);
   const auto answer = bisectPictures(*question);
   if (!answer.ok()) return answer.error();
   std::vector<StateChange> changes;

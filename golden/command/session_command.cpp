@@ -10,7 +10,6 @@
 #include "core/cli/opened_session.h"
 #include "core/cli/search_options.h"
 #include "core/foreign/recordings/cell_and_log.h"
-#include "golden/command/log_note.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/report/report_folder.h"
 #include "golden/session/session_comparison_text.h"
@@ -106,8 +105,8 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& given) {
   auto comparison = judgeSessions(arguments.cell, options, *question, progress);
   if (shows_progress) fmt::print(stderr, "\r\033[K");
   if (!comparison.ok()) return fresh->named(accepted->named(comparison.error()));
-  tellLogNote(arguments.a);
-  tellLogNote(arguments.b);
+  cli::warnOfAccount(arguments.a, nullptr);
+  cli::warnOfAccount(arguments.b, nullptr);
   if (accepted->imported || fresh->imported) {
     comparison->report.suite =
         accepted->recording.string() + " against " + fresh->recording.string();

@@ -9,6 +9,17 @@
 #include "golden/why/golden_texts.h"
 
 namespace rocinante {
+namespace {
+
+/// Of files that define kinematics; a mesh moves nothing.
+bool haveTextsChanged(const FileHashes& before, const FileHashes& today) {
+  return std::ranges::any_of(before, [&](const auto& file) {
+    const auto now = today.find(file.first);
+    return isToldText(file.first) && (now == today.end() || now->second != file.second);
+  });
+}
+
+}  // namespace
 
 const Cell* AcceptedCells::of(const AcceptedRun& accepted) {
   const std::string today = trackCellHash(session_.cell());
@@ -17,13 +28,12 @@ const Cell* AcceptedCells::of(const AcceptedRun& accepted) {
   if (is_new) {
     place->second = rebuilt(accepted);
     if (place->second && trackCellHash(*place->second) == today) place->second.reset();
-    // Nothing is known to have changed when it is an old version's golden with today's files.
   }
   return place->second ? &*place->second : nullptr;
 }
 
 std::optional<Cell> AcceptedCells::rebuilt(const AcceptedRun& accepted) {
-  const bool has_changed = !accepted.kinematics.empty();
+  bool has_changed = !accepted.kinematics.empty();
   const auto cannot = [&](const char* why) {
     if (has_changed) unknown_ = why;
     return std::nullopt;
@@ -37,6 +47,7 @@ std::optional<Cell> AcceptedCells::rebuilt(const AcceptedRun& accepted) {
   }
   if (!today_) return cannot("today's cell has errors");
   if (hashesOf(*today_) == *before) return std::nullopt;
+  has_changed = has_changed || haveTextsChanged(*before, hashesOf(*today_));
   const GoldenTexts put_back(*today_, *before, session_.manifest().texts);
   if (!put_back.any()) return cannot("its files have other names");
   CellOptions options;

@@ -7,8 +7,6 @@
 
 #include "core/base/duration_text.h"
 #include "core/base/rough_duration.h"
-#include "core/check/log_account.h"
-#include "core/cli/program.h"
 
 namespace rocinante {
 
@@ -31,12 +29,6 @@ Result<Nanoseconds> readEvery(const std::string& text, Nanoseconds span, std::in
                  "--every"};
   }
   return every;
-}
-
-void warnOfAccount(const std::filesystem::path& log, const Cell* cell) {
-  const Result<LogAccount> account = logAccount(log, cell);
-  const std::string note = account ? account->note() : std::string();
-  if (!note.empty()) cli::warn(note);
 }
 
 }  // namespace rocinante

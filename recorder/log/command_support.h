@@ -1,13 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "core/base/result.h"
 #include "core/base/time.h"
-#include "core/cell/cell.h"
 #include "core/cli/progress_line.h"
 
 namespace rocinante {
@@ -20,9 +18,5 @@ Status toStandardOutput(std::string_view text);
 /// The time between the moments of `--every`, which is above 0 and gives at most `most` of them in
 /// a span: a clock that was set while it was recorded makes one of 50 years.
 Result<Nanoseconds> readEvery(const std::string& text, Nanoseconds span, std::int64_t most);
-
-/// Prints on standard error what of a log moves nothing or became no packet (LogAccount::note()).
-/// `cell` may be null.
-void warnOfAccount(const std::filesystem::path& log, const Cell* cell);
 
 }  // namespace rocinante

@@ -272,7 +272,7 @@ Result<cli::Exit> runExport(ExportArguments my) {
   for (const std::string& sentence : account->notes) cli::warn(sentence);
   for (const std::string& sentence : account->gaps) cli::warn(sentence);
   if (!account->left_out.empty()) cli::warn(accountSentence(account->left_out));
-  warnOfAccount(my.log, nullptr);
+  cli::warnOfAccount(my.log, nullptr);
   return account->gaps.empty() ? cli::Exit::done : cli::Exit::no;
 }
 

@@ -58,7 +58,7 @@ Result<cli::Exit> runState(StateCommandOptions options) {
   for (const DamageSpan& span : session->log().damage()) {
     cli::warn(fmt::format("{} ({}, byte {})", span.cause, options.log, span.from));
   }
-  warnOfAccount(options.log, nullptr);
+  cli::warnOfAccount(options.log, nullptr);
   const bool is_whole = session->log().damage().empty() && session->keyframeFaults().empty();
   return is_whole ? cli::Exit::done : cli::Exit::no;
 }

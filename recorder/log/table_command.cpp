@@ -163,7 +163,7 @@ Result<cli::Exit> runTable(TableArguments my) {
   for (const std::string& sentence : table.remarks()) cli::warn(sentence);
   for (const std::string& sentence : gaps) cli::warn(sentence);
   if (!report->left_out.empty()) cli::warn(accountSentence(report->left_out));
-  warnOfAccount(my.log, cell->get());
+  cli::warnOfAccount(my.log, cell->get());
   return gaps.empty() ? cli::Exit::done : cli::Exit::no;
 }
 
