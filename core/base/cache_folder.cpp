@@ -1,12 +1,16 @@
 #include "core/base/cache_folder.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <optional>
 #include <system_error>
 #include <vector>
 
 #include "core/base/atomic_file.h"
+#include "core/base/part_file.h"
 
 namespace rocinante {
 namespace {
@@ -19,6 +23,16 @@ std::optional<fs::path> absoluteFolder(const char* variable) {
   const char* const text = std::getenv(variable);
   if (text == nullptr || !fs::path(text).is_absolute()) return std::nullopt;
   return fs::path(text);
+}
+
+bool writeWhole(int file, ByteView bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return true;
 }
 
 }  // namespace
@@ -43,14 +57,23 @@ void CacheFolder::touch(const std::string& key) const {
   fs::last_write_time(fileOf(key), fs::file_time_type::clock::now(), ignored);
 }
 
-void CacheFolder::store(const std::string& key, ByteView bytes) const {
-  if (folder_.empty() || bytes.size() > most_bytes_) return;
+void CacheFolder::store(const std::string& key, std::initializer_list<ByteView> parts) const {
+  std::uint64_t bytes = 0;
+  for (const ByteView part : parts) bytes += part.size();
+  if (folder_.empty() || bytes > most_bytes_) return;
   std::error_code refused;
   fs::create_directories(folder_, refused);
   if (refused) return;
-  makeRoom(bytes.size());
+  makeRoom(bytes);
   // Ignore write errors: the content is only made again next time.
-  static_cast<void>(writeFileWhole(fileOf(key), bytes, true, Sync::later).has_value());
+  if (!mayWriteFile(fileOf(key), true)) return;
+  auto file = PartFile::make(fileOf(key));
+  if (!file.ok()) return;
+  const auto writer = file->writer();
+  if (!writer.ok()) return;
+  const bool is_whole =
+      std::ranges::all_of(parts, [&](ByteView part) { return writeWhole(*writer, part); });
+  if (::close(*writer) == 0 && is_whole) static_cast<void>(file->publish(true).has_value());
 }
 
 void CacheFolder::makeRoom(std::uint64_t bytes) const {

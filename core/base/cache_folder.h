@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -32,7 +33,9 @@ class CacheFolder {
   std::filesystem::path fileOf(const std::string& key) const { return folder_ / (key + ending_); }
   /// Marks the file as recently used. Fails harmlessly in a read-only folder.
   void touch(const std::string& key) const;
-  void store(const std::string& key, ByteView bytes) const;
+  void store(const std::string& key, ByteView bytes) const { store(key, {bytes}); }
+  /// A file of these, one behind another.
+  void store(const std::string& key, std::initializer_list<ByteView> parts) const;
 
  private:
   bool isOurs(const std::filesystem::path& file) const;

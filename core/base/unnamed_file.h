@@ -20,6 +20,8 @@ class UnnamedFile {
 
   /// All of `bytes`, to there. unreadable when the system refuses, as on a full disk.
   Status write(std::uint64_t from, ByteView bytes);
+  /// By which this process can open it while this lives.
+  std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
   /// As many bytes as `out` has, from there.
   Status read(std::uint64_t from, std::span<std::byte> out) const;
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/check/drift/model_drift.h"
+#include "golden/run/link_tracks.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
 
@@ -55,7 +56,7 @@ class SuiteRunJudge {
         return {};
       }
     }
-    const Nanoseconds step = trackStep(session_.cell(), logs);
+    const std::vector<std::string> links = linksToJudge(run.spec, session_.cell());
     std::vector<SessionTrack> tracks;
     const Cell* newest_cell = nullptr;  // where all were accepted with other kinematics
     bool is_accepted_today = false;
@@ -71,8 +72,8 @@ class SuiteRunJudge {
         newest_cell = own;
         is_accepted_today = is_accepted_today || own == nullptr;
       }
-      auto track = i == 0 ? trackSession(cell, logs[i], step)
-                          : options_.cache.track(cell, logs[i], accepted[i - 1].bytes, step);
+      auto track = i == 0 ? trackSession(cell, logs[i], links)
+                          : options_.cache.track(cell, logs[i], accepted[i - 1].bytes, links);
       if (!track.ok()) {
         judged.rule = log->named(track.error()).text();
         return {};
@@ -148,7 +149,7 @@ Result<JudgedRun> judgeOneRun(const SuiteSession& session, const SuiteRun& run,
 
 Result<std::string> judgeAlone(const SuiteSession& session, const SuiteRun& run) {
   const std::filesystem::path& log = session.logOf(run)->log;
-  const auto track = trackSession(session.cell(), log, trackStep(session.cell(), {log}));
+  const auto track = trackSession(session.cell(), log, linksToJudge(run.spec, session.cell()));
   if (!track.ok()) return track.error();
   const RunJudgement judged = judgeRun(run.spec, {&*track}, *track);
   return judged.comparable ? std::string() : judged.rule;

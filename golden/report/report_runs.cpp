@@ -39,6 +39,7 @@ Json findingJson(const RunFinding& finding) {
     json["largest_accepted_ns"] = finding.at_accepted.count();
     json["largest_run_ns"] = finding.at_run.count();
   }
+  if (!finding.accept.empty()) json["accept"] = finding.accept;
   if (!finding.curve.seconds.empty()) {
     json["curve"] = {{"seconds", numbersJson(finding.curve.seconds)},
                      {"least", numbersJson(finding.curve.least)},
@@ -137,6 +138,7 @@ RunFinding readFinding(const nlohmann::json& json) {
   }
   finding.item = readText(json, "item");
   finding.what = readText(json, "what");
+  finding.accept = readText(json, "accept");
   const auto time = [&](const char* key) {
     return Nanoseconds(readNumber<std::int64_t>(json, key));
   };
@@ -161,6 +163,19 @@ RunFinding readFinding(const nlohmann::json& json) {
   return finding;
 }
 
+/// The entries of `limits` with which the run were the same; empty when limits alone do not help.
+std::string acceptingLimits(const JudgedRun& run) {
+  constexpr std::size_t kMostEntries = 6;
+  const auto& findings = run.judgement.findings;
+  const auto isAccepted = [](const RunFinding& finding) { return !finding.accept.empty(); };
+  if (findings.size() > kMostEntries || !std::ranges::all_of(findings, isAccepted)) return {};
+  std::string text;
+  for (const RunFinding& finding : findings) {
+    text += (text.empty() ? "" : ", ") + finding.accept;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> runReasons(const JudgedRun& run, std::size_t most) {
@@ -172,6 +187,9 @@ std::vector<std::string> runReasons(const JudgedRun& run, std::size_t most) {
   if (findings.size() > most)
     lines.push_back(fmt::format("... and {} more", findings.size() - most));
   for (const std::string& change : run.changes) lines.push_back(plainText(change));
+  if (const std::string limits = acceptingLimits(run); !limits.empty()) {
+    lines.push_back("to accept what moved: limits = { " + plainText(limits) + " }");
+  }
   return lines;
 }
 
@@ -201,8 +219,7 @@ Json runsJson(const std::vector<JudgedRun>& runs) {
                  {"align", run.align},
                  {"items", judged.items},
                  {"events", judged.events},
-                 {"samples", judged.samples},
-                 {"step_ns", judged.step.count()},
+                 {"values", judged.values},
                  {"from_ns", judged.from.count()},
                  {"until_ns", judged.until.count()},
                  {"judge_ms", run.judge_ms},
@@ -251,8 +268,7 @@ std::vector<JudgedRun> readRunsJson(const nlohmann::json& list) {
     judged.accepted = run.accepted.size();
     judged.items = readNumber<std::size_t>(json, "items");
     judged.events = readNumber<std::size_t>(json, "events");
-    judged.samples = readNumber<std::size_t>(json, "samples");
-    judged.step = Nanoseconds(readNumber<std::int64_t>(json, "step_ns"));
+    judged.values = readNumber<std::uint64_t>(json, "values");
     judged.from = Nanoseconds(readNumber<std::int64_t>(json, "from_ns"));
     judged.until = Nanoseconds(readNumber<std::int64_t>(json, "until_ns"));
     judged.notes = readTexts(json, "notes");

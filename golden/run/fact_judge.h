@@ -8,7 +8,8 @@
 namespace rocinante {
 
 /// Judges something that is stated rather than moved: visibility, colour, presence, a carrier, a
-/// drawing. It must be, at each time, as in one of the accepted sessions about then.
-void judgeFact(const RunGrids& grids, const std::string& fact, std::vector<RunFinding>& findings);
+/// drawing. It must be, at each time, as in one of the accepted sessions about then, and what all
+/// of them have must be in the run about then.
+void judgeFact(const RunTimes& times, const std::string& fact, std::vector<RunFinding>& findings);
 
 }  // namespace rocinante

@@ -21,10 +21,11 @@ void FactRecorder::set(const std::string& name, LogTime time, std::string text,
   auto& changes = facts_[name];
   seen_.push_back(&changes);
   if (!changes.empty() && changes.back().text == text && changes.back().shape == shape) return;
-  changes.push_back({time, std::move(text), std::move(shape)});
+  changes.push_back({time, std::move(text), std::move(shape), is_restated_});
 }
 
-void FactRecorder::note(const SessionState& state, LogTime time) {
+void FactRecorder::note(const SessionState& state, LogTime time, bool is_restated) {
+  is_restated_ = is_restated;
   seen_.clear();
   for (const auto& [path, item] : state.visibility()) {
     if (item.value.kind == Visibility::Kind::by_default) continue;
@@ -48,7 +49,8 @@ void FactRecorder::note(const SessionState& state, LogTime time) {
   }
   for (auto& [name, changes] : facts_) {
     if (changes.back().text.empty()) continue;
-    if (std::ranges::find(seen_, &changes) == seen_.end()) changes.push_back({time, "", {}});
+    if (std::ranges::find(seen_, &changes) == seen_.end())
+      changes.push_back({time, "", {}, is_restated});
   }
 }
 

@@ -19,13 +19,14 @@ class FactRecorder {
   explicit FactRecorder(Facts& facts) : facts_(facts) {}
 
   /// What is stated at `time`; times never decrease. What was stated before and is not any more
-  /// changes to an empty text.
-  void note(const SessionState& state, LogTime time);
+  /// changes to an empty text. `is_restated`: it was stated before.
+  void note(const SessionState& state, LogTime time, bool is_restated);
 
  private:
   void set(const std::string& name, LogTime time, std::string text, std::vector<double> shape = {});
 
   Facts& facts_;
+  bool is_restated_ = false;
   std::vector<const std::vector<FactChange>*> seen_;  ///< stated by the state being noted
 };
 

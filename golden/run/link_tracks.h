@@ -1,11 +1,13 @@
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/kinematics/model.h"
-#include "core/packet/session_state.h"
+#include "core/cell/cell.h"
+#include "core/kinematics/kinematics.h"
+#include "golden/run/run_spec.h"
 #include "golden/run/session_track.h"
 
 namespace rocinante {
@@ -13,18 +15,28 @@ namespace rocinante {
 /// Links at the ends of a model's chains, but for those that nothing moves: where joints add up.
 std::vector<std::size_t> tipLinks(const Model& model);
 
-/// A device's samples while a track is made, with what carries it at each.
-struct CarriedTrack {
-  std::string name;
-  const Model* model = nullptr;
-  DeviceTrack* track = nullptr;
-  const std::vector<std::uint16_t>* carriers = nullptr;  ///< by sample, into the carriers' names
-};
+/// "DEVICE/LINK" of the links that are judged by themselves, sorted: where a limit of a position or
+/// a turn is written, for the link; for its device or the run, at the ends of chains.
+std::vector<std::string> linksToJudge(const RunSpec& spec, const Cell& cell);
 
-/// Adds the poses of tip links in the world to each device's rows, by the kinematics of the cell.
-/// `carrier_names`: the first is the world. A carrier that is missing or carried in a loop counts
-/// as the world.
-void addLinkTracks(std::vector<CarriedTrack>& devices, const std::vector<Path>& carrier_names,
-                   std::size_t samples);
+/// Poses of some of a device's links in its own space.
+class LinkPlacer {
+ public:
+  /// Empty when none of `links`, "DEVICE/LINK", is one of the device's. Borrows the model.
+  static std::optional<LinkPlacer> of(std::string_view device, const Model& model,
+                                      const std::vector<std::string>& links);
+
+  /// A column for each, behind those that the series has.
+  void addColumns(DeviceTrack& track, std::size_t series) const;
+  /// `joints`: values in the model's order. Seven numbers a link go to `out`.
+  void place(const double* joints, double* out);
+
+ private:
+  LinkPlacer(const Model& model, std::vector<std::size_t> links);
+
+  const Model* model_;
+  std::vector<std::size_t> links_;
+  JointVector joints_;
+};
 
 }  // namespace rocinante

@@ -1,40 +1,77 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
-#include "golden/run/aligned_grid.h"
 #include "golden/run/run_judgement.h"
 #include "golden/run/run_spec.h"
+#include "golden/run/session_track.h"
+#include "golden/run/time_map.h"
 
 namespace rocinante {
 
-/// What the judges of one run share. Borrows everything.
-struct RunGrids {
+/// What the judges of one run share. Times are nanoseconds since the start of the first accepted
+/// session, on its time line. Borrows everything but the maps.
+struct RunTimes {
   const RunSpec& spec;
   const std::vector<const SessionTrack*>& accepted;
   const SessionTrack& run;
-  std::vector<AlignedGrid> accepted_grids;
-  AlignedGrid run_grid;
+  std::vector<TimeMap> accepted_maps;  ///< from the first accepted session to each
+  TimeMap run_map;
 
   const SessionTrack& first() const { return *accepted.front(); }
-  LogTime firstTime(std::size_t sample) const {
-    return first().start + first().step * static_cast<std::int64_t>(sample);
+  /// How much earlier or later something may come: `event_ms`, and what a warp resolves.
+  std::int64_t reachOf(const RunLimits& limits) const;
+  std::int64_t end() const { return (first().end - first().start).count(); }
+  LogTime inAccepted(std::size_t session, std::int64_t time) const {
+    return accepted_maps[session].inRun(first().start + Nanoseconds(time));
   }
-  Nanoseconds sinceOrigin(std::size_t sample) const { return firstTime(sample) - first().origin; }
+  LogTime inRun(std::int64_t time) const {
+    return run_map.inRun(first().start + Nanoseconds(time));
+  }
+  /// Where the run's log begins and ends.
+  std::int64_t runBegin() const { return onLine(run.start); }
+  std::int64_t runEnd() const { return onLine(run.end); }
+  std::int64_t onLine(LogTime of_run) const {
+    return (run_map.inAccepted(of_run) - first().start).count();
+  }
+  Nanoseconds sinceOrigin(std::int64_t time) const {
+    return first().start + Nanoseconds(time) - first().origin;
+  }
   /// Since the run's origin; within its log.
-  Nanoseconds inRun(std::size_t sample) const;
-  /// Samples that a value may come earlier or later.
-  std::size_t reachOf(const RunLimits& limits) const;
+  Nanoseconds sinceRunOrigin(std::int64_t time) const;
   /// "4.120 s (accepted 4.118 s)"
-  std::string bothTimes(std::size_t sample) const;
+  std::string bothTimes(std::int64_t time) const;
 };
 
-/// Judges one column of a device: a joint's value, or position and turn of a pose. Returns how many
-/// measures were judged; appends to `findings` those beyond their limit.
-std::size_t judgeColumn(const RunGrids& grids, const std::string& device, const TrackColumn& column,
-                        std::vector<RunFinding>& findings);
+/// How far a joint moves within `event_ms`: what is smaller than that may hide there.
+struct FastMotion {
+  std::string item, unit;
+  double figure = 0;  ///< in the unit
+  double times_limit = 0;
+  std::int64_t at = 0;
+};
 
-/// Judges how often packets state a device, in stretches of a second.
-void judgeRate(const RunGrids& grids, const std::string& device, std::vector<RunFinding>& findings);
+/// Judges all of a device that the accepted sessions have, by columns. Appends to `findings` those
+/// beyond their limits.
+class DeviceMotion {
+ public:
+  DeviceMotion(const RunTimes& times, std::string device);
+
+  /// A joint's value, or position and turn of a pose: returns how many measures were judged.
+  std::size_t judge(const TrackColumn& column, std::vector<RunFinding>& findings);
+
+  std::uint64_t values() const { return values_; }  ///< that were compared
+  const FastMotion& fastest() const { return fastest_; }
+
+ private:
+  const RunTimes& times_;
+  std::string device_;
+  /// By session, the run last, and by series.
+  std::vector<std::vector<std::vector<std::int64_t>>> series_times_;
+  std::uint64_t values_ = 0;
+  FastMotion fastest_;
+};
 
 }  // namespace rocinante

@@ -6,10 +6,12 @@
 #include <limits>
 #include <vector>
 
-#include "golden/run/aligned_grid.h"
+#include "golden/run/column_samples.h"
 
 namespace rocinante {
 namespace {
+
+constexpr std::int64_t kMostMoments = 500'000;
 
 /// A change of the bend costs as much as one joint being this share of its range away for a sample:
 /// equal stretches, where nothing moves, do not bend.
@@ -26,8 +28,40 @@ struct WarpFeatures {
   std::vector<float> first, other;
 };
 
-WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other,
-                        const AlignedGrid& first_grid, const AlignedGrid& other_grid) {
+/// The times of the first session, and the values of columns at them.
+class WarpGrid {
+ public:
+  explicit WarpGrid(const SessionTrack& first) : start_(first.start) {
+    const Nanoseconds length = first.end - first.start;
+    step_ = kWarpStep * (length / (kWarpStep * kMostMoments) + 1);
+    samples_ = static_cast<std::size_t>(length / step_) + 1;
+  }
+
+  std::size_t samples() const { return samples_; }
+  Nanoseconds step() const { return step_; }
+  LogTime time(std::size_t sample) const {
+    return start_ + step_ * static_cast<std::int64_t>(sample);
+  }
+  std::vector<double> values(const SessionTrack& track, const DeviceTrack& device,
+                             const TrackColumn& column, const TimeMap& map) const {
+    const auto times = alignedTimes(track, device.series[column.series], map, start_);
+    const ColumnSamples samples(track, &device, &column, times);
+    std::vector<double> values(samples_, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < samples_; ++i) {
+      static_cast<void>(samples.valueAt((time(i) - start_).count(), &values[i]));
+    }
+    return values;
+  }
+
+ private:
+  LogTime start_;
+  Nanoseconds step_{0};
+  std::size_t samples_ = 0;
+};
+
+WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other, const TimeMap& map,
+                        const WarpGrid& grid) {
+  const TimeMap identity{{{first.start, first.start}}};
   std::vector<std::vector<double>> a, b;
   for (const auto& [name, device] : first.devices) {
     const auto its = other.devices.find(name);
@@ -36,7 +70,7 @@ WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other,
       if (column.width() != 1) continue;
       const TrackColumn* same = its->second.find(column.part, false);
       if (same == nullptr || same->kind != column.kind) continue;
-      std::vector<double> values = first_grid.values(&device, &column);
+      std::vector<double> values = grid.values(first, device, column, identity);
       double least = std::numeric_limits<double>::infinity();
       double most = -least;
       for (const double value : values) {
@@ -44,9 +78,8 @@ WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other,
         least = std::min(least, value);
         most = std::max(most, value);
       }
-      if (!(most - least > kLeastRange) || values.size() == 1) continue;
-      std::vector<double> others = other_grid.values(&its->second, same);
-      others.resize(values.size(), others.front());
+      if (!(most - least > kLeastRange)) continue;
+      std::vector<double> others = grid.values(other, its->second, *same, map);
       for (std::vector<double>* list : {&values, &others}) {
         for (double& value : *list) value /= (most - least) * kFarShare;
       }
@@ -56,7 +89,7 @@ WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other,
   }
   WarpFeatures features;
   features.count = a.size();
-  for (std::size_t i = 0; i < first.samples; ++i) {
+  for (std::size_t i = 0; i < grid.samples(); ++i) {
     for (std::size_t c = 0; c < a.size(); ++c) {
       features.first.push_back(static_cast<float>(a[c][i]));
       features.other.push_back(static_cast<float>(b[c][i]));
@@ -130,35 +163,33 @@ class Warper {
 
 TimeMap warpedMap(const SessionTrack& first, const SessionTrack& other, const TimeMap& map,
                   bool keeps_knots, Nanoseconds most) {
-  const TimeMap identity{{{first.start, first.start}}};
-  const AlignedGrid first_grid(first, first, identity);
-  const AlignedGrid other_grid(first, other, map);
-  const WarpFeatures features = featuresOf(first, other, first_grid, other_grid);
-  const auto reach = static_cast<std::size_t>(most / first.step);
-  if (features.count == 0 || reach == 0 || first.samples < 3) return map;
-  std::vector<bool> fixed(first.samples);
+  const WarpGrid grid(first);
+  const WarpFeatures features = featuresOf(first, other, map, grid);
+  const auto reach = static_cast<std::size_t>(most / grid.step());
+  if (features.count == 0 || reach == 0 || grid.samples() < 3) return map;
+  std::vector<bool> fixed(grid.samples());
   if (keeps_knots) {
     for (const TimeMap::Knot& knot : map.knots) {
-      const auto sample = (knot.accepted - first.start + first.step / 2) / first.step;
-      if (sample >= 0 && sample < static_cast<std::int64_t>(first.samples)) {
+      const auto sample = (knot.accepted - first.start + grid.step() / 2) / grid.step();
+      if (sample >= 0 && sample < static_cast<std::int64_t>(grid.samples())) {
         fixed[static_cast<std::size_t>(sample)] = true;
       }
     }
   } else {
     fixed.front() = true;
   }
-  const std::vector<std::ptrdiff_t> bends = Warper(features, first.samples, reach).bends(fixed);
+  const std::vector<std::ptrdiff_t> bends = Warper(features, grid.samples(), reach).bends(fixed);
   TimeMap warped;
   warped.rate = map.rate;
-  const auto last = static_cast<std::ptrdiff_t>(first.samples) - 1;
+  const auto last = static_cast<std::ptrdiff_t>(grid.samples()) - 1;
   for (std::size_t i = 0; i < bends.size(); ++i) {
     const bool is_corner = i == 0 || i + 1 == bends.size() || bends[i] != bends[i - 1] ||
                            bends[i] != bends[i + 1] || fixed[i];
     if (!is_corner) continue;
-    const LogTime time = first.start + first.step * static_cast<std::int64_t>(i);
+    const LogTime time = grid.time(i);
     const std::ptrdiff_t place =
         std::clamp(static_cast<std::ptrdiff_t>(i) + bends[i], std::ptrdiff_t{0}, last);
-    LogTime in_other = other_grid.time(static_cast<std::size_t>(place));
+    LogTime in_other = map.inRun(grid.time(static_cast<std::size_t>(place)));
     if (!warped.knots.empty()) in_other = std::max(in_other, warped.knots.back().run);
     warped.knots.push_back({time, in_other});
   }

@@ -80,6 +80,19 @@ std::string lateText(const MotionShape& shape, const ShapeReader& reader, double
                      best_lag > 0 ? "late" : "early");
 }
 
+double medianApart(const MotionShape& shape, const ShapeReader& reader) {
+  std::vector<double> apart;
+  for (std::size_t i = shape.first; i <= shape.last; ++i) {
+    const double place = static_cast<double>(i);
+    const double its = reader.run(place) - reader.accepted(place);
+    if (!std::isnan(its)) apart.push_back(its);
+  }
+  if (apart.empty()) return 0;
+  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
+  std::ranges::nth_element(apart, middle);
+  return *middle;
+}
+
 }  // namespace
 
 std::string howItDiffers(const MotionShape& shape) {
@@ -89,21 +102,12 @@ std::string howItDiffers(const MotionShape& shape) {
   const double plain = reader.rms([&](double i) { return reader.run(i) - reader.accepted(i); });
   const double mirrored = reader.rms([&](double i) { return reader.run(i) + reader.accepted(i); });
   if (mirrored < plain / 10) return "its sign is flipped";
-  double mean = 0;
-  std::size_t count = 0;
-  for (std::size_t i = shape.first; i <= shape.last; ++i) {
-    const double apart =
-        reader.run(static_cast<double>(i)) - reader.accepted(static_cast<double>(i));
-    if (std::isnan(apart)) continue;
-    mean += apart;
-    ++count;
-  }
-  if (count > 0) mean /= static_cast<double>(count);
+  const double offset = medianApart(shape, reader);
   const double spread =
-      reader.rms([&](double i) { return reader.run(i) - reader.accepted(i) - mean; });
-  if (spread < std::abs(mean) / 5) {
-    return fmt::format("offset by {}{}", mean < 0 ? "-" : "+",
-                       figureText(std::abs(mean), shape.unit));
+      reader.rms([&](double i) { return reader.run(i) - reader.accepted(i) - offset; });
+  if (spread < std::abs(offset) / 5) {
+    return fmt::format("offset by {}{}", offset < 0 ? "-" : "+",
+                       figureText(std::abs(offset), shape.unit));
   }
   return lateText(shape, reader, plain);
 }

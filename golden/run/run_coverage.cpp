@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/name_hint.h"
 #include "core/base/pattern.h"
@@ -49,23 +48,15 @@ std::string itemOfFact(std::string_view fact) {
   return std::string(is_drawing || of == std::string_view::npos ? fact : fact.substr(of + 4));
 }
 
-bool isStated(const DeviceTrack& device, const TrackColumn& column) {
-  for (std::size_t at = column.offset; at < device.rows.size(); at += device.width) {
-    if (!std::isnan(device.rows[at])) return true;
-  }
-  return false;
-}
-
 bool isStated(const DeviceTrack& device) {
-  return std::ranges::any_of(device.columns,
-                             [&](const TrackColumn& column) { return isStated(device, column); });
+  return std::ranges::any_of(device.columns, &TrackColumn::is_stated);
 }
 
 std::set<std::string> itemsOf(const SessionTrack& track) {
   std::set<std::string> items;
   for (const auto& [name, device] : track.devices) {
     for (const TrackColumn& column : device.columns) {
-      if (isStated(device, column)) items.insert(itemOf(name, column));
+      if (column.is_stated) items.insert(itemOf(name, column));
     }
   }
   for (const auto& [fact, changes] : track.facts) items.insert(itemOfFact(fact));

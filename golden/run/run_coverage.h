@@ -27,9 +27,7 @@ std::string itemOf(const Event& event);
 /// "visibility of arm/link3" is the item arm/link3; a drawing is its own.
 std::string itemOfFact(std::string_view fact);
 
-/// True when a column has a value anywhere in the session.
-bool isStated(const DeviceTrack& device, const TrackColumn& column);
-/// True when any column of the device has.
+/// True when any column of the device has a value anywhere in the session.
 bool isStated(const DeviceTrack& device);
 
 /// Everything that a session states and that can be judged.

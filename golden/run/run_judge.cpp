@@ -10,6 +10,7 @@
 #include "golden/run/fact_judge.h"
 #include "golden/run/motion_judge.h"
 #include "golden/run/motion_warp.h"
+#include "golden/run/rate_judge.h"
 #include "golden/run/run_coverage.h"
 #include "golden/run/run_events.h"
 
@@ -18,6 +19,10 @@ namespace {
 
 /// Less than this beyond the accepted end is not worth a note.
 constexpr Nanoseconds kTellsOfMore = std::chrono::milliseconds(500);
+/// So many limits may hide before it is worth a note.
+constexpr double kTellsOfFast = 10;
+/// A session that has less of the accepted time is another one.
+constexpr double kLeastShare = 0.5;
 
 std::set<std::string> namesOf(const std::vector<const SessionTrack*>& accepted,
                               const SessionTrack& run, bool of_devices) {
@@ -34,32 +39,41 @@ std::set<std::string> namesOf(const std::vector<const SessionTrack*>& accepted,
   return names;
 }
 
-void addNotes(const RunGrids& grids, RunJudgement& judged) {
-  const SessionTrack& first = grids.first();
-  const LogTime last = grids.run_grid.time(first.samples - 1);
-  if (grids.run.end - last > kTellsOfMore) {
+void addNotes(const RunTimes& times, RunJudgement& judged) {
+  const Nanoseconds after_end(times.runEnd() - times.end());
+  const Nanoseconds late(times.runBegin());
+  if (after_end > kTellsOfMore) {
     judged.notes.push_back(
         fmt::format("the last {:.1f} s of the log are after the accepted end and were not judged",
-                    secondsOf(grids.run.end - last)));
+                    secondsOf(after_end)));
   }
-  if (last - grids.run.end > kTellsOfMore) {
+  if (-after_end > kTellsOfMore) {
     judged.notes.push_back(
         fmt::format("the log ends {:.1f} s before the accepted one; its last state was held",
-                    secondsOf(last - grids.run.end)));
+                    secondsOf(-after_end)));
   }
-  if (grids.run.start - grids.run_grid.time(0) > kTellsOfMore) {
+  if (late > kTellsOfMore) {
     judged.notes.push_back(
-        fmt::format("the log begins {:.1f} s after the accepted one; its first state was held",
-                    secondsOf(grids.run.start - grids.run_grid.time(0))));
+        fmt::format("the log begins {:.1f} s after the accepted one; what was before was not "
+                    "judged",
+                    secondsOf(late)));
   }
 }
 
-/// The sample at which packets first state a device.
-std::size_t firstUpdate(const RunGrids& grids, const DeviceTrack& device) {
-  const std::vector<double> before = grids.run_grid.updatesBefore(device);
-  const auto found = std::ranges::upper_bound(before, 0);
-  return found == before.end() ? before.size() - 1
-                               : static_cast<std::size_t>(found - before.begin());
+/// What may hide in the motion that is fastest beside its limit.
+void addFastest(const RunTimes& times, const FastMotion& fastest, RunJudgement& judged) {
+  if (fastest.times_limit < kTellsOfFast) return;
+  judged.notes.push_back(fmt::format(
+      "{} moves by {} in {}, at {:.3f} s: a packet that is wrong by less may hide there",
+      fastest.item, figureText(fastest.figure, fastest.unit),
+      figureText(times.spec.limitsOf(fastest.item).event_ms, "ms"),
+      secondsOf(times.sinceOrigin(fastest.at))));
+}
+
+/// When packets first state a device.
+std::int64_t firstUpdate(const RunTimes& times, const DeviceTrack& device) {
+  const auto found = std::ranges::find_if(device.updates, [](auto count) { return count > 0; });
+  return times.onLine(times.run.start + kCountBin * (found - device.updates.begin()));
 }
 
 const DeviceTrack* statedDevice(const SessionTrack& track, const std::string& name) {
@@ -67,35 +81,35 @@ const DeviceTrack* statedDevice(const SessionTrack& track, const std::string& na
   return found != track.devices.end() && isStated(found->second) ? &found->second : nullptr;
 }
 
-RunFinding findingOfAll(const RunGrids& grids, RunFinding::Kind kind, std::string item) {
+RunFinding findingOfAll(const RunTimes& times, RunFinding::Kind kind, std::string item) {
   RunFinding finding;
   finding.kind = kind;
   finding.item = std::move(item);
-  finding.first_accepted = finding.at_accepted = grids.sinceOrigin(0);
-  finding.until_accepted = grids.sinceOrigin(grids.run_grid.size() - 1);
-  finding.first_run = finding.at_run = grids.inRun(0);
+  finding.first_accepted = finding.at_accepted = times.sinceOrigin(0);
+  finding.until_accepted = times.sinceOrigin(times.end());
+  finding.first_run = finding.at_run = times.sinceRunOrigin(0);
   return finding;
 }
 
-void judgeNewDevice(const RunGrids& grids, const std::string& name, const DeviceTrack& device,
+void judgeNewDevice(const RunTimes& times, const std::string& name, const DeviceTrack& device,
                     RunJudgement& judged) {
-  const std::size_t sample = firstUpdate(grids, device);
-  RunFinding finding = findingOfAll(grids, RunFinding::Kind::fact, name);
-  finding.first_accepted = finding.at_accepted = grids.sinceOrigin(sample);
-  finding.first_run = finding.at_run = grids.inRun(sample);
+  const std::int64_t time = firstUpdate(times, device);
+  RunFinding finding = findingOfAll(times, RunFinding::Kind::fact, name);
+  finding.first_accepted = finding.at_accepted = times.sinceOrigin(time);
+  finding.first_run = finding.at_run = times.sinceRunOrigin(time);
   finding.what = fmt::format("{}: no accepted session has this device; here since {}", name,
-                             grids.bothTimes(sample));
+                             times.bothTimes(time));
   judged.findings.push_back(std::move(finding));
 }
 
 /// Everything of a device that was accepted is judged no more.
-void judgeLostDevice(const RunGrids& grids, const std::string& name, RunJudgement& judged) {
+void judgeLostDevice(const RunTimes& times, const std::string& name, RunJudgement& judged) {
   const auto items = std::ranges::count_if(judged.coverage.lost, [&](const std::string& item) {
     return item == name || item.starts_with(name + "/");
   });
   if (items == 0) return;
   const std::string why = whyLeftOut(judged.coverage.left_out, name);
-  RunFinding finding = findingOfAll(grids, RunFinding::Kind::coverage, name);
+  RunFinding finding = findingOfAll(times, RunFinding::Kind::coverage, name);
   finding.what =
       fmt::format("{}: not judged, since {}; {} of it {} accepted", name,
                   why.empty() ? "the session states nothing of it" : why,
@@ -104,16 +118,16 @@ void judgeLostDevice(const RunGrids& grids, const std::string& name, RunJudgemen
 }
 
 /// The columns that the accepted sessions have of a device, each once.
-std::vector<TrackColumn> acceptedColumns(const RunGrids& grids, const std::string& name) {
+std::vector<TrackColumn> acceptedColumns(const RunTimes& times, const std::string& name) {
   std::vector<TrackColumn> columns;
-  for (const SessionTrack* track : grids.accepted) {
+  for (const SessionTrack* track : times.accepted) {
     const DeviceTrack* device = statedDevice(*track, name);
     if (device == nullptr) continue;
     for (const TrackColumn& column : device->columns) {
       const auto isIt = [&](const TrackColumn& other) {
         return other.part == column.part && other.kind == column.kind;
       };
-      if (isStated(*device, column) && std::ranges::none_of(columns, isIt)) {
+      if (column.is_stated && std::ranges::none_of(columns, isIt)) {
         columns.push_back(column);
       }
     }
@@ -121,48 +135,67 @@ std::vector<TrackColumn> acceptedColumns(const RunGrids& grids, const std::strin
   return columns;
 }
 
-void judgeDevice(const RunGrids& grids, const std::string& name, RunJudgement& judged) {
-  const DeviceTrack* own = statedDevice(grids.run, name);
-  const std::vector<TrackColumn> columns = acceptedColumns(grids, name);
+void judgeDevice(const RunTimes& times, const std::string& name, FastMotion& fastest,
+                 RunJudgement& judged) {
+  const DeviceTrack* own = statedDevice(times.run, name);
+  const std::vector<TrackColumn> columns = acceptedColumns(times, name);
   if (columns.empty()) {
-    if (own != nullptr && !grids.spec.isMaskedThroughout(name)) {
-      judgeNewDevice(grids, name, *own, judged);
+    if (own != nullptr && !times.spec.isMaskedThroughout(name)) {
+      judgeNewDevice(times, name, *own, judged);
     }
     return;
   }
   if (own == nullptr) {
-    judgeLostDevice(grids, name, judged);
+    judgeLostDevice(times, name, judged);
     return;
   }
+  DeviceMotion judge(times, name);
   for (const TrackColumn& column : columns) {
     const std::string item = itemOf(name, column);
-    if (grids.spec.isMaskedThroughout(item)) continue;
+    if (times.spec.isMaskedThroughout(item)) continue;
     const bool is_link = column.kind == TrackColumn::Kind::link_pose;
     const TrackColumn* its = own->find(column.part, is_link);
     if (its == nullptr || its->kind != column.kind) {
-      RunFinding finding = findingOfAll(grids, RunFinding::Kind::coverage, item);
+      RunFinding finding = findingOfAll(times, RunFinding::Kind::coverage, item);
       finding.what = fmt::format("{}: not judged, since the model has no such {}", item,
-                                 is_link ? "moved link at the end of a chain" : "joint");
+                                 is_link ? "link that moves" : "joint");
       if (its != nullptr) {
         finding.what = fmt::format("{}: not judged, since it is another kind of joint now", item);
       }
       judged.findings.push_back(std::move(finding));
       continue;
     }
-    judged.items += judgeColumn(grids, name, column, judged.findings);
+    judged.items += judge.judge(column, judged.findings);
   }
-  if (grids.spec.isMaskedThroughout(name)) return;
-  judgeRate(grids, name, judged.findings);
+  judged.values += judge.values();
+  if (judge.fastest().times_limit > fastest.times_limit) fastest = judge.fastest();
+  if (times.spec.isMaskedThroughout(name)) return;
+  judgeRate(times, name, judged.findings);
   ++judged.items;
 }
 
-void judgeMotion(const RunGrids& grids, RunJudgement& judged) {
-  for (const std::string& name : namesOf(grids.accepted, grids.run, true)) {
-    judgeDevice(grids, name, judged);
+/// A session that has little of the accepted time says little of it.
+void judgeShare(const RunTimes& times, RunJudgement& judged) {
+  const double whole = static_cast<double>(times.end()) * 1e-9;
+  const std::int64_t from = std::max<std::int64_t>(0, times.runBegin());
+  const double share = static_cast<double>(std::min(times.runEnd(), times.end()) - from) * 1e-9;
+  if (share >= kLeastShare * whole || whole - share < secondsOf(kTellsOfMore)) return;
+  RunFinding finding = findingOfAll(times, RunFinding::Kind::coverage, "session");
+  finding.what = fmt::format("the log has {:.1f} s of the {:.1f} s that were accepted",
+                             std::max(share, 0.0), whole);
+  judged.findings.push_back(std::move(finding));
+}
+
+void judgeMotion(const RunTimes& times, RunJudgement& judged) {
+  judgeShare(times, judged);
+  FastMotion fastest;
+  for (const std::string& name : namesOf(times.accepted, times.run, true)) {
+    judgeDevice(times, name, fastest, judged);
   }
-  for (const std::string& fact : namesOf(grids.accepted, grids.run, false)) {
-    if (grids.spec.isMaskedThroughout(itemOfFact(fact))) continue;
-    judgeFact(grids, fact, judged.findings);
+  addFastest(times, fastest, judged);
+  for (const std::string& fact : namesOf(times.accepted, times.run, false)) {
+    if (times.spec.isMaskedThroughout(itemOfFact(fact))) continue;
+    judgeFact(times, fact, judged.findings);
     ++judged.items;
   }
 }
@@ -198,8 +231,6 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
   RunJudgement judged;
   const SessionTrack& first = *accepted.front();
   judged.accepted = accepted.size();
-  judged.samples = first.samples;
-  judged.step = first.step;
   judged.from = first.start - first.origin;
   judged.until = first.end - first.origin;
   RunEvents events = judgeEvents(spec, accepted, run);
@@ -225,20 +256,17 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
       bend(*accepted[i], events.accepted_maps[i], events.accepted[i - 1]);
     }
   }
-  RunGrids grids{spec, accepted, run, {}, AlignedGrid(first, run, events.run_map)};
-  for (std::size_t i = 0; i < accepted.size(); ++i) {
-    grids.accepted_grids.emplace_back(first, *accepted[i], events.accepted_maps[i]);
-  }
+  const RunTimes times{spec, accepted, run, std::move(events.accepted_maps), events.run_map};
   judged.times = std::move(events.run_map);
   judged.findings = std::move(events.findings);
-  judgeMotion(grids, judged);
+  judgeMotion(times, judged);
   if (judged.items == 0 && judged.events == 0 && judged.findings.empty()) {
     judged.comparable = false;
     judged.rule = nothingJudged(judged);
     return judged;
   }
   std::stable_sort(judged.findings.begin(), judged.findings.end());
-  addNotes(grids, judged);
+  addNotes(times, judged);
   if (!run.left_out.empty()) judged.notes.push_back(accountSentence(run.left_out));
   judged.rule = runRule(judged);
   return judged;

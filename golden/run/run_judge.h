@@ -8,9 +8,9 @@
 
 namespace rocinante {
 
-/// Compares a session with the accepted ones (docs/golden-suites.md, "Runs"): at each sample of the
-/// first accepted session, over its whole length, with what the others and the run have at the
-/// matching time. Tracks have one step and were made with one cell; `accepted` has at least one.
+/// Compares a session with the accepted ones (docs/golden-suites.md, "Runs"), over the whole length
+/// of the first: what each packet states with what the other side has about then. `accepted` has at
+/// least one.
 /// Not comparable when `spec` aligns by events and they have none in common. Pure.
 RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*>& accepted,
                       const SessionTrack& run);

@@ -28,6 +28,7 @@ struct RunFinding {
   std::string what;  ///< one sentence, with both times
   std::optional<double> largest;  ///< beyond the accepted band
   double limit = 0;
+  std::string accept;  ///< the entry of `limits`, as TOML, that accepts it; empty: none does
   /// Since the origin of each session; `first`: where it begins, `at`: where it is largest.
   Nanoseconds first_accepted{0}, first_run{0}, at_accepted{0}, at_run{0}, until_accepted{0};
   RunCurve curve;
@@ -45,8 +46,8 @@ struct RunJudgement {
   std::vector<RunFinding> findings;
   std::vector<std::string> notes;
   RunCoverage coverage;
-  std::size_t accepted = 0, items = 0, samples = 0, events = 0;
-  Nanoseconds step{0};
+  std::size_t accepted = 0, items = 0, events = 0;
+  std::uint64_t values = 0;       ///< of packets, compared with what the other side has about then
   Nanoseconds from{0}, until{0};  ///< the judged range, since the accepted origin
   TimeMap times{};                ///< from the first accepted session to the run; not in reports
 };

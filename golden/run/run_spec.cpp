@@ -42,6 +42,7 @@ RunLimits RunSpec::limitsOf(std::string_view item) const {
     found.position_mm = own->second.position_mm.value_or(found.position_mm);
     found.turn_deg = own->second.turn_deg.value_or(found.turn_deg);
     found.event_ms = own->second.event_ms.value_or(found.event_ms);
+    found.judges_links = found.judges_links || own->second.position_mm || own->second.turn_deg;
   };
   apply(item.substr(0, item.find('/')));
   if (item.find('/') != std::string_view::npos) apply(item);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,37 +11,45 @@
 #include "core/cell/cell.h"
 #include "core/packet/session_state.h"
 #include "core/report/account.h"
+#include "golden/run/sample_store.h"
 
 namespace rocinante {
 
-/// A motion of a device, sampled: a joint's value, or a pose of seven numbers (x y z, metres, then
-/// the unit quaternion qx qy qz qw).
+/// A motion of a device: a joint's value, or a pose of seven numbers (x y z, metres, then the unit
+/// quaternion qx qy qz qw).
 struct TrackColumn {
   enum class Kind : std::uint8_t {
     angle,       ///< radians
     full_angle,  ///< radians, of a joint that may turn for ever: modulo a turn
     length,      ///< metres
     pose,        ///< of the device in what carries it
-    link_pose,   ///< in the world
+    link_pose,   ///< in the device's own space
   };
   std::string part;  ///< the joint's value or the link; empty: the device's own pose
   Kind kind = Kind::angle;
+  std::size_t series = 0;  ///< into DeviceTrack::series
   std::size_t offset = 0;  ///< of its first number in a row
+  bool is_stated = false;  ///< it has a value somewhere
 
   std::size_t width() const { return kind >= Kind::pose ? 7 : 1; }
 };
 
-/// Samples of one device, row by row. NaN: nothing was stated yet, or the device is absent.
+/// What packets stated together: a row a packet, each a time (nanoseconds since the track's start)
+/// and `width` numbers. NaN: nothing is stated from here on, the device is absent. kNotHere: this
+/// packet does not state it.
+struct TrackSeries {
+  std::size_t width = 0;
+  std::uint64_t rows = 0;
+  std::vector<std::uint64_t> blocks;  ///< places in the track's samples, in bytes
+};
+
 struct DeviceTrack {
   std::vector<TrackColumn> columns;
-  std::size_t width = 0;     ///< numbers of a row
-  std::vector<double> rows;  ///< one row when nothing ever changed
-  /// Packets that stated something of the device, restated ones left out, by sample.
-  std::vector<std::uint16_t> updates;
+  std::vector<TrackSeries> series;  ///< joint values, and the device's own pose
+  /// Packets that stated something of the device, restated ones left out, in each kCountBin since
+  /// the track's start.
+  std::vector<std::uint32_t> updates;
 
-  const double* row(std::size_t sample) const {
-    return rows.data() + (rows.size() == width ? 0 : sample * width);
-  }
   const TrackColumn* find(std::string_view part, bool is_link) const;
 };
 
@@ -51,31 +60,29 @@ struct FactChange {
   std::string text;
   /// Of drawings: extents, mean and 16 points, metres.
   std::vector<double> shape;
+  bool is_restated = false;  ///< so it was stated before, perhaps before the session began
 };
 
-/// A session on a grid of times: everything that judging it as motion needs, from one pass over its
-/// log. Does not depend on what it is compared with. A plain value.
+/// Everything that judging a session as motion needs, from one pass over its log
+/// (docs/decisions/041). Does not depend on what it is compared with. A value; copies share the
+/// samples.
 struct SessionTrack {
   LogTime origin{}, start{}, end{};
-  Nanoseconds step{0};
-  std::size_t samples = 0;  ///< at start, start + step, ... up to `end`
   std::map<std::string, DeviceTrack, std::less<>> devices;
   std::map<std::string, std::vector<FactChange>, std::less<>> facts;
   std::vector<Event> events;  ///< without marks
   /// What packets stated and no device of the cell takes: other devices, values that do not fit.
   Account left_out;
+  std::shared_ptr<const SampleBytes> samples = std::make_shared<SampleBytes>();
 };
 
-/// The step for tracks that are judged together: 20 ms, or the least multiple of it with which all
-/// of them fit in memory (400 MB). Logs that cannot be opened do not count.
-Nanoseconds trackStep(const Cell& cell, const std::vector<std::filesystem::path>& logs);
-
-/// Reads a log. Between two packets that are at most kInterpolated apart, values are interpolated;
-/// otherwise the earlier one holds. damaged when a part of the log cannot be read: what is not seen
-/// whole is not judged.
+/// Reads a log. `links`: "DEVICE/LINK", whose poses are kept too (linksToJudge()). damaged when a
+/// part of the log cannot be read: what is not seen whole is not judged.
 Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path& log,
-                                  Nanoseconds step);
+                                  const std::vector<std::string>& links = {});
 
+/// Between two packets that are farther apart, the earlier one holds.
 inline constexpr Nanoseconds kInterpolated{std::chrono::milliseconds(250)};
+inline constexpr Nanoseconds kCountBin{std::chrono::milliseconds(20)};
 
 }  // namespace rocinante

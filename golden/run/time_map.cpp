@@ -12,9 +12,10 @@ Nanoseconds scaled(Nanoseconds duration, double rate) {
   return duration + Nanoseconds(std::llround(static_cast<double>(duration.count()) * (rate - 1)));
 }
 
-LogTime mapped(const std::vector<TimeMap::Knot>& knots, double rate, LogTime time,
+/// `after`: the first knot behind the time.
+LogTime mapped(const std::vector<TimeMap::Knot>& knots,
+               std::vector<TimeMap::Knot>::const_iterator after, double rate, LogTime time,
                LogTime TimeMap::Knot::*from, LogTime TimeMap::Knot::*to) {
-  const auto after = std::ranges::upper_bound(knots, time, {}, from);
   if (after == knots.begin()) return knots.front().*to + scaled(time - knots.front().*from, rate);
   const TimeMap::Knot& before = *std::prev(after);
   if (after == knots.end()) return before.*to + scaled(time - before.*from, rate);
@@ -28,11 +29,20 @@ LogTime mapped(const std::vector<TimeMap::Knot>& knots, double rate, LogTime tim
 }  // namespace
 
 LogTime TimeMap::inRun(LogTime accepted_time) const {
-  return mapped(knots, rate, accepted_time, &Knot::accepted, &Knot::run);
+  const auto after = std::ranges::upper_bound(knots, accepted_time, {}, &Knot::accepted);
+  return mapped(knots, after, rate, accepted_time, &Knot::accepted, &Knot::run);
 }
 
 LogTime TimeMap::inAccepted(LogTime run_time) const {
-  return mapped(knots, 1 / rate, run_time, &Knot::run, &Knot::accepted);
+  const auto after = std::ranges::upper_bound(knots, run_time, {}, &Knot::run);
+  return mapped(knots, after, 1 / rate, run_time, &Knot::run, &Knot::accepted);
+}
+
+LogTime TimeMap::Walk::inAccepted(LogTime run_time) {
+  const std::vector<Knot>& knots = map_.knots;
+  while (after_ < knots.size() && knots[after_].run <= run_time) ++after_;
+  return mapped(knots, knots.begin() + static_cast<std::ptrdiff_t>(after_), 1 / map_.rate, run_time,
+                &Knot::run, &Knot::accepted);
 }
 
 double clockRate(const std::vector<TimeMap::Knot>& events) {

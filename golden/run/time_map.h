@@ -16,6 +16,18 @@ struct TimeMap {
 
   LogTime inRun(LogTime accepted) const;
   LogTime inAccepted(LogTime run) const;
+  class Walk;
+};
+
+/// Maps times that do not decrease, each in constant time. Borrows the map.
+class TimeMap::Walk {
+ public:
+  explicit Walk(const TimeMap& map) : map_(map) {}
+  LogTime inAccepted(LogTime run);
+
+ private:
+  const TimeMap& map_;
+  std::size_t after_ = 0;  ///< the first knot behind the last time
 };
 
 /// The rate of a clock against another, from events that both have: the median over pairs, so that

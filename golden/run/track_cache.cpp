@@ -1,6 +1,7 @@
 #include "golden/run/track_cache.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/base/hash.h"
 #include "core/kinematics/kinematics.h"
@@ -11,7 +12,7 @@ namespace rocinante {
 namespace {
 
 /// Goes into keys: to be raised when tracks are made otherwise.
-constexpr int kTrackVersion = 3;
+constexpr int kTrackVersion = 4;
 
 }  // namespace
 
@@ -32,20 +33,21 @@ std::string trackCellHash(const Cell& cell) {
 }
 
 Result<SessionTrack> TrackCache::track(const Cell& cell, const std::filesystem::path& log,
-                                       const std::string& bytes_hash, Nanoseconds step) const {
-  if (files_.path().empty()) return trackSession(cell, log, step);
-  const std::string key = hexOf(xxh3(bytesOf(
-      fmt::format("{} {} {} {}", kTrackVersion, bytes_hash, step.count(), trackCellHash(cell)))));
+                                       const std::string& bytes_hash,
+                                       const std::vector<std::string>& links) const {
+  if (files_.path().empty()) return trackSession(cell, log, links);
+  const std::string key = hexOf(xxh3(bytesOf(fmt::format(
+      "{} {} {} {}", kTrackVersion, bytes_hash, fmt::join(links, "\n"), trackCellHash(cell)))));
   // A kept file is replaced and removed, never changed: a mapping of it stays whole.
-  if (const auto kept = MappedFile::open(files_.fileOf(key));
+  if (auto kept = MappedFile::open(files_.fileOf(key));
       kept.ok() && kept->bytes().size() <= kMaxBytes) {
-    if (auto track = decodeTrack(kept->bytes(), key)) {
+    if (auto track = decodeTrack(std::move(*kept), key)) {
       files_.touch(key);
       return std::move(*track);
     }
   }
-  auto track = trackSession(cell, log, step);
-  if (track.ok()) files_.store(key, encodeTrack(*track, key));
+  auto track = trackSession(cell, log, links);
+  if (track.ok()) files_.store(key, {track->samples->view(), encodeTrackTail(*track, key)});
   return track;
 }
 

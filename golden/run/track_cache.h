@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/cache_folder.h"
 #include "core/base/result.h"
@@ -15,7 +16,7 @@ namespace rocinante {
 /// what is missing, damaged or of another version is made again, and write errors are ignored.
 class TrackCache {
  public:
-  static constexpr std::uint64_t kMaxBytes = std::uint64_t{2} << 30;
+  static constexpr std::uint64_t kMaxBytes = std::uint64_t{4} << 30;
 
   /// A cache that keeps nothing.
   TrackCache() = default;
@@ -26,9 +27,10 @@ class TrackCache {
   static TrackCache ofUser() { return TrackCache(CacheFolder::ofUser("runs")); }
 
   /// trackSession(), or what it returned before for a file of these bytes (their XXH3-128) and a
-  /// cell of these kinematics.
+  /// cell of these kinematics, with poses of these links.
   Result<SessionTrack> track(const Cell& cell, const std::filesystem::path& log,
-                             const std::string& bytes_hash, Nanoseconds step) const;
+                             const std::string& bytes_hash,
+                             const std::vector<std::string>& links = {}) const;
 
  private:
   CacheFolder files_;

@@ -10,8 +10,9 @@
 namespace rocinante {
 namespace {
 
-constexpr std::string_view kTrackMagic = "rocinante track 1\n";
-constexpr std::size_t kChecksumBytes = 16;
+constexpr std::string_view kTrackMagic = "rocinante track 2\n";
+constexpr std::size_t kChecksumBytes = 16, kSizeBytes = 8;
+constexpr std::size_t kFootBytes = kChecksumBytes + kSizeBytes;
 
 /// Visits the fields of a track; `Wire` reads or writes.
 template <class Wire, class Track>
@@ -19,8 +20,6 @@ void trackFields(Wire& wire, Track& track) {
   wire.item(track.origin);
   wire.item(track.start);
   wire.item(track.end);
-  wire.item(track.step);
-  wire.item(track.samples);
   wire.item(track.devices);
   wire.item(track.facts);
   wire.item(track.events);
@@ -57,18 +56,25 @@ class TrackWriter {
   void item(const TrackColumn& column) {
     item(column.part);
     item(column.kind);
+    item(column.series);
     item(column.offset);
+    item(column.is_stated);
+  }
+  void item(const TrackSeries& series) {
+    item(series.width);
+    item(series.rows);
+    item(series.blocks);
   }
   void item(const DeviceTrack& device) {
     item(device.columns);
-    item(device.width);
-    item(device.rows);
+    item(device.series);
     item(device.updates);
   }
   void item(const FactChange& change) {
     item(change.at);
     item(change.text);
     item(change.shape);
+    item(change.is_restated);
   }
   void item(const Event& event) {
     item(event.time);
@@ -130,18 +136,25 @@ class TrackReader {
   void item(TrackColumn& column) {
     item(column.part);
     item(column.kind);
+    item(column.series);
     item(column.offset);
+    item(column.is_stated);
+  }
+  void item(TrackSeries& series) {
+    item(series.width);
+    item(series.rows);
+    item(series.blocks);
   }
   void item(DeviceTrack& device) {
     item(device.columns);
-    item(device.width);
-    item(device.rows);
+    item(device.series);
     item(device.updates);
   }
   void item(FactChange& change) {
     item(change.at);
     item(change.text);
     item(change.shape);
+    item(change.is_restated);
   }
   void item(Event& event) {
     item(event.time);
@@ -169,50 +182,74 @@ class TrackReader {
   bool sound_ = true;
 };
 
+/// Blocks of a series, within so many bytes of samples.
+bool isSound(const TrackSeries& series, std::uint64_t bytes) {
+  constexpr std::uint64_t kMostWidth = std::uint64_t{1} << 32;
+  if (series.width > kMostWidth || series.rows > bytes) return false;
+  const std::uint64_t blocks = (series.rows + kBlockRows - 1) / kBlockRows;
+  if (series.blocks.size() != blocks) return false;
+  for (std::uint64_t i = 0; i < blocks; ++i) {
+    const std::uint64_t rows = std::min<std::uint64_t>(kBlockRows, series.rows - i * kBlockRows);
+    const std::uint64_t size = rows * (series.width + 1) * sizeof(double);
+    if (size > bytes || series.blocks[i] > bytes - size) return false;
+  }
+  return true;
+}
+
 /// What judging relies on.
-bool isSound(const SessionTrack& track) {
-  if (track.step <= Nanoseconds(0) || track.samples == 0 || track.end < track.start) return false;
+bool isSound(const SessionTrack& track, std::uint64_t bytes) {
+  if (track.end < track.start) return false;
   return std::ranges::all_of(track.devices, [&](const auto& entry) {
     const DeviceTrack& device = entry.second;
-    std::size_t width = 0;
-    for (const TrackColumn& column : device.columns) {
-      if (column.kind > TrackColumn::Kind::link_pose || column.offset != width) return false;
-      width += column.width();
-    }
-    return width == device.width && width > 0 && device.updates.size() == track.samples &&
-           (device.rows.size() == width || device.rows.size() / width == track.samples) &&
-           device.rows.size() % width == 0;
+    return std::ranges::all_of(device.series,
+                               [&](const TrackSeries& series) { return isSound(series, bytes); }) &&
+           std::ranges::all_of(device.columns, [&](const TrackColumn& column) {
+             return column.kind <= TrackColumn::Kind::link_pose &&
+                    column.series < device.series.size() &&
+                    column.width() <= device.series[column.series].width &&
+                    column.offset <= device.series[column.series].width - column.width();
+           });
   });
 }
 
 }  // namespace
 
-Bytes encodeTrack(const SessionTrack& track, std::string_view key) {
+Bytes encodeTrackTail(const SessionTrack& track, std::string_view key) {
   TrackWriter writer;
   const auto head = bytesOf(kTrackMagic);
   writer.bytes.assign(head.begin(), head.end());
   writer.item(std::string(key));
   trackFields(writer, track);
-  const auto checksum = xxh3(writer.bytes);
+  writer.item(static_cast<std::uint64_t>(track.samples->view().size()));
+  Xxh3 hash;
+  hash.add(track.samples->view());
+  hash.add(writer.bytes);
+  const auto checksum = hash.digest();
   writer.bytes.insert(writer.bytes.end(), checksum.begin(), checksum.end());
   return std::move(writer.bytes);
 }
 
-std::optional<SessionTrack> decodeTrack(ByteView bytes, std::string_view key) {
-  const auto head = bytesOf(kTrackMagic);
-  if (bytes.size() < head.size() + kChecksumBytes ||
-      !std::ranges::equal(bytes.first(head.size()), head)) {
-    return std::nullopt;
-  }
+std::optional<SessionTrack> decodeTrack(MappedFile file, std::string_view key) {
+  const ByteView bytes = file.bytes();
+  if (bytes.size() < kFootBytes) return std::nullopt;
   const ByteView content = bytes.first(bytes.size() - kChecksumBytes);
   if (!std::ranges::equal(xxh3(content), bytes.last(kChecksumBytes))) return std::nullopt;
-  TrackReader reader(content.subspan(head.size()));
+  std::uint64_t samples = 0;
+  std::memcpy(&samples, content.last(kSizeBytes).data(), kSizeBytes);
+  const auto head = bytesOf(kTrackMagic);
+  if (samples > content.size() - kSizeBytes) return std::nullopt;
+  const ByteView tail = content.subspan(samples, content.size() - kSizeBytes - samples);
+  if (tail.size() < head.size() || !std::ranges::equal(tail.first(head.size()), head)) {
+    return std::nullopt;
+  }
+  TrackReader reader(tail.subspan(head.size()));
   std::string its_key;
   reader.item(its_key);
   if (its_key != key) return std::nullopt;
   SessionTrack track;
   trackFields(reader, track);
-  if (!reader.readAll() || !isSound(track)) return std::nullopt;
+  if (!reader.readAll() || !isSound(track, samples)) return std::nullopt;
+  track.samples = std::make_shared<const SampleBytes>(std::move(file), samples);
   return track;
 }
 

@@ -4,13 +4,15 @@
 #include <string_view>
 
 #include "core/base/bytes.h"
+#include "core/log/mapped_file.h"
 #include "golden/run/session_track.h"
 
 namespace rocinante {
 
-/// A track as bytes, for a cache: of this processor's byte order, with a checksum of all of it.
-Bytes encodeTrack(const SessionTrack& track, std::string_view key);
-/// Empty when the bytes are not whole, of another version, or of another key.
-std::optional<SessionTrack> decodeTrack(ByteView bytes, std::string_view key);
+/// A track as a file of this machine's byte order: its samples, then this: everything else, the
+/// key, and a checksum of all.
+Bytes encodeTrackTail(const SessionTrack& track, std::string_view key);
+/// The track of a file of that key, which it keeps; empty for anything else.
+std::optional<SessionTrack> decodeTrack(MappedFile file, std::string_view key);
 
 }  // namespace rocinante

@@ -19,7 +19,7 @@ Apart apartOf(TrackColumn::Kind kind, const double* reference, const double* val
 
 /// The least and the most of several, each component by itself.
 struct ApartRange {
-  Apart least, most;
+  Apart least{}, most{};
   bool any = false;
 
   void add(const Apart& apart);

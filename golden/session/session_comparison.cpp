@@ -9,6 +9,7 @@
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
+#include "golden/run/link_tracks.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
 #include "golden/session/bisect.h"
@@ -223,10 +224,10 @@ JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
     run.judgement.notes.emplace_back("no event is in both; aligned at the first packets");
   }
   run.align = nameOf(spec.align);
-  const Nanoseconds step = trackStep(cell, {question.a, question.b});
+  const std::vector<std::string> links = linksToJudge(spec, cell);
   std::vector<SessionTrack> tracks;
   for (const std::filesystem::path& log : {question.a, question.b}) {
-    auto track = trackSession(cell, log, step);
+    auto track = trackSession(cell, log, links);
     if (!track.ok()) {
       run.rule = track.error().text();
       return run;

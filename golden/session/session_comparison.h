@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/cell/cell.h"
+#include "core/session/event_alignment.h"
 #include "core/session/timeline.h"
 #include "golden/report/report.h"
 #include "golden/run/run_spec.h"

@@ -52,10 +52,9 @@ void addBehaviour(const JudgedRun& run, std::string& out) {
     out += fmt::format("behaviour not judged: {}\n", plainText(run.rule));
     return;
   }
-  out += fmt::format("behaviour {} at {}, from {} to {} s, every {} s\n",
-                     countText(judged.items, "item"), countText(judged.samples, "moment"),
-                     secondsText(judged.from, 3), secondsText(judged.until, 3),
-                     secondsText(judged.step));
+  out += fmt::format("behaviour {}, {}, from {} to {} s\n", countText(judged.items, "item"),
+                     countText(judged.values, "value"), secondsText(judged.from, 3),
+                     secondsText(judged.until, 3));
   if (judged.findings.empty()) out += "  all within the limits\n";
   for (const std::string& line : runReasons(run, kMaxLines)) out += "  " + line + "\n";
   for (const std::string& note : judged.notes) out += "  note: " + plainText(note) + "\n";

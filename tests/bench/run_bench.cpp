@@ -26,7 +26,6 @@ constexpr std::int64_t kOriginNs = 1'770'091'506'000'000'000;
 constexpr std::int64_t kRateHz = 6'000;
 constexpr std::size_t kArms = 6, kJoints = 6;
 constexpr std::size_t kAccepted = 5;
-constexpr Nanoseconds kStep = std::chrono::milliseconds(20);
 constexpr double kBarSeconds = 6;
 
 /// Sessions of one motion: each begins a little later, and its encoders have noise of their own.
@@ -83,10 +82,10 @@ Judged judgeOnce(const Cell& cell, const std::vector<std::filesystem::path>& log
       hash.add(part);
       return Status{};
     }));
-    accepted.push_back(bench::need(cache.track(cell, logs[i], hexOf(hash.digest()), kStep)));
+    accepted.push_back(bench::need(cache.track(cell, logs[i], hexOf(hash.digest()))));
   }
   const double read = bench::processSeconds();
-  const SessionTrack session = bench::need(trackSession(cell, logs[0], kStep));
+  const SessionTrack session = bench::need(trackSession(cell, logs[0]));
   const double tracked = bench::processSeconds();
   std::vector<const SessionTrack*> band;
   for (const SessionTrack& one : accepted) band.push_back(&one);

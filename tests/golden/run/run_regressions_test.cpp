@@ -171,7 +171,8 @@ TEST_F(RunRegressions, AWarpForgivesAPaceAndNotAJoint) {
   const auto joint = std::ranges::find(judged.findings, "arm/joint2", &RunFinding::item);
   ASSERT_NE(joint, judged.findings.end()) << textOfFindings(judged);
   EXPECT_EQ(std::ranges::find(judged.findings, "arm/joint3", &RunFinding::item),
-            judged.findings.end());
+            judged.findings.end())
+      << textOfFindings(judged);
 }
 
 TEST_F(RunRegressions, ABandOfAcceptedRunsAllowsWhatLiesBetween) {
@@ -188,7 +189,7 @@ TEST_F(RunRegressions, ABandOfAcceptedRunsAllowsWhatLiesBetween) {
   ASSERT_FALSE(beyond.findings.empty());
   const auto joint = std::ranges::find(beyond.findings, "arm/joint2", &RunFinding::item);
   ASSERT_NE(joint, beyond.findings.end());
-  EXPECT_NEAR(*joint->largest, 0.4, 0.02);
+  EXPECT_NEAR(*joint->largest, 0.4, 0.06);
 }
 
 TEST_F(RunRegressions, MasksAndOwnLimitsAreHeeded) {

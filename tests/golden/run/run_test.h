@@ -37,7 +37,7 @@ class RunTest : public testing::Test {
  protected:
   Result<SessionTrack> trackOf(const Cell& cell, const SaidSession& session) {
     session.write(folder_ / "run.mcap");
-    return trackSession(cell, folder_ / "run.mcap", std::chrono::milliseconds(20));
+    return trackSession(cell, folder_ / "run.mcap", links_);
   }
 
   static void expectSilent(const char* what, const RunJudgement& judged) {
@@ -46,6 +46,7 @@ class RunTest : public testing::Test {
   }
 
   TemporaryFolder folder_;
+  std::vector<std::string> links_;  ///< of tracks, "DEVICE/LINK"
 };
 
 }  // namespace rocinante::test

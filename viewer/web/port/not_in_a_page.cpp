@@ -25,7 +25,7 @@ Result<std::unique_ptr<RenderContext>> makeOffscreenContext(Profile) {
 // Nothing is kept.
 std::filesystem::path CacheFolder::ofUser(const std::string&) { return {}; }
 void CacheFolder::touch(const std::string&) const {}
-void CacheFolder::store(const std::string&, ByteView) const {}
+void CacheFolder::store(const std::string&, std::initializer_list<ByteView>) const {}
 
 Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t) {
   return Error{ErrorKind::not_found, "a page has no files", path.string()};

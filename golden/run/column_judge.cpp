@@ -1,0 +1,392 @@
+#include "golden/run/column_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "golden/run/motion_words.h"
+#include "golden/run/run_curve.h"
+#include "golden/run/track_columns.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::int64_t kAbsent = 1'000'000'000;
+
+/// The deviation of one measure of a column over time.
+struct Measure {
+  const char* unit = "°";
+  const char* key = "joint_deg";  ///< of limits
+  double limit = 0;
+  std::size_t first_component = 0, components = 1;
+  std::optional<std::int64_t> first;
+  std::int64_t at = 0, last = 0;
+  double largest = 0;
+};
+
+class ColumnJudge {
+ public:
+  ColumnJudge(const RunTimes& times, std::string item, const TrackColumn& column,
+              const std::vector<ColumnSamples>& accepted, const ColumnSamples& run)
+      : times_(times), item_(std::move(item)), column_(column), accepted_(accepted), run_(run) {
+    const RunLimits limits = times.spec.limitsOf(item_);
+    reach_ = times.reachOf(limits);
+    if (column.width() == 7) {
+      measures_.push_back({"mm", "position_mm", limits.position_mm, 0, 3, {}});
+      measures_.push_back({"°", "turn_deg", limits.turn_deg, 3, 3, {}});
+    } else if (column.kind == TrackColumn::Kind::length) {
+      measures_.push_back({"mm", "position_mm", limits.position_mm, 0, 1, {}});
+    } else {
+      measures_.push_back({"°", "joint_deg", limits.joint_deg, 0, 1, {}});
+    }
+    has_masks_ = !times.spec.masks.empty();
+    // Nearer to an end than a value may be late or early, the motion beyond it is unknown.
+    const std::int64_t end = times.end();
+    from_ = end > 4 * reach_ ? reach_ : 0;
+    until_ = end - from_;
+  }
+
+  std::size_t judge(std::vector<RunFinding>& findings) {
+    for (std::size_t i = 0; i < run_.size(); ++i) {
+      if (run_.isStated(i)) judgeOwn(run_.time(i), run_.value(i));
+    }
+    judgeHeld();
+    for (std::size_t session = 0; session < accepted_.size(); ++session) {
+      absent_.reset();
+      for (std::size_t i = 0; i < accepted_[session].size(); ++i) judgeAccepted(session, i);
+      if (absent_) noteAbsence(std::min(times_.end(), times_.runEnd()));
+    }
+    addFindings(findings);
+    return measures_.size();
+  }
+
+  std::uint64_t values() const { return values_; }
+
+  FastMotion fastest() const {
+    FastMotion fastest{item_, measures_.front().unit, 0, 0, 0};
+    if (measures_.size() != 1) return fastest;
+    fastest.figure = accepted_.front().farthestWithin(reach_, fastest.at) * scale();
+    fastest.times_limit = fastest.figure / measures_.front().limit;
+    return fastest;
+  }
+
+ private:
+  bool isOutside(std::int64_t time) const {
+    return time < from_ || time > until_ ||
+           (has_masks_ && times_.spec.isMasked(item_, times_.sinceOrigin(time)));
+  }
+
+  /// What was stated where nothing is judged, and holds from there on.
+  void judgeHeld() {
+    if (run_.size() == 0) return;
+    std::vector<std::int64_t> moments{from_};
+    for (const ColumnSamples& its : accepted_) {
+      if (its.size() > 0) moments.push_back(std::max(run_.time(0), its.time(0)) + reach_);
+    }
+    const LogTime start = times_.first().start;
+    for (const RunMask& mask : times_.spec.masks) {
+      if (mask.until == Nanoseconds::max()) continue;
+      moments.push_back((times_.first().origin + mask.until - start).count() + 1);
+    }
+    double held[7];
+    for (const std::int64_t time : moments) {
+      if (run_.isHeld(time) && run_.valueAt(time, held)) judgeOwn(time, held);
+    }
+  }
+
+  /// A value of the run, in what the accepted ones have about its time.
+  void judgeOwn(std::int64_t time, const double* own) {
+    if (isOutside(time)) return;
+    ++values_;
+    for (const ColumnSamples& its : accepted_) {
+      if (isNear(its, time, own)) return;
+    }
+    ApartRange band;
+    for (const ColumnSamples& its : accepted_) {
+      // What came before its first packet is unknown.
+      if (its.size() == 0 || time < its.time(0) + reach_) continue;
+      add(band, its.wideRange(time - reach_, time + reach_, own));
+    }
+    if (band.any) note(band, time, Apart{});
+  }
+
+  /// A value that an accepted session has, in what the run has about its time.
+  void judgeAccepted(std::size_t session, std::size_t i) {
+    const ColumnSamples& its = accepted_[session];
+    const std::int64_t time = its.time(i);
+    if (isOutside(time)) return;
+    if (!its.isStated(i)) {
+      absent_.reset();
+      return;
+    }
+    ++values_;
+    const double* const value = its.value(i);
+    if (isNear(run_, time, value)) {
+      absent_.reset();
+      return;
+    }
+    const ApartRange around = run_.size() > 0 && time < run_.time(0)
+                                  ? ApartRange{}
+                                  : run_.wideRange(time - reach_, time + reach_, value);
+    if (!around.any) {
+      judgeAbsence(session, time);
+      return;
+    }
+    absent_.reset();
+    const bool is_at_edge = time < run_.time(0) + reach_ || isAtEndOfBoth(time);
+    if (is_at_edge || largestBeyond(around) <= 0 || !isCommon(session, time, value)) return;
+    note(fromAll(session, around, time, value), time, lostAt(its, time, value));
+  }
+
+  /// True when a packet within `event_ms` is near enough: most are.
+  bool isNear(const ColumnSamples& samples, std::int64_t time, const double* value) const {
+    const std::size_t i = samples.at(time);
+    if (i == samples.size()) return false;
+    return isNearSample(samples, i, time, value) ||
+           (i + 1 < samples.size() && isNearSample(samples, i + 1, time, value));
+  }
+  bool isNearSample(const ColumnSamples& samples, std::size_t i, std::int64_t time,
+                    const double* value) const {
+    if (std::abs(samples.time(i) - time) > reach_ || !samples.isStated(i)) return false;
+    if (column_.width() == 1) {
+      return std::abs(apartOf(column_.kind, value, samples.value(i))[0]) <= measures_.front().limit;
+    }
+    const Apart apart = apartOf(column_.kind, value, samples.value(i));
+    return std::ranges::all_of(measures_, [&](const Measure& measure) {
+      double square = 0;
+      for (std::size_t c = 0; c < measure.components; ++c) {
+        square += apart[measure.first_component + c] * apart[measure.first_component + c];
+      }
+      return square <= measure.limit * measure.limit;
+    });
+  }
+
+  static void add(ApartRange& band, const ApartRange& other) {
+    if (!other.any) return;
+    band.add(other.least);
+    band.add(other.most);
+  }
+
+  /// How far 0, which is the value itself, is from a range.
+  static double beyond(const ApartRange& range, const Measure& measure, const Apart& allowed) {
+    double square = 0;
+    for (std::size_t c = measure.first_component; c < measure.first_component + measure.components;
+         ++c) {
+      const double out = std::max({range.least[c], -range.most[c], 0.0}) - allowed[c];
+      if (out > 0) square += out * out;
+    }
+    return std::sqrt(square);
+  }
+  double largestBeyond(const ApartRange& range) const {
+    double most = 0;
+    for (const Measure& measure : measures_) {
+      most = std::max(most, beyond(range, measure, {}) - measure.limit);
+    }
+    return most;
+  }
+
+  /// True when all accepted sessions have the value about its time, or do not tell.
+  bool isCommon(std::size_t session, std::int64_t time, const double* value) const {
+    for (std::size_t k = 0; k < accepted_.size(); ++k) {
+      const ColumnSamples& its = accepted_[k];
+      if (k == session || its.size() == 0 || time < its.time(0)) continue;
+      if (isNear(its, time, value)) continue;
+      const ApartRange around = its.wideRange(time - reach_, time + reach_, value);
+      if (!around.any || largestBeyond(around) > 0) return false;
+    }
+    return true;
+  }
+
+  /// What the run has beside one accepted value, beside those of all sessions instead: where they
+  /// differ, the run is as far away as from the nearest.
+  ApartRange fromAll(std::size_t session, const ApartRange& around, std::int64_t time,
+                     const double* value) const {
+    ApartRange points;
+    points.add(Apart{});
+    double other[7];
+    for (std::size_t k = 0; k < accepted_.size(); ++k) {
+      if (k == session || !accepted_[k].valueAt(time, other)) continue;
+      points.add(apartOf(column_.kind, value, other));
+    }
+    ApartRange nearest = around;
+    for (std::size_t c = 0; c < nearest.least.size(); ++c) {
+      nearest.least[c] -= points.most[c];
+      nearest.most[c] -= points.least[c];
+    }
+    return largestBeyond(nearest) > 0 ? nearest : around;
+  }
+
+  /// Both sessions end here; what the run would have had a little later is unknown.
+  bool isAtEndOfBoth(std::int64_t time) const {
+    const std::int64_t end = times_.runEnd();
+    return std::abs(end - times_.end()) <= 2 * reach_ && time > end - reach_;
+  }
+
+  /// Where the run lost packets: how far the accepted session is from a straight line between what
+  /// it has at the ends of the gap.
+  Apart lostAt(const ColumnSamples& its, std::int64_t time, const double* value) const {
+    std::int64_t from = 0;
+    std::int64_t until = 0;
+    double before[7], after[7], line[7];
+    if (!run_.isLost(time, from, until) || !its.valueAt(from, before) ||
+        !its.valueAt(until, after)) {
+      return {};
+    }
+    const double part = static_cast<double>(time - from) / static_cast<double>(until - from);
+    interpolate(column_, before, after, part, line);
+    Apart apart = apartOf(column_.kind, line, value);
+    for (double& component : apart) component = std::abs(component);
+    return apart;
+  }
+
+  void judgeAbsence(std::size_t session, std::int64_t time) {
+    const bool may_be_absent = std::ranges::any_of(accepted_, [&](const ColumnSamples& its) {
+      const std::size_t i = its.at(time);
+      return &its != &accepted_[session] && its.size() > 0 && (i == its.size() || !its.isStated(i));
+    });
+    if (may_be_absent || time < times_.runBegin()) {
+      absent_.reset();
+      return;
+    }
+    if (!absent_) absent_ = time;
+    noteAbsence(time);
+  }
+  void noteAbsence(std::int64_t until) {
+    if (until - *absent_ > kAbsent && (!absent_since_ || *absent_ < *absent_since_)) {
+      absent_since_ = absent_;
+    }
+  }
+
+  void note(const ApartRange& range, std::int64_t time, const Apart& allowed) {
+    for (Measure& measure : measures_) {
+      const double its = beyond(range, measure, allowed);
+      if (!(its > measure.limit)) continue;
+      if (!measure.first || time < *measure.first) measure.first = time;
+      measure.last = std::max(measure.last, time);
+      if (its <= measure.largest) continue;
+      measure.largest = its;
+      measure.at = time;
+    }
+  }
+
+  void addFindings(std::vector<RunFinding>& findings) {
+    if (absent_since_) {
+      RunFinding finding = findingAt(*absent_since_);
+      finding.what = fmt::format("{}: no value from {}", item_, times_.bothTimes(*absent_since_));
+      findings.push_back(std::move(finding));
+      return;
+    }
+    for (const Measure& measure : measures_) {
+      if (!measure.first) continue;
+      RunFinding finding = findingAt(*measure.first);
+      finding.unit = measure.unit;
+      finding.limit = measure.limit;
+      finding.largest = measure.largest;
+      finding.at_accepted = times_.sinceOrigin(measure.at);
+      finding.at_run = times_.sinceRunOrigin(measure.at);
+      finding.until_accepted = times_.sinceOrigin(measure.last);
+      finding.what = sentence(measure);
+      finding.accept = acceptingLimit(measure);
+      if (measures_.size() == 1) {
+        finding.curve = runCurve(times_, accepted_, run_, scale(), reach_, measure.limit);
+      }
+      findings.push_back(std::move(finding));
+    }
+  }
+
+  /// The entry of `limits` with which the run were the same, in two digits.
+  std::string acceptingLimit(const Measure& measure) const {
+    const double digit = std::pow(10, std::floor(std::log10(measure.largest)) - 1);
+    const double limit = std::ceil(measure.largest * 1.02 / digit) * digit;
+    return fmt::format("\"{}\" = {{ {} = {:.4g} }}", item_, measure.key, limit);
+  }
+
+  double scale() const {
+    return column_.kind == TrackColumn::Kind::length ? kMillimetres : kDegrees;
+  }
+
+  std::string sentence(const Measure& measure) const {
+    std::string text =
+        fmt::format("{}: {} beyond what was accepted, since {}", item_,
+                    figureText(measure.largest, measure.unit), times_.bothTimes(*measure.first));
+    if (times_.sinceOrigin(measure.at) - times_.sinceOrigin(*measure.first) >=
+        std::chrono::milliseconds(1)) {
+      text += fmt::format("; largest at {}", times_.bothTimes(measure.at));
+    }
+    if (measures_.size() != 1) return text;
+    const std::string how = howColumnsDiffer(measure);
+    return how.empty() ? text : text + "; " + how;
+  }
+
+  /// In the words of motion_words.h, from values at equal times.
+  std::string howColumnsDiffer(const Measure& measure) const {
+    constexpr std::int64_t kMargin = 1'100'000'000;  // what is late or early by a second
+    constexpr std::int64_t kMostMoments = 4'000;
+    constexpr std::int64_t kFinest = 1'000'000;
+    const std::int64_t from = std::max<std::int64_t>(0, *measure.first - kMargin);
+    const std::int64_t until = std::min(times_.end(), measure.last + kMargin);
+    const std::int64_t step = std::max(kFinest, (until - from) / kMostMoments);
+    std::vector<double> run, accepted;
+    for (std::int64_t time = from; time <= until; time += step) {
+      for (auto [samples, values] :
+           {std::pair(&run_, &run), std::pair(&accepted_.front(), &accepted)}) {
+        double value = std::numeric_limits<double>::quiet_NaN();
+        static_cast<void>(samples->valueAt(time, &value));
+        values->push_back(value);
+      }
+    }
+    if (run.size() < 2) return {};
+    const auto placeOf = [&](std::int64_t time) {
+      return std::min(static_cast<std::size_t>(std::max<std::int64_t>(0, time - from) / step),
+                      run.size() - 1);
+    };
+    const MotionShape shape{run,
+                            accepted,
+                            placeOf(*measure.first),
+                            placeOf(measure.last),
+                            static_cast<double>(step) * 1e-9,
+                            scale(),
+                            measure.limit,
+                            measure.unit};
+    return howItDiffers(shape);
+  }
+
+  RunFinding findingAt(std::int64_t time) const {
+    RunFinding finding;
+    finding.kind = column_.width() == 7 ? RunFinding::Kind::pose : RunFinding::Kind::joint;
+    finding.item = item_;
+    finding.first_accepted = finding.at_accepted = finding.until_accepted =
+        times_.sinceOrigin(time);
+    finding.first_run = finding.at_run = times_.sinceRunOrigin(time);
+    return finding;
+  }
+
+  const RunTimes& times_;
+  std::string item_;
+  const TrackColumn& column_;
+  const std::vector<ColumnSamples>& accepted_;
+  const ColumnSamples& run_;
+  std::vector<Measure> measures_;
+  std::int64_t reach_ = 0, from_ = 0, until_ = 0;
+  bool has_masks_ = false;
+  std::uint64_t values_ = 0;
+  std::optional<std::int64_t> absent_, absent_since_;
+};
+
+}  // namespace
+
+ColumnOutcome judgeColumn(const RunTimes& times, const std::string& item, const TrackColumn& column,
+                          const std::vector<ColumnSamples>& accepted, const ColumnSamples& run,
+                          std::vector<RunFinding>& findings) {
+  ColumnJudge judge(times, item, column, accepted, run);
+  ColumnOutcome outcome;
+  outcome.measures = judge.judge(findings);
+  outcome.values = judge.values();
+  outcome.fastest = judge.fastest();
+  return outcome;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "golden/run/session_track.h"
+#include "golden/run/time_map.h"
+#include "golden/run/value_difference.h"
+
+namespace rocinante {
+
+/// One column of one session: radians and metres, at times in nanoseconds since the start of the
+/// first accepted session, on its time line. Angles that may turn for ever are not wound up. NaN:
+/// nothing is stated from here on. The last value holds. Not for sharing between threads.
+class ColumnSamples {
+ public:
+  /// `times` of the column's series, borrowed. Empty when `column` is null.
+  ColumnSamples(const SessionTrack& track, const DeviceTrack* device, const TrackColumn* column,
+                const std::vector<std::int64_t>& times);
+
+  std::size_t size() const { return times().size(); }
+  std::int64_t time(std::size_t i) const { return times()[i]; }
+  const double* value(std::size_t i) const { return values_.data() + i * width_; }
+  bool isStated(std::size_t i) const { return value(i)[0] == value(i)[0]; }
+
+  /// The last sample at or before a time; size() when there is none. Quick for a time near that of
+  /// the last call.
+  std::size_t at(std::int64_t time) const;
+  /// What it has at a time, interpolated, with room for width() numbers. False: nothing is stated.
+  bool valueAt(std::int64_t time, double* out) const;
+
+  /// How `reference` differs from what there is in [from, until], ends interpolated.
+  ApartRange range(std::int64_t from, std::int64_t until, const double* reference) const;
+  /// The same with what may lie between the packets (docs/decisions/041).
+  ApartRange wideRange(std::int64_t from, std::int64_t until, const double* reference) const;
+  /// What it has at a time is not interpolated.
+  bool isHeld(std::int64_t time) const;
+  /// True when packets were lost about a time: the interval there is longer than usual. Its ends.
+  bool isLost(std::int64_t time, std::int64_t& from, std::int64_t& until) const;
+  /// The farthest that a column of one number moves within a time, and when.
+  double farthestWithin(std::int64_t reach, std::int64_t& when) const;
+
+ private:
+  const std::vector<std::int64_t>& times() const {
+    return shared_times_ != nullptr ? *shared_times_ : own_times_;
+  }
+  void load(const SessionTrack& track, const TrackSeries& series);
+  void unwind();
+  /// Values are interpolated from sample `i` to the next.
+  bool isSmooth(std::size_t i) const;
+  /// From sample `i` to the next, a second.
+  Apart slope(std::size_t i) const;
+  Apart apart(const double* reference, const double* value, double turns) const;
+  /// Whole turns between the two.
+  double turnsTo(const double* reference, const double* value) const;
+  Apart corner(std::size_t i, bool& is_jump) const;
+
+  TrackColumn column_;
+  std::size_t width_ = 1;
+  const std::vector<std::int64_t>* shared_times_ = nullptr;
+  std::vector<std::int64_t> own_times_;
+  std::vector<double> values_;
+  std::int64_t usual_ = 0;  ///< between packets
+  mutable std::size_t last_ = 0;
+};
+
+/// Times of a series on the time line of the first accepted session, since its `start`.
+std::vector<std::int64_t> alignedTimes(const SessionTrack& track, const TrackSeries& series,
+                                       const TimeMap& map, LogTime start);
+
+}  // namespace rocinante
