@@ -19,7 +19,7 @@ using Fate = ros::DeviceFinder::Fate;
 
 constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMaxNamed = 1024;
-constexpr std::string_view kNoDevice = "a joint of no device; --device names one";
+constexpr std::string_view kNoDevice = "a joint of no device; `log import --device` names one";
 constexpr std::string_view kManyDevices = "a joint of several devices; DEVICE.JOINT names one";
 constexpr std::string_view kPassive = "a fixed or mimic joint";
 constexpr std::string_view kPartOfPose = "a pose needs all seven components";
@@ -104,8 +104,8 @@ void RowTranslation::findPlainPose(std::vector<bool>& is_placed) {
   for (std::size_t part = 0; part < places.size(); ++part) {
     is_placed[places[part]] = true;
     if (device.empty()) {
-      unused_.push_back(
-          {places[part], "a pose of no device; --device names one", Severity::warning});
+      unused_.push_back({places[part], "a pose of no device; `log import --device` names one",
+                         Severity::warning});
     } else {
       addPose(device, part, places[part]);
     }

@@ -96,7 +96,7 @@ class JointTranslation final : public TopicTranslation {
       } else if (home.fate == DeviceFinder::Fate::passive) {
         ++passive_names_;
       } else {
-        leaveOut("joint states with joints of no device; --device names one");
+        leaveOut("joint states with joints of no device; `log import --device` names one");
       }
     }
   }

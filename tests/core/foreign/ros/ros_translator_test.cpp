@@ -137,8 +137,9 @@ TEST(RosTranslator, FindsTheDeviceOfAModel) {
   EXPECT_EQ(translation.of("/others", MessageType::joint_state,
                            jointState(Kind::cdr_little, 1, {"x"}, {1})),
             "");
-  EXPECT_THAT(translation.notes("/others", FieldCursor::Layout::cdr),
-              Contains(Key("joint states with joints of no device; --device names one")));
+  EXPECT_THAT(
+      translation.notes("/others", FieldCursor::Layout::cdr),
+      Contains(Key("joint states with joints of no device; `log import --device` names one")));
 }
 
 TEST(RosTranslator, PlacesTheRootsOfDevices) {
