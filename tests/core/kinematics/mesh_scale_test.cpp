@@ -41,7 +41,7 @@ std::vector<std::string> judged(const Model& model, const std::vector<MeshUse>& 
   for (const Finding& fault : faults) {
     EXPECT_EQ(fault.rule, "model.scale");
     EXPECT_EQ(fault.severity, Severity::warning);
-    EXPECT_THAT(fault.hint, HasSubstr("millimetres or inches"));
+    EXPECT_THAT(fault.hint, HasSubstr("millimetres"));
     lines.push_back(std::to_string(fault.line) + ": " + fault.text);
   }
   return lines;
@@ -77,6 +77,15 @@ TEST(ModelScale, AllMeshesInMillimetresAreHeldAgainstTheJoints) {
   EXPECT_THAT(judged(chainOf(3), {visual("a", 300, 5), visual("b", 200), visual("c", 400)}),
               ElementsAre("5: the meshes are 300 m large, and the joints reach 1.5 m"));
   EXPECT_THAT(judged(chainOf(3), {visual("a", 1.2), visual("b", 1.0), visual("c", 2)}), IsEmpty());
+}
+
+TEST(ModelScale, AllMeshesAThousandTimesTooSmallAreHeldAgainstTheJoints) {
+  EXPECT_THAT(
+      judged(chainOf(3), {visual("a", 0.0003, 5), visual("b", 0.0002), visual("c", 0.0004)}),
+      ElementsAre("5: the joints reach 1.5 m, and the meshes are 0.0003 m large"));
+  EXPECT_THAT(judged(chainOf(3), {visual("a", 0.004), visual("b", 0.003), visual("c", 0.005)}),
+              IsEmpty())
+      << "a thin machine is no fault";
 }
 
 TEST(ModelScale, WhatSlidesFarReachesFar) {
