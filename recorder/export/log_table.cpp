@@ -70,7 +70,8 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
   }
   table.layOut();
   if (table.columns().empty()) {
-    return Error{ErrorKind::not_found, "no chosen device has joints or a pose",
+    return Error{ErrorKind::not_found,
+                 "no chosen device has joints or a pose" + table.otherDevices(),
                  session.log().name()};
   }
   TableReport report;

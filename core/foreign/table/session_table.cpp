@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "core/base/name_hint.h"
 #include "core/base/pattern.h"
 #include "core/cell/posed_scene.h"
 #include "core/foreign/session/joint_values.h"
@@ -103,6 +104,15 @@ void SessionTable::layOut() {
     if (!device.has_pose) continue;
     for (const std::string_view part : kPoseColumns) columns_.push_back(name + std::string(part));
   }
+}
+
+std::string SessionTable::otherDevices() const {
+  if (patterns_.empty()) return {};
+  std::vector<std::string_view> others;
+  for (const auto& [name, is_chosen] : chosen_) {
+    if (!is_chosen) others.push_back(name);
+  }
+  return others.empty() ? std::string() : "; " + whatThereIs(patterns_.front(), others);
 }
 
 bool SessionTable::wasWritten(const SessionState& state, LogTime moment) const {

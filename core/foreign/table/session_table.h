@@ -46,6 +46,9 @@ class SessionTable {
   /// What is missing in the table: poses in the space of another device, without a cell that says
   /// where that is.
   std::vector<std::string> gaps() const;
+  /// Of a table without columns: which devices no pattern matches, "; there are arm, gantry", or
+  /// the one that was probably meant. Empty: every device was chosen.
+  std::string otherDevices() const;
 
  private:
   struct Device {

@@ -96,7 +96,10 @@ TEST_F(LogTable, WritesNoRowForWhatIsNotInTheTable) {
   TableOptions changes;
   changes.rows = TableOptions::Rows::changed;
   EXPECT_EQ(tableOf(all, changes, nullptr, {"arm"}).csv, "t,arm.a\n0,1\n");
-  EXPECT_EQ(tableOf(all, {}, nullptr, {"nobody"}).csv, "no chosen device has joints or a pose");
+  EXPECT_EQ(tableOf(all, {}, nullptr, {"nobody"}).csv,
+            "no chosen device has joints or a pose; there are arm, leg");
+  EXPECT_EQ(tableOf(all, {}, nullptr, {"arms"}).csv,
+            "no chosen device has joints or a pose; did you mean `arm`?");
 }
 
 TEST_F(LogTable, AGridHoldsTheLastValue) {
