@@ -17,7 +17,8 @@ constexpr std::uint64_t kMessagesBetweenProgress = 1U << 14U;
 
 class Collector {
  public:
-  Collector(const LogReader& reader, LogInfo& info) : info_(info), summary_(reader.summary()) {
+  Collector(const LogReader& reader, LogInfo& info, std::size_t max_events)
+      : info_(info), summary_(reader.summary()), max_events_(max_events) {
     for (const LogChannel& channel : reader.channels()) {
       if (by_channel_.size() <= channel.id) by_channel_.resize(channel.id + 1U);
       PerChannel& mine = by_channel_[channel.id];
@@ -64,7 +65,7 @@ class Collector {
     std::inplace_merge(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(own),
                        events.end(),
                        [](const Event& a, const Event& b) { return a.time < b.time; });
-    if (events.size() > kMaxEvents) events.resize(kMaxEvents);
+    if (events.size() > max_events_) events.resize(max_events_);
   }
 
   /// What is at rest is judged by the cell that the log carries.
@@ -95,11 +96,12 @@ class Collector {
   };
 
   void addEvent(Event event) {
-    if (info_.events++ < kMaxEvents) info_.first_events.push_back(std::move(event));
+    if (info_.events++ < max_events_) info_.first_events.push_back(std::move(event));
   }
 
   LogInfo& info_;
   const LogSummary& summary_;
+  std::size_t max_events_;
   std::vector<PerChannel> by_channel_;
   MessageFolder folder_;
   ContentHash hash_;
@@ -117,14 +119,14 @@ double ChannelInfo::rateHz() const {
 }
 
 Result<LogInfo> logInfo(const std::filesystem::path& path,
-                        const std::function<void(double)>& progress) {
+                        const std::function<void(double)>& progress, std::size_t max_events) {
   Result<LogReader> reader = LogReader::open(path);
   if (!reader) return reader.error();
   LogInfo info;
   info.name = reader->name();
   info.summary = reader->summary();
   info.storage = reader->storage();
-  Collector collector(*reader, info);
+  Collector collector(*reader, info, max_events);
   const double expected = static_cast<double>(std::max<std::uint64_t>(1, info.summary.messages));
   for (std::uint64_t read = 0;; ++read) {
     const Result<std::optional<LogMessage>> message = reader->next();

@@ -13,7 +13,7 @@
 
 namespace rocinante {
 
-/// Events beyond these are only counted.
+/// Events beyond these are only counted, unless all are asked for.
 inline constexpr std::size_t kMaxEvents = 1000;
 
 struct ChannelInfo {
@@ -43,7 +43,7 @@ struct LogInfo {
   std::uint64_t decoded = 0;  ///< captured messages of which decoders made packets
   std::uint64_t events = 0;   ///< in packets, and marks in the log and beside it
   std::uint64_t marks = 0;    ///< of the events
-  /// The first kMaxEvents, in time order.
+  /// The first `max_events`, in time order.
   std::vector<Event> first_events;
   LossCounts losses;
   std::uint64_t source_gap = 0;  ///< SEQUENCE numbers that never came, over all sources
@@ -59,6 +59,7 @@ struct LogInfo {
 /// Reads the whole log and its marks. Fails when the marks are malformed. `progress` is called with
 /// the fraction done, 0 to 1.
 Result<LogInfo> logInfo(const std::filesystem::path& path,
-                        const std::function<void(double)>& progress = {});
+                        const std::function<void(double)>& progress = {},
+                        std::size_t max_events = kMaxEvents);
 
 }  // namespace rocinante

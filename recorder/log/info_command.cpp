@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <limits>
 
 #include "recorder/contents/log_info.h"
 #include "recorder/contents/log_info_json.h"
@@ -13,7 +14,7 @@ namespace {
 
 struct InfoOptions {
   std::vector<std::string> logs;
-  bool json = false;
+  bool json = false, all_events = false;
 };
 
 Result<cli::Exit> runInfo(const InfoOptions& options) {
@@ -21,7 +22,10 @@ Result<cli::Exit> runInfo(const InfoOptions& options) {
   bool first = true;
   for (const std::string& log : options.logs) {
     ProgressLine progress("reading " + log);
-    const Result<LogInfo> info = logInfo(log, [&](double part) { progress.show(part); });
+    const std::size_t max_events =
+        options.all_events ? std::numeric_limits<std::size_t>::max() : kMaxEvents;
+    const Result<LogInfo> info = logInfo(
+        log, [&](double part) { progress.show(part); }, max_events);
     if (!info) return info.error();
     if (!options.json && !first) std::fputc('\n', stdout);
     first = false;
@@ -40,7 +44,10 @@ LogCommand addInfoCommand(CLI::App& program) {
   CLI::App* const app =
       program.add_subcommand("info", "describe a log: channels, rates, losses, damage");
   app->add_option("LOG", options->logs, "logs to describe")->required();
-  app->add_flag("--json", options->json, "print JSON; for several logs, one object per line");
+  auto* json =
+      app->add_flag("--json", options->json, "print JSON; for several logs, one object per line");
+  app->add_flag("--all-events", options->all_events, "every event, not the first 1,000")
+      ->needs(json);
   return {app, [options] { return runInfo(*options); }};
 }
 
