@@ -22,6 +22,7 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
   SessionQuestion question;
   question.a = arguments.a;
   question.b = arguments.b;
+  question.more_accepted.assign(arguments.more_accepted.begin(), arguments.more_accepted.end());
   question.camera = arguments.camera;
   question.pictures = !arguments.no_pictures;
   const RunLimits& limits = arguments.limits;
@@ -57,6 +58,12 @@ CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments) {
   command->add_option("A", arguments.a, "the accepted recording")->required();
   command->add_option("B", arguments.b, "the new recording")->required();
   command->add_option("CELL", arguments.cell, "the cell; default: the one that A carries");
+  command
+      ->add_option("--accepted", arguments.more_accepted,
+                   "one more accepted recording beside A; may be repeated: B is judged in the band "
+                   "of all")
+      ->type_name("LOG")
+      ->allow_extra_args(false);
   command->add_option("--align", arguments.align, "how times are matched: events, origin or warp")
       ->check(CLI::IsMember({"events", "origin", "warp"}))
       ->capture_default_str();
@@ -92,6 +99,13 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& given) {
   if (is_alone) arguments.cell = accepted->log;
   const auto fresh = cli::openSession(arguments.b, arguments.cell, arguments);
   if (!fresh.ok()) return fresh.error();
+  std::vector<OpenedRecording> opened;  // holds temporary logs
+  for (std::string& log : arguments.more_accepted) {
+    auto more = cli::openSession(log, arguments.cell, arguments);
+    if (!more.ok()) return more.error();
+    log = more->log.string();
+    opened.push_back(std::move(*more));
+  }
   arguments.a = accepted->log;
   arguments.b = fresh->log;
   // The meshes of its own robot were looked for when it was imported.
@@ -108,6 +122,7 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& given) {
   if (shows_progress) fmt::print(stderr, "\r\033[K");
   if (!comparison.ok()) return fresh->named(accepted->named(comparison.error()));
   cli::warnOfAccount(arguments.a, nullptr);
+  for (const std::string& log : arguments.more_accepted) cli::warnOfAccount(log, nullptr);
   cli::warnOfAccount(arguments.b, nullptr);
   if (accepted->imported || fresh->imported) {
     comparison->report.suite =

@@ -14,6 +14,7 @@ namespace rocinante {
 /// Arguments of `rocinante golden session` (docs/programs/golden.md).
 struct SessionArguments : ModelSearch {
   std::filesystem::path a, b, cell;
+  std::vector<std::string> more_accepted;
   std::string camera, tier = "loose", size = "640x480", report, align = "events";
   RunLimits limits;
   bool no_pictures = false, json = false;

@@ -103,14 +103,12 @@ std::vector<Moment> momentsToDraw(const SessionComparison& comparison, LogTime f
   return moments.inOrder();
 }
 
-/// The maker of frames of one log.
+/// The maker of frames of one session.
 Result<FrameMaker> makerOf(const std::filesystem::path& cell, const CellOptions& options,
-                           const std::filesystem::path& log) {
+                           Timeline session) {
   auto loaded = loadCellOrLog(cell, options);
   if (!loaded.ok()) return loaded.error();
-  auto session = Timeline::open(log);
-  if (!session.ok()) return session.error();
-  return FrameMaker::open(std::move(*loaded), std::move(*session), Profile::reproducible);
+  return FrameMaker::open(std::move(*loaded), std::move(session), Profile::reproducible);
 }
 
 /// Chooses the moment of b to compare with a moment of a. Packets arrive slightly earlier or later,
@@ -211,22 +209,25 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
   return judged;
 }
 
-/// b as a run that accepted a alone.
+/// b as a run that accepted a and `more_accepted`.
 JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
                          SessionComparison& comparison) {
   JudgedRun run;
   run.name = "session";
   run.log = question.b.string();
-  run.accepted = {question.a.string()};
+  std::vector<std::filesystem::path> logs{question.a};
+  logs.insert(logs.end(), question.more_accepted.begin(), question.more_accepted.end());
+  for (const std::filesystem::path& log : logs) run.accepted.push_back(log.string());
+  logs.push_back(question.b);
   RunSpec spec = question.spec;
   if (spec.align == RunAlign::events && comparison.events.matched.empty()) {
     spec.align = RunAlign::origin;
     run.judgement.notes.emplace_back("no event is in both; aligned at the first packets");
   }
   run.align = nameOf(spec.align);
-  const std::vector<std::string> links = linksToJudge(spec, cell);
+const std::vector<std::string> links = linksToJudge(spec, cell);
   std::vector<SessionTrack> tracks;
-  for (const std::filesystem::path& log : {question.a, question.b}) {
+  for (const std::filesystem::path& log : logs) {
     auto track = trackSession(cell, log, links);
     if (!track.ok()) {
       run.rule = track.error().text();
@@ -234,7 +235,9 @@ JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
     }
     tracks.push_back(std::move(*track));
   }
-  RunJudgement judged = judgeRun(spec, {&tracks.front()}, tracks.back());
+  std::vector<const SessionTrack*> accepted;
+  for (std::size_t i = 0; i + 1 < tracks.size(); ++i) accepted.push_back(&tracks[i]);
+  RunJudgement judged = judgeRun(spec, accepted, tracks.back());
   std::ranges::move(judged.notes, std::back_inserter(run.judgement.notes));
   judged.notes = std::move(run.judgement.notes);
   run.judgement = std::move(judged);
@@ -293,34 +296,46 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
     if (progress) progress(what);
   };
   SessionComparison comparison;
-  auto maker_a = makerOf(cell, options, question.a);
-  if (!maker_a.ok()) return maker_a.error();
-  auto maker_b = makerOf(cell, options, question.b);
-  if (!maker_b.ok()) return maker_b.error();
-  Timeline& a = *maker_a->session();
-  Timeline& b = *maker_b->session();
-  for (const Timeline* session : {&a, &b}) {
+  CellOptions kinematics = options;
+  kinematics.geometry = false;
+  const auto loaded = loadCellOrLog(cell, kinematics);
+  if (!loaded.ok()) return loaded.error();
+  auto a = Timeline::open(question.a);
+  if (!a.ok()) return a.error();
+  auto b = Timeline::open(question.b);
+  if (!b.ok()) return b.error();
+  for (const Timeline* session : {&*a, &*b}) {
     if (session->log().summary().messages == 0) {
       return Error{ErrorKind::not_found, "the log holds no message, so nothing can be compared",
                    session->log().name()};
     }
   }
   tell("events");
-  const auto events_a = a.events(&comparison.damage);
+  const auto events_a = a->events(&comparison.damage);
   if (!events_a.ok()) return events_a.error();
-  const auto events_b = b.events(&comparison.damage);
+  const auto events_b = b->events(&comparison.damage);
   if (!events_b.ok()) return events_b.error();
-  comparison.origin_a = a.origin();
-  comparison.origin_b = b.origin();
-  comparison.events = alignEvents(**events_a, **events_b, a.start(), b.start());
+  comparison.origin_a = a->origin();
+  comparison.origin_b = b->origin();
+  comparison.events = alignEvents(**events_a, **events_b, a->start(), b->start());
   SuiteReport& report = comparison.report;
   report.suite = question.a.string() + " against " + question.b.string();
   report.cell = cell.string();
   report.log = question.b.string();
-  report.renderer = maker_a->key().text();
   tell("behaviour");
-  report.runs.push_back(judgeBehaviour(maker_a->cell(), question, comparison));
-  if (!question.pictures || !comparison.run().judgement.comparable) return comparison;
+  report.runs.push_back(judgeBehaviour(*loaded, question, comparison));
+  const RunJudgement& judged = comparison.run().judgement;
+  if (!question.pictures || !judged.comparable) return comparison;
+  if (!question.more_accepted.empty() && judged.findings.empty()) {
+    // Within the band a picture may differ from that of each accepted recording.
+    report.notes.emplace_back("no picture was drawn: all is within the accepted recordings");
+    return comparison;
+  }
+  auto maker_a = makerOf(cell, options, std::move(*a));
+  if (!maker_a.ok()) return maker_a.error();
+  auto maker_b = makerOf(cell, options, std::move(*b));
+  if (!maker_b.ok()) return maker_b.error();
+  report.renderer = maker_a->key().text();
   if (Status drawn = judgePictures(question, *maker_a, *maker_b, tell, comparison); !drawn) {
     return drawn.error();
   }

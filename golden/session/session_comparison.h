@@ -16,6 +16,7 @@ namespace rocinante {
 
 struct SessionQuestion {
   std::filesystem::path a, b;
+  std::vector<std::filesystem::path> more_accepted;  ///< beside a; b is judged in the band of all
   RunSpec spec;
   std::string camera;  ///< empty: chosen as by `render`
   int width = 640, height = 480, samples = 4;
@@ -40,7 +41,8 @@ struct SessionComparison {
   const JudgedRun& run() const { return report.runs.front(); }
 };
 
-/// not_found when the two have no time in common. `progress` receives the current step.
+/// not_found when the two have no time in common. `progress` receives the current step. Needs no
+/// renderer unless it draws: with several accepted recordings, only what behaves differently.
 Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
                                         const CellOptions& options, const SessionQuestion& question,
                                         const std::function<void(const std::string&)>& progress);

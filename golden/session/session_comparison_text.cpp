@@ -64,6 +64,8 @@ void addBehaviour(const JudgedRun& run, std::string& out) {
 
 std::string sessionText(const SessionComparison& comparison) {
   std::string out;
+  const std::size_t accepted = comparison.run().accepted.size();
+  if (accepted > 1) out += fmt::format("accepted  {} recordings, a the first\n", accepted);
   addEvents(comparison, out);
   addBehaviour(comparison.run(), out);
   const SuiteReport& pictures = comparison.report;

@@ -102,5 +102,35 @@ TEST(SessionComparison, WhatIsLateBeyondTheLimitIsNamedWithItsTime) {
   EXPECT_NEAR(secondsOf(first.first_accepted), 1.05, 0.1);
 }
 
+TEST(SessionComparison, SeveralAcceptedRecordingsAreABand) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", kTwoBars);
+  test::writeSession(folder / "a.mcap", turning(0));
+  test::writeSession(folder / "c.mcap", turning(0.2));
+  test::writeSession(folder / "within.mcap", turning(0.1));
+  test::writeSession(folder / "beyond.mcap", turning(0.4));
+  SessionQuestion question;
+  question.a = folder / "a.mcap";
+  question.width = 96;
+  question.height = 72;
+  const auto judged = [&](const char* b) {
+    question.b = folder / b;
+    auto found = judgeSessions(folder / "arm.urdf", {}, question, {});
+    EXPECT_TRUE(found.ok()) << found.error().text();
+    return std::move(*found);
+  };
+  EXPECT_EQ(judged("within.mcap").verdict(), Verdict::different);
+  question.more_accepted = {folder / "c.mcap"};
+  const SessionComparison within = judged("within.mcap");
+  EXPECT_EQ(within.verdict(), Verdict::same) << sessionText(within);
+  EXPECT_TRUE(within.report.frames.empty()) << "it looks like neither of them";
+  EXPECT_EQ(within.run().accepted.size(), 2U);
+  EXPECT_EQ(judged("c.mcap").verdict(), Verdict::same);
+  const SessionComparison beyond = judged("beyond.mcap");
+  EXPECT_EQ(beyond.verdict(), Verdict::different);
+  EXPECT_FALSE(beyond.report.frames.empty());
+  EXPECT_EQ(beyond.run().judgement.findings.front().item, "arm/first");
+}
+
 }  // namespace
 }  // namespace rocinante
