@@ -19,7 +19,7 @@ True
 """
 from ._programs import DamageWarning, Error, RocinanteWarning, program
 from .checking import Finding, Findings, check
-from .goldens import Comparison, compare
+from .goldens import Comparison, compare, compare_sessions
 from .pictures import Picture, render
 from .processes import Player, Recorder, play, record
 from .session import Columns, Device, Event, Poses, Session, State
@@ -28,5 +28,5 @@ from .source import Source
 __all__ = [
     "Columns", "Comparison", "DamageWarning", "Device", "Error", "Event", "Finding", "Findings",
     "Picture", "Player", "Poses", "Recorder", "RocinanteWarning", "Session", "Source", "State",
-    "check", "compare", "play", "program", "record", "render",
+    "check", "compare", "compare_sessions", "play", "program", "record", "render",
 ]

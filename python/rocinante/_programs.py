@@ -27,10 +27,13 @@ class DamageWarning(RocinanteWarning):
 
 def program() -> str:
     """The path of the program `rocinante`: $ROCINANTE, or the one on PATH."""
-    found = os.environ.get("ROCINANTE") or shutil.which("rocinante")
-    if not found:
-        raise Error("there is no program rocinante on PATH: install it, or set ROCINANTE to its path")
-    return found
+    chosen = os.environ.get("ROCINANTE")
+    found = shutil.which(chosen or "rocinante")
+    if found:
+        return found
+    if chosen:
+        raise Error(f"ROCINANTE is {chosen}, which is not a program: set it to the path of rocinante")
+    raise Error("there is no program rocinante on PATH: install it, or set ROCINANTE to its path")
 
 
 def sentences(text: bytes) -> str:
@@ -47,7 +50,10 @@ def run(*words: Any, verdicts: tuple[int, ...] = ()) -> bytes:
     with a RocinanteWarning, 1 with a DamageWarning, and the rest are an Error.
     """
     command = [program(), *(os.fspath(word) for word in words)]
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    try:
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    except OSError as fault:
+        raise Error(f"{command[0]} cannot be run: {fault.strerror}") from None
     if done.returncode in verdicts and done.stdout:
         return done.stdout
     said = sentences(done.stderr)
@@ -64,9 +70,10 @@ def run_json(*words: Any, verdicts: tuple[int, ...] = ()) -> dict[str, Any]:
     """What `rocinante WORDS...` prints, which is one JSON document."""
     text = run(*words, verdicts=verdicts)
     try:
-        return json.loads(text)
+        document: dict[str, Any] = json.loads(text)
     except ValueError as fault:
         raise Error(f"`rocinante {words[0]}` printed no JSON: {fault}") from fault
+    return document
 
 
 def time_word(time: Time) -> str:

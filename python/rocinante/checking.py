@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping
+from typing import TYPE_CHECKING, Any, Mapping
 
 from ._programs import PathLike, options, run_json
 
@@ -26,7 +26,13 @@ class Finding:
         return f"{self.severity} {self.rule}: {self.subject}{when}: {self.text} ({self.hint})"
 
 
-class Findings(list):  # of Finding
+if TYPE_CHECKING:
+    _List = list[Finding]
+else:
+    _List = list
+
+
+class Findings(_List):
     """All findings, and the verdict. Its text is for a failing test: `assert findings.ok, findings`."""
 
     def __init__(self, document: Mapping[str, Any], ok: bool) -> None:

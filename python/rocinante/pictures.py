@@ -5,16 +5,21 @@ import os
 import struct
 import tempfile
 import zlib
-from typing import Any, Sequence
+from typing import TYPE_CHECKING, Any, Sequence
 
 import numpy as np
 
 from ._programs import Error, PathLike, Time, options, run_json, time_word
 
+if TYPE_CHECKING:
+    Bytes = np.ndarray[Any, np.dtype[np.uint8]]
+else:
+    Bytes = np.ndarray
+
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
-class Picture(np.ndarray):
+class Picture(Bytes):
     """An array of 8-bit RGBA, (height, width, 4), top row first, that a notebook shows as a picture."""
 
     def __new__(cls, pixels: Any) -> "Picture":
@@ -29,7 +34,7 @@ class Picture(np.ndarray):
             file.write(encode_png(self))
 
 
-def rgba(pixels: Any) -> np.ndarray:
+def rgba(pixels: Any) -> Bytes:
     """8-bit RGBA of an array of bytes: grey (H, W), RGB (H, W, 3) or RGBA (H, W, 4)."""
     array = np.asarray(pixels)
     if array.dtype != np.uint8:
@@ -53,7 +58,8 @@ def render(cell: PathLike, log: PathLike | None = None, *, at: Time | Sequence[T
     if "output" in more or "frames" in more:
         raise TypeError("render returns pictures; rocinante render writes files")
     several = isinstance(at, (list, tuple, np.ndarray))
-    moments = [] if at is None else [time_word(t) for t in (at if several else [at])]
+    given: Any = [] if at is None else at
+    moments = [time_word(t) for t in (given if several or at is None else [given])]
     if several and not moments:
         return []
     with tempfile.TemporaryDirectory() as folder:
@@ -89,7 +95,7 @@ def encode_png(pixels: Any) -> bytes:
             piece(b"IDAT", zlib.compress(rows.tobytes(), 6)) + piece(b"IEND", b""))
 
 
-def decode_png(data: bytes) -> np.ndarray:
+def decode_png(data: bytes) -> Bytes:
     """The array of a PNG file of 8-bit RGB or RGBA, as `rocinante render` writes it."""
     if data[:8] != _SIGNATURE:
         raise Error("not a PNG file")
@@ -120,7 +126,7 @@ def decode_png(data: bytes) -> np.ndarray:
     return _unfiltered(rows[:, 1:].reshape(height, width, channels), rows[:, 0])
 
 
-def _unfiltered(raw: np.ndarray, filters: np.ndarray) -> np.ndarray:
+def _unfiltered(raw: Bytes, filters: Bytes) -> Bytes:
     """Undoes the filters of the rows. A pixel depends on those to its left and above it, so those of one
     diagonal are made at once."""
     if filters.max() > 4:

@@ -25,8 +25,12 @@ class _Process:
         self.report: dict[str, Any] = {}  #: what the program prints at its end
 
     def _start(self) -> None:
-        self._process = subprocess.Popen([program(), *self._command], stdin=subprocess.DEVNULL,
-                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        command = [program(), *self._command]
+        try:
+            self._process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                             stderr=subprocess.PIPE)
+        except OSError as fault:
+            raise Error(f"{command[0]} cannot be run: {fault.strerror}") from None
         self._printed: list[bytes] = []
         self._readers = [threading.Thread(target=self._read_said, daemon=True),
                          threading.Thread(target=self._read_printed, daemon=True)]

@@ -4,11 +4,14 @@ from __future__ import annotations
 import os
 import tempfile
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, Callable
 
 import numpy as np
 
 from ._programs import Error, PathLike, Time, options, run, run_json, time_word
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
@@ -23,24 +26,26 @@ class Event:
 @dataclass(frozen=True)
 class Columns:
     """Joint values over time. Where a joint had no value yet, it is NaN."""
-    time: np.ndarray      #: (N,) seconds from the session's origin
-    names: tuple[str, ...]  #: of the joints; with a cell its own, else as the source orders them
-    values: np.ndarray    #: (N, len(names)) radians, metres for sliding joints
+    time: NDArray[np.float64]      #: (N,) seconds from the session's origin
+    names: tuple[str, ...]         #: of the joints; with a cell its own, else as the source orders them
+    values: NDArray[np.float64]    #: (N, len(names)) radians, metres for sliding joints
 
-    def __getitem__(self, name: str) -> np.ndarray:
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
         """The values of one joint, (N,)."""
         try:
-            return self.values[:, self.names.index(name)]
+            place = self.names.index(name)
         except ValueError:
             raise KeyError(f"no joint {name}; there are {', '.join(self.names)}") from None
+        column: NDArray[np.float64] = self.values[:, place]
+        return column
 
 
 @dataclass(frozen=True)
 class Poses:
     """Poses of a device's base in the world over time. Before the first one they are NaN."""
-    time: np.ndarray         #: (N,) seconds from the session's origin
-    position: np.ndarray     #: (N, 3) metres, x forward, y left, z up
-    orientation: np.ndarray  #: (N, 4) unit quaternions x, y, z, w
+    time: NDArray[np.float64]         #: (N,) seconds from the session's origin
+    position: NDArray[np.float64]     #: (N, 3) metres, x forward, y left, z up
+    orientation: NDArray[np.float64]  #: (N, 4) unit quaternions x, y, z, w
 
 
 @dataclass(frozen=True)
@@ -73,6 +78,7 @@ class Session:
         self._imported: tempfile.TemporaryDirectory[str] | None = None  # holds the log while it is read
         #: what `rocinante log info --json` prints
         self.info: dict[str, Any] = self._open()
+        self._event_list: list[dict[str, Any]] = self.info["event_list"]
 
     def _open(self) -> dict[str, Any]:
         """The log's info. What another program recorded becomes the log that `log import` makes of it."""
@@ -102,12 +108,12 @@ class Session:
     @property
     def duration(self) -> float:
         """Seconds from the first message to the last."""
-        return self.info["duration_s"]
+        return float(self.info["duration_s"])
 
     @property
     def origin_ns(self) -> int:
         """Log time of 0 s, in nanoseconds since the epoch."""
-        return self.info["origin_ns"]
+        return int(self.info["origin_ns"])
 
     @property
     def sources(self) -> list[str]:
@@ -117,11 +123,13 @@ class Session:
     @property
     def events(self) -> list[Event]:
         """All events and marks, in the order of time."""
+        if len(self._event_list) < self.info["events"]:  # the info has the first 1,000
+            self._event_list = run_json("log", "info", "--json", "--all-events", self.log)["event_list"]
         return [Event((each["log_time_ns"] - self.origin_ns) / 1e9, each.get("source") or "", each["text"],
-                      each["log_time_ns"]) for each in self.info["event_list"]]
+                      each["log_time_ns"]) for each in self._event_list]
 
     def table(self, device: str | None = None, *, every: Time | None = None, start: Time | None = None,
-              end: Time | None = None) -> dict[str, np.ndarray]:
+              end: Time | None = None) -> dict[str, NDArray[Any]]:
         """The columns of `rocinante log table`, by name: `t`, `t_ns`, `DEVICE.JOINT`, `DEVICE:x` ...
 
         One row for each moment that writes a value, or one at each multiple of `every`; from `start`
@@ -143,14 +151,16 @@ class Session:
         begin = device + "."
         names = tuple(name[len(begin):] for name in table if name.startswith(begin))
         if not names:
-            raise KeyError(f"{self.log} has no joint values of a device {device}")
+            raise KeyError(f"{self.log} has no joint values of a device {device}" + self._those_with(
+                lambda each: bool(each["joints"] or each["named_joints"])))
         return Columns(table["t"], names, np.column_stack([table[begin + name] for name in names]))
 
     def poses(self, device: str, **span: Any) -> Poses:
         """The poses of a device's base; `every`, `start` and `end` as for `table`."""
         table = self._of_device(device, span)
         if device + ":x" not in table:
-            raise KeyError(f"{self.log} has no pose of a device {device}")
+            raise KeyError(f"{self.log} has no pose of a device {device}" + self._those_with(
+                lambda each: bool(each["pose"])))
         columns = [np.column_stack([table[f"{device}:{axis}"] for axis in axes])
                    for axes in (("x", "y", "z"), ("qx", "qy", "qz", "qw"))]
         return Poses(table["t"], *columns)
@@ -163,14 +173,22 @@ class Session:
             if each["presence"] and each["presence"]["is"] == "removed":
                 continue
             pose, joints = each["pose"], each["joints"]
+            x, y, z = pose["position_m"] if pose else (0, 0, 0)
+            qx, qy, qz, qw = pose["orientation_xyzw"] if pose else (0, 0, 0, 1)
             devices[each["name"]] = Device(
                 tuple(joints["values"]) if joints else None,
                 {joint["name"]: joint["value"] for joint in each["named_joints"]},
-                tuple(pose["position_m"]) if pose else None,
-                tuple(pose["orientation_xyzw"]) if pose else None,
+                (x, y, z) if pose else None,
+                (qx, qy, qz, qw) if pose else None,
                 (pose["in"]["device"], pose["in"]["link"]) if pose and pose["in"] else None)
         return State((document["at_ns"] - document["origin_ns"]) / 1e9, devices, document)
 
-    def _of_device(self, device: str, span: dict[str, Any]) -> dict[str, np.ndarray]:
+    def _those_with(self, has: Callable[[dict[str, Any]], bool]) -> str:
+        """"; there are a, b": the devices at the end of which this is true, for a message."""
+        end = self.state((self.info["end_ns"] - self.origin_ns) / 1e9).document["devices"]
+        names = ", ".join(each["name"] for each in end if has(each))
+        return f"; there are those of {names}" if names else ""
+
+    def _of_device(self, device: str, span: dict[str, Any]) -> dict[str, NDArray[Any]]:
         # A name is a pattern that matches itself alone once its marks are escaped (docs/patterns.md).
         return self.table("".join("\\" + c if c in "\\*?[" else c for c in device), **span)

@@ -54,7 +54,7 @@ class Source:
         self._state: dict[tuple[str, ...], str] = {}    # what each line is about: the line
         self._changed: dict[tuple[str, ...], str] = {}
         self._once: list[str] = []                      # lines that are no state
-        self._parts: list[tuple[float, str, list[str]]] = []
+        self._parts: list[tuple[float, str, list[tuple[str, ...]]]] = []
         self._sequence = self._restatements = 0
         self._next_restatement: float | None = None
 

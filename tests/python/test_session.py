@@ -1,7 +1,10 @@
+import subprocess
+
 import numpy as np
 import pytest
 
 import rocinante
+from foreign import FORMS, foreign
 
 
 def test_a_session_tells_what_it_holds(demo):
@@ -26,23 +29,62 @@ def test_joints_are_columns_by_name(demo):
         arm["wrong"]
 
 
-def test_what_another_program_recorded_is_a_session(tmp_path):
-    arm = tmp_path / "arm.urdf"
-    arm.write_text("""<robot name="arm"><link name="base"/><link name="upper"/>
-        <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/>
-        <limit lower="-2" upper="2" effort="1" velocity="9"/></joint></robot>""")
-    table = tmp_path / "swing.csv"
-    table.write_text("t,shoulder\n" + "".join(f"{i / 20},{i / 100}\n" for i in range(100)))
-    session = rocinante.Session(table, arm)
+@pytest.mark.parametrize("form", FORMS)
+def test_what_another_program_recorded_is_a_session(tmp_path, form):
+    arm, log = foreign(tmp_path, form)
+    session = rocinante.Session(log, arm)
     assert session.joints("arm")["shoulder"].tolist() == [i / 100 for i in range(100)]
     assert session.state(2).devices["arm"].named_joints == {"shoulder": 0.4}
 
 
+@pytest.mark.parametrize("form", FORMS)
+def test_what_another_program_recorded_is_compared(tmp_path, form):
+    arm, log = foreign(tmp_path, form)
+    _, other = foreign(tmp_path, form, "other", 0.5)
+    assert rocinante.compare_sessions(log, log, arm, pictures=False).ok
+    judged = rocinante.compare_sessions(log, other, arm, pictures=False)
+    assert not judged.ok and any(reason.startswith("arm/shoulder: ") for reason in judged.reasons)
+
+
+def test_several_accepted_sessions_are_a_band(tmp_path):
+    arm, first = foreign(tmp_path, "csv", "first")
+    _, second = foreign(tmp_path, "csv", "second", 0.1)
+    _, between = foreign(tmp_path, "csv", "between", 0.05)
+    assert not rocinante.compare_sessions(first, between, arm, pictures=False).ok
+    assert rocinante.compare_sessions([first, second], between, arm, pictures=False).ok
+    # The keywords that the docstring names.
+    assert rocinante.compare_sessions(first, between, arm, pictures=False, joint_deg=5, position_mm=90,
+                                      turn_deg=5, event_ms=50).ok
+
+
+def test_a_verdict_is_short_and_its_text_has_the_reasons(tmp_path):
+    arm, first = foreign(tmp_path, "csv", "first")
+    _, other = foreign(tmp_path, "csv", "other", 0.05)
+    judged = rocinante.compare_sessions(first, other, arm, pictures=False)
+    assert repr(judged) == "Comparison(ok=False, verdict='different')"
+    assert str(judged).startswith("different: arm/") and "accepted" in str(judged)
+    same = rocinante.compare_sessions(first, first, arm, pictures=False)
+    assert str(same).startswith("same: ") and "within the limits" in str(same)
+
+
+def test_all_events_are_there(tmp_path):
+    folder = tmp_path / "datagrams"
+    folder.mkdir()
+    for i in range(15):
+        lines = "".join(f'event "step {i * 100 + j}"\n' for j in range(100))
+        (folder / f"{i:03}.txt").write_text(f"RK1 me@a {i} -\n{lines}")
+    log = tmp_path / "session.mcap"
+    subprocess.run([rocinante.program(), "log", "import", folder, "-o", log], check=True, capture_output=True)
+    assert [event.text for event in rocinante.Session(log).events] == [f"step {i}" for i in range(1500)]
+
+
 def test_a_device_without_values_is_named(demo):
     cell, log = demo
-    with pytest.raises(rocinante.Error, match="no chosen device has joints or a pose"):
+    with pytest.raises(rocinante.Error, match="no chosen device has joints or a pose; did you mean `arm`"):
         rocinante.Session(log, cell).joints("arms")
-    with pytest.raises(KeyError, match="no joint values of a device canister"):
+    with pytest.raises(rocinante.Error, match="there are arm, canister, gantry"):
+        rocinante.Session(log, cell).poses("wrong")
+    with pytest.raises(KeyError, match="no joint values of a device canister; there are those of arm, gantry"):
         rocinante.Session(log, cell).joints("canister")
 
 
@@ -88,6 +130,23 @@ def test_without_the_program_the_remedy_is_named(monkeypatch):
     monkeypatch.setenv("PATH", "/nonexistent")
     with pytest.raises(rocinante.Error, match="set ROCINANTE"):
         rocinante.program()
+
+
+@pytest.mark.parametrize("content", [None, "no program"])
+def test_what_is_no_program_is_named(monkeypatch, tmp_path, content):
+    path = tmp_path / "rocinante"
+    if content:
+        path.write_text(content)
+    monkeypatch.setenv("ROCINANTE", str(path))
+    with pytest.raises(rocinante.Error, match=f"ROCINANTE is {path}, which is not a program"):
+        rocinante.Session("session.mcap")
+    with pytest.raises(rocinante.Error, match="which is not a program"):
+        with rocinante.record(tmp_path / "session.mcap", "127.0.0.1:0"):
+            pass
+    path.write_text("no program")
+    path.chmod(0o755)
+    with pytest.raises(rocinante.Error, match="cannot be run"):
+        rocinante.Session("session.mcap")
 
 
 def test_findings_are_a_list_with_a_verdict(demo):
