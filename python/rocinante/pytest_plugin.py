@@ -7,8 +7,9 @@
         golden.session("out/pick.mcap", "cell.toml")
 
 Accepted files lie in the folder `goldens` beside the test. `pytest --golden-approve` accepts what would
-fail; it is refused where CI is set. Every run leaves one page of all verdicts,
-`golden-results/index.html`.
+fail, in place of what was accepted; `pytest --golden-widen` accepts sessions beside it, so that what
+lies between them is the same. Both are refused where CI is set. Every run leaves one page of all
+verdicts, `golden-results/index.html`.
 """
 from __future__ import annotations
 
@@ -17,16 +18,19 @@ import os
 import pathlib
 import re
 import shutil
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, Callable
 
 import pytest
 
-from .goldens import Comparison, compare, compare_sessions, png_bytes
+from ._programs import Error
+from .goldens import MOST_LINES, Comparison, compare, compare_sessions, png_bytes
 
 _PAGE = """<!doctype html><meta charset="utf-8"><title>Goldens</title>
 <style>body{font:15px sans-serif;margin:2em auto;max-width:72em;color:#222;background:#fff}
 figure{display:inline-block;margin:0 1em 1em 0}img{max-width:22em;border:1px solid #ccc;image-rendering:pixelated}
-section{border-top:1px solid #ccc;padding:.6em 0}.failed h2{color:#b00020}h2{font-size:1.1em}</style>
+section{border-top:1px solid #ccc;padding:.6em 0}.failed h2{color:#b00020}h2{font-size:1.1em}
+.files{color:#666;font-size:.85em}</style>
 """
 
 
@@ -34,9 +38,21 @@ def pytest_addoption(parser: Any) -> None:
     group = parser.getgroup("rocinante")
     group.addoption("--golden-approve", action="store_true",
                     help="accept pictures and sessions that would fail (refused where CI is set)")
+    group.addoption("--golden-widen", action="store_true",
+                    help="accept sessions that would fail beside those accepted before: what lies between "
+                         "them is the same (refused where CI is set)")
     group.addoption("--golden-dir", help="folder of accepted files (default: goldens beside each test)")
     group.addoption("--golden-results", default="golden-results",
                     help="folder of failing frames and of the page of all verdicts")
+
+
+@dataclass(frozen=True)
+class _Section:
+    """One verdict of the page."""
+    name: str
+    ok: bool
+    lines: list[str]
+    files: list[tuple[str, pathlib.Path]]
 
 
 class _Verdicts:
@@ -44,22 +60,28 @@ class _Verdicts:
 
     def __init__(self, folder: pathlib.Path) -> None:
         self.folder = folder
-        self.sections: list[tuple[str, bool, str, list[tuple[str, str]]]] = []
-
-    def add(self, name: str, ok: bool, text: str, files: list[tuple[str, str]]) -> None:
-        self.sections.append((name, ok, text, files))
+        self.sections: list[_Section] = []
 
     def write(self) -> None:
         self.folder.mkdir(parents=True, exist_ok=True)
-        failed = sum(not ok for _, ok, _, _ in self.sections)
+        failed = sum(not section.ok for section in self.sections)
         page = [_PAGE, f"<h1>{len(self.sections)} verdicts, {failed} failed</h1>"]
-        for name, ok, text, files in sorted(self.sections, key=lambda each: each[1]):
-            page.append(f'<section class="{"passed" if ok else "failed"}"><h2>{html.escape(name)}</h2>'
-                        f"<p>{html.escape(text)}</p>")
-            for title, file in files:
-                link = html.escape(file, quote=True)
-                shown = f'<img src="{link}" alt="">' if file.endswith(".png") else "report"
-                page.append(f'<figure><a href="{link}">{shown}</a><figcaption>{title}</figcaption></figure>')
+        for section in sorted(self.sections, key=lambda each: each.ok):
+            first, *rest = section.lines
+            page.append(f'<section class="{"passed" if section.ok else "failed"}">'
+                        f"<h2>{html.escape(section.name)}</h2><p>{html.escape(first)}</p>")
+            if rest:
+                page.append("<ul>" + "".join(f"<li>{html.escape(line)}</li>" for line in rest) + "</ul>")
+            others = []
+            for title, file in section.files:
+                link = html.escape(os.path.relpath(file, self.folder), quote=True)
+                if file.suffix in (".png", ".html"):
+                    shown = f'<img src="{link}" alt="">' if file.suffix == ".png" else "report"
+                    page.append(f'<figure><a href="{link}">{shown}</a><figcaption>{title}</figcaption></figure>')
+                else:
+                    others.append(f"{title}: {link}")
+            if others:
+                page.append(f'<p class="files">{"<br>".join(others)}</p>')
             page.append("</section>")
         (self.folder / "index.html").write_text("\n".join(page) + "\n", encoding="utf-8")
 
@@ -71,6 +93,7 @@ class Golden:
         chosen = config.getoption("--golden-dir")
         self.folder = pathlib.Path(chosen) if chosen else pathlib.Path(str(node.path)).parent / "goldens"
         self._approve: bool = config.getoption("--golden-approve")
+        self._widen: bool = config.getoption("--golden-widen")
         self._test: str = node.nodeid
         self._verdicts = verdicts
 
@@ -85,22 +108,49 @@ class Golden:
         if judged is None or not judged.ok:
             frame.write_bytes(data)
         files = [("drawn", frame), ("accepted", golden), ("difference", difference)]
-        self._conclude(name, golden, frame, judged, _figures(judged), files)
+        self._conclude(name, judged, self._approve, lambda: _accept(frame, golden), files)
 
-    def session(self, log: Any, cell: Any = None, name: str | None = None, **more: Any) -> None:
+    def session(self, log: Any, cell: Any = None, name: str | None = None, *, pictures: bool = True,
+                **more: Any) -> None:
         """Fails unless the recording did the same as the accepted NAME.mcap (default: the log's own name).
 
-        What another program recorded (a bag, a capture, a table) is accepted as it is, NAME.csv.
+        Sessions accepted beside it by `pytest --golden-widen`, NAME+2.mcap ..., are a band: what lies
+        between them is the same. What another program recorded (a bag, a capture, a table) is accepted as
+        it is, NAME.csv. Without `pictures` behaviour alone is judged, and nothing is drawn.
 
         Other keywords are those of `rocinante.goldens.compare_sessions`.
         """
-        name = name or pathlib.Path(os.fspath(log)).stem
-        golden = self._file(name, pathlib.Path(os.fspath(log)).suffix or ".mcap")
+        new = pathlib.Path(os.fspath(log))
+        name = name or new.stem
+        ending = "" if new.is_dir() else new.suffix or ".mcap"
+        golden = self._file(name, ending)
         report = self._result(name, ".report")
         shutil.rmtree(report, ignore_errors=True)
-        judged = compare_sessions(golden, log, cell, report=report, **more) if golden.exists() else None
-        self._conclude(name, golden, pathlib.Path(os.fspath(log)), judged, "",
-                       [("report", report / "index.html")])
+        accepted = _accepted_sessions(golden, ending)
+        judged = compare_sessions(accepted, log, cell, pictures=pictures, report=report,
+                                  **more) if accepted else None
+
+        def accept() -> str:
+            # A log of which nothing can be judged would accept everything.
+            try:
+                alone = compare_sessions(new, new, cell, pictures=False, **more)
+            except Error as fault:
+                return str(fault)
+            if not alone.ok:
+                return str(alone)
+            if self._widen:
+                number = max([1, *(_number_of(each) for each in accepted)]) + 1
+                _accept(new, golden.with_name(f"{_stem(golden, ending)}+{number}{ending}")
+                        if accepted else golden)
+            else:
+                for old in accepted:
+                    shutil.rmtree(old) if old.is_dir() else old.unlink()
+                _accept(new, golden)
+            return ""
+
+        self._conclude(name, judged, self._approve or self._widen, accept,
+                       [("report", report / "index.html"), ("new", new),
+                        *(("accepted", each) for each in accepted or [golden])])
 
     def _file(self, name: str, ending: str) -> pathlib.Path:
         if not re.fullmatch(r"[\w][\w.\- /]*", name) or ".." in name:
@@ -112,37 +162,62 @@ class Golden:
         path.parent.mkdir(parents=True, exist_ok=True)
         return path
 
-    def _conclude(self, name: str, golden: pathlib.Path, new: pathlib.Path, judged: Comparison | None,
-                  figures: str, files: list[tuple[str, pathlib.Path]]) -> None:
+    def _conclude(self, name: str, judged: Comparison | None, approves: bool, accept: Callable[[], str],
+                  files: list[tuple[str, pathlib.Path]]) -> None:
+        """`accept` takes the new file for the accepted one, and says why it cannot."""
         ok = judged is not None and judged.ok
-        text = "there is no accepted file yet" if judged is None else judged.verdict + figures
+        lines = [f"there is no accepted file yet: {dict(files)['accepted']}"]
+        if judged is not None:
+            first, *rest = judged.reasons
+            lines = [f"{judged.verdict}: {first}", *rest]
         accepted = False
-        if not ok and self._approve:
-            if os.environ.get("CI"):
-                text += "; --golden-approve is refused where CI is set"
-            else:
-                golden.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(new, golden)
-                accepted, text = True, f"accepted now ({text})"
-        self._verdicts.add(f"{self._test}: {name}", ok or accepted, text, [
-            (title, os.path.relpath(file, self._verdicts.folder)) for title, file in files if file.exists()])
+        remedy = "pytest --golden-approve accepts it"
+        if not ok and approves:
+            refusal = "refused where CI is set" if os.environ.get("CI") else accept()
+            accepted = not refusal
+            remedy = f"not accepted: {refusal}"
+            lines[0] = f"accepted now ({lines[0]})" if accepted else f"{lines[0]}; {remedy}"
+        self._verdicts.sections.append(_Section(f"{self._test}: {name}", ok or accepted, lines, [
+            (title, file) for title, file in files if file.exists()]))
         if not ok and not accepted:
-            pytest.fail(f"golden {name}: {text}\n  accepted: {golden}\n  new:      {new}\n"
-                        f"  page:     {self._verdicts.folder / 'index.html'}\n"
-                        "  pytest --golden-approve accepts it", pytrace=False)
+            first, *rest = lines
+            if len(rest) > MOST_LINES:
+                rest[MOST_LINES:] = [f"... and {len(rest) - MOST_LINES} more"]
+            page = os.path.relpath(self._verdicts.folder / "index.html")
+            pytest.fail("\n  ".join([f"golden {name}: {first}", *rest, f"{page}; {remedy}"]), pytrace=False)
 
 
-def _figures(judged: Comparison | None) -> str:
-    if judged is None:
-        return ""
-    return f": {judged.document['rule']} ({judged.document['differing']} differing pixels, at most {judged.document['max']} of 255)"
+def _stem(golden: pathlib.Path, ending: str) -> str:
+    return golden.name[:len(golden.name) - len(ending)]
+
+
+def _number_of(accepted: pathlib.Path) -> int:
+    """2 of NAME+2.mcap."""
+    found = re.search(r"\+(\d+)(\.\w+)?$", accepted.name)
+    return int(found[1]) if found else 1
+
+
+def _accepted_sessions(golden: pathlib.Path, ending: str) -> list[pathlib.Path]:
+    """NAME.mcap, then those accepted beside it, NAME+2.mcap ...: no name of a golden has a plus."""
+    if not golden.parent.is_dir():
+        return []
+    pattern = re.escape(_stem(golden, ending)) + r"(\+\d+)?" + re.escape(ending)
+    return sorted((each for each in golden.parent.iterdir() if re.fullmatch(pattern, each.name)), key=_number_of)
+
+
+def _accept(new: pathlib.Path, golden: pathlib.Path) -> str:
+    golden.parent.mkdir(parents=True, exist_ok=True)
+    if new.is_dir():
+        shutil.copytree(new, golden)
+    else:
+        shutil.copyfile(new, golden)
+    return ""
 
 
 def pytest_configure(config: Any) -> None:
     config._rocinante_verdicts = _Verdicts(pathlib.Path(config.getoption("--golden-results")).absolute())
 
 
-@pytest.hookimpl(trylast=True)
 def pytest_sessionfinish(session: Any) -> None:
     if session.config._rocinante_verdicts.sections:
         session.config._rocinante_verdicts.write()

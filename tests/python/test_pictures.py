@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import rocinante
+from foreign import FORMS, foreign
 from rocinante.pictures import decode_png, encode_png
 
 pytest_plugins = ["pytester"]
@@ -121,7 +122,8 @@ def test_the_plugin_accepts_judges_and_leaves_a_page(pytester, demo, monkeypatch
     outside(pytester, 128, log, cell).assert_outcomes(passed=2)
     other = outside(pytester, 120, cell.parent / "motion.mcap", cell)
     other.assert_outcomes(failed=1, passed=1)
-    other.stdout.fnmatch_lines(["*golden gauge: different*384 differing pixels, at most 8 of 255*"])
+    other.stdout.fnmatch_lines(["*golden gauge: different*384 differing pixels, at most 8 of 255*",
+                                "*golden-results/index.html; pytest --golden-approve accepts it"])
     page = (pytester.path / "golden-results/index.html").read_text()
     assert "2 verdicts, 1 failed" in page and "gauge.difference.png" in page
     for link in ("gauge.frame.png", "gauge.difference.png"):
@@ -133,3 +135,68 @@ def test_ci_accepts_nothing(pytester, demo, monkeypatch):
     cell, log = demo
     outside(pytester, 128, log, cell, "--golden-approve").assert_outcomes(failed=2)
     assert not (pytester.path / "goldens").exists()
+
+
+def swing(pytester, log, arm, *words):
+    pytester.makepyfile(test_outside=f"def test_swing(golden):\n"
+                                     f"    golden.session({str(log)!r}, {str(arm)!r}, 'swing', pictures=False)\n")
+    return pytester.runpytest_subprocess("-p", "rocinante.pytest_plugin", *words)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_the_first_lines_of_a_verdict_are_its_causes(pytester, tmp_path, monkeypatch, form):
+    monkeypatch.delenv("CI", raising=False)
+    arm, log = foreign(tmp_path, form)
+    swing(pytester, log, arm, "--golden-approve").assert_outcomes(passed=1)
+    swing(pytester, log, arm).assert_outcomes(passed=1)
+    _, other = foreign(tmp_path, form, "other", 0.5)
+    failed = swing(pytester, other, arm)
+    failed.assert_outcomes(failed=1)
+    failed.stdout.re_match_lines([r".*golden swing: different: arm.*since 2\."])
+    failed.stdout.no_fnmatch_line(f"*{other}*")
+    page = (pytester.path / "golden-results/index.html").read_text()
+    assert "arm/shoulder: " in page and "swing.report/index.html" in page and other.name in page
+
+
+def test_sessions_accepted_beside_others_are_a_band(pytester, tmp_path, monkeypatch):
+    monkeypatch.delenv("CI", raising=False)
+    arm, first = foreign(tmp_path, "csv", "first")
+    logs = {add: foreign(tmp_path, "csv", f"more{add}", add)[1] for add in (0.05, 0.1, 0.2)}
+    swing(pytester, first, arm, "--golden-widen").assert_outcomes(passed=1)
+    swing(pytester, logs[0.05], arm).assert_outcomes(failed=1)
+    swing(pytester, logs[0.1], arm, "--golden-widen").assert_outcomes(passed=1)
+    swing(pytester, logs[0.05], arm).assert_outcomes(passed=1)
+    goldens = pytester.path / "goldens"
+    assert sorted(each.name for each in goldens.iterdir()) == ["swing+2.csv", "swing.csv"]
+    # To accept one in place of the others.
+    swing(pytester, logs[0.2], arm).assert_outcomes(failed=1)
+    swing(pytester, logs[0.2], arm, "--golden-approve").assert_outcomes(passed=1)
+    assert sorted(each.name for each in goldens.iterdir()) == ["swing.csv"]
+    swing(pytester, logs[0.1], arm).assert_outcomes(failed=1)
+    monkeypatch.setenv("CI", "true")
+    swing(pytester, logs[0.1], arm, "--golden-widen").assert_outcomes(failed=1)
+    assert sorted(each.name for each in goldens.iterdir()) == ["swing.csv"]
+
+
+def test_a_session_of_which_nothing_is_judged_is_not_accepted(pytester, tmp_path, monkeypatch):
+    monkeypatch.delenv("CI", raising=False)
+    arm, log = foreign(tmp_path, "csv")
+    arm.write_text(arm.read_text().replace("shoulder", "elbow"))
+    refused = swing(pytester, log, arm, "--golden-approve")
+    refused.assert_outcomes(failed=1)
+    refused.stdout.fnmatch_lines(["*there is no accepted file yet*not accepted: *"])
+    assert not (pytester.path / "goldens").exists()
+
+
+def test_a_folder_of_datagrams_is_accepted_as_it_is(pytester, tmp_path, monkeypatch):
+    monkeypatch.delenv("CI", raising=False)
+    arm, _ = foreign(tmp_path, "csv")
+    for name, step in (("swing", 0.01), ("other", 0.02)):
+        (tmp_path / name).mkdir()
+        for i in range(50):
+            (tmp_path / name / f"{1770000000 + i / 20:.6f}.txt").write_text(
+                f"RK1 me@a {i} -\njoint arm shoulder={i * step}\n")
+    swing(pytester, tmp_path / "swing", arm, "--golden-approve").assert_outcomes(passed=1)
+    assert len(list((pytester.path / "goldens/swing").iterdir())) == 50
+    swing(pytester, tmp_path / "swing", arm).assert_outcomes(passed=1)
+    swing(pytester, tmp_path / "other", arm).assert_outcomes(failed=1)
