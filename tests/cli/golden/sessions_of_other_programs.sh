@@ -27,6 +27,15 @@ for i, line in enumerate(open(name + '.csv').read().split()[1:]):
     out.write(struct.pack('<IIII', 1770000000 + ns // 10**6, ns % 10**6, len(ip), len(ip)) + ip)
 PY
 done
+mkdir viewer && echo 'var rocinanteViewer;' >viewer/rocinante-viewer.js && echo wasm >viewer/rocinante-viewer.wasm
+cat >served.py <<'PY'
+# The log that `serve` gives out.
+import os, sys
+sys.path.insert(0, os.environ["SRC"] + "/tests/serve")
+from serving import Serving
+serving = Serving("arm.urdf", sys.argv[1])
+open(sys.argv[2], "wb").write(serving.get("/log")[2])
+PY
 code() { "$@" >out 2>err && echo "$label same, 0" || echo "$label exit $?"; }
 for form in mcap csv bag.mcap pcap; do
   for pair in "a a" "a b"; do
@@ -39,5 +48,13 @@ for form in mcap csv bag.mcap pcap; do
   rocinante log table a.$form --cell arm.urdf 2>/dev/null | tail -n 1
   rocinante log state a.$form --at 4s 2>/dev/null | grep -o 'shoulder=[0-9.]*' | head -n 1 || echo "state: none"
   rocinante log export a.$form arm.urdf --foxglove -o $form.fox.mcap --force >/dev/null 2>&1 && echo "exported" || echo "export: exit $?"
+  # The page and the server carry the log that was made.
+  rocinante page arm.urdf a.$form -o $form.html --viewer viewer >/dev/null 2>&1 || echo "page: exit $?"
+  rocinante page --extract $form.html -o $form.page.mcap >/dev/null
+  python3 served.py a.$form $form.served.mcap 2>/dev/null
+  rocinante log table a.$form --cell arm.urdf >table.csv 2>/dev/null || true
+  for log in $form.page.mcap $form.served.mcap; do
+    (rocinante log table $log --cell arm.urdf 2>/dev/null || true) | cmp - table.csv && echo "${log#$form.} has its values"
+  done
   rocinante model fk arm.urdf --log a.$form --at 4s 2>/dev/null | grep upper | head -n 1 || echo "fk: exit $?"
 done
