@@ -22,6 +22,12 @@ def github(given):
         if "run" in step and ("inputs.suite" not in step.get("if", "") or inputs["suite"]):
             env = {name: fill(value) for name, value in step["env"].items()}
             codes.append(run(step["run"], env, ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c"]))
+        elif step.get("uses", "").startswith("github/codeql-action/upload-sarif@"):
+            # Only of what was asked for, and of what is there.
+            name = fill(step["with"]["sarif_file"])
+            assert "inputs.upload-sarif == 'true'" in step["if"] and action["inputs"]["upload-sarif"]["default"] == "false"
+            assert f"'{{0}}/{os.path.basename(name)}', inputs.results)" in step["if"]
+            print("uploads", name, os.path.exists(name))
         elif "uses" in step:
             assert fill(step["with"]["path"]) == inputs["results"]
     return codes
