@@ -225,7 +225,7 @@ JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
     run.judgement.notes.emplace_back("no event is in both; aligned at the first packets");
   }
   run.align = nameOf(spec.align);
-const std::vector<std::string> links = linksToJudge(spec, cell);
+  const std::vector<std::string> links = linksToJudge(spec, cell);
   std::vector<SessionTrack> tracks;
   for (const std::filesystem::path& log : logs) {
     auto track = trackSession(cell, log, links);
