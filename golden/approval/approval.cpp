@@ -40,11 +40,21 @@ std::vector<AcceptedPicture> acceptedOf(const Manifest& manifest, const std::str
 }
 
 /// Accepted pictures with these pixels and the same masks, of any key.
-std::vector<const AcceptedPicture*> equalsOf(const Manifest& manifest, const std::string& case_name,
-                                             const AcceptedPicture& accepted) {
+std::vector<const AcceptedPicture*> alikeOf(const Manifest& manifest, const std::string& case_name,
+                                            const AcceptedPicture& accepted) {
   auto found = manifest.findPixels(case_name, accepted.pixels, accepted.key);
   std::erase_if(found, [&](const AcceptedPicture* one) {
     return one->areas_pixels != accepted.areas_pixels;
+  });
+  return found;
+}
+
+/// Those of them with the same coverage; with any when it is unknown.
+std::vector<const AcceptedPicture*> equalsOf(const Manifest& manifest, const std::string& case_name,
+                                             const AcceptedPicture& accepted) {
+  auto found = alikeOf(manifest, case_name, accepted);
+  std::erase_if(found, [&](const AcceptedPicture* one) {
+    return accepted.coverage && one->coverage != accepted.coverage;
   });
   return found;
 }
@@ -81,6 +91,9 @@ Status Approval::stage(const std::string& case_name, AcceptedPicture accepted,
   auto picture_file = writeStaged(picture);
   if (!picture_file.ok()) return picture_file.error();
   accepted.cell = cell_;
+  if (const auto alike = alikeOf(seen_, case_name, accepted); !alike.empty()) {
+    accepted.key = alike.front()->key;
+  }
   Staged staged{case_name, std::move(accepted), beside, std::move(*picture_file), {}};
   if (areas != nullptr) {
     auto areas_file = writeStaged(*areas);

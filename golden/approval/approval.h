@@ -28,7 +28,8 @@ class Approval {
   Approval(const Approval&) = delete;
   Approval& operator=(const Approval&) = delete;
 
-  /// True when this picture is already accepted, for any key, and its file exists.
+  /// True when this picture is already accepted with its coverage, for any key, and its file
+  /// exists.
   bool isAccepted(const std::string& case_name, const AcceptedPicture& accepted) const;
 
   /// Sets the cell files that pictures staged from now on were drawn from; commit() records them.
@@ -39,7 +40,8 @@ class Approval {
   }
 
   /// `accepted` has all fields except file names and cell. `areas` may be null. `beside`: keep the
-  /// accepted pictures of its key. On an error nothing is staged.
+  /// accepted pictures of its key. An accepted picture that differs in coverage alone is replaced,
+  /// under its own key. On an error nothing is staged.
   Status stage(const std::string& case_name, AcceptedPicture accepted, const Picture& picture,
                const Picture* areas, bool beside);
   std::size_t staged() const { return staged_.size(); }

@@ -66,6 +66,14 @@ Result<AcceptedPicture> acceptedOf(const Json& entry, const std::string& name,
                                     "plain file name",
                                     plainText(name)));
   }
+  if (const auto coverage = entry.find("coverage"); coverage != entry.end()) {
+    accepted.coverage = textsIn(entry, "coverage");
+    // It decides verdicts.
+    if (!coverage->is_array() || accepted.coverage->size() != coverage->size()) {
+      return broken(
+          file, fmt::format("`coverage` of case `{}` is not a list of devices", plainText(name)));
+    }
+  }
   return accepted;
 }
 
@@ -225,6 +233,7 @@ Status Manifest::write(const std::filesystem::path& folder) const {
                {"reason", accepted.reason}};
       if (!accepted.cell.empty()) entry["cell"] = accepted.cell;
       if (!accepted.decoded.empty()) entry["decoded"] = accepted.decoded;
+      if (accepted.coverage) entry["coverage"] = *accepted.coverage;
       if (accepted.areas.empty()) continue;
       entry["areas"] = accepted.areas;
       entry["areas_pixels"] = accepted.areas_pixels;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -25,6 +26,8 @@ struct AcceptedPicture {
   std::string cell{};  ///< key into Manifest::cells; empty: unknown files
   /// decoded_sha256 of the log; empty without decoded packets.
   std::string decoded{};
+  /// Devices that the picture judges (frameCoverage), sorted; empty: unknown, or no log.
+  std::optional<std::vector<std::string>> coverage{};
   bool operator==(const AcceptedPicture&) const = default;
 };
 

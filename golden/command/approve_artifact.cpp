@@ -93,6 +93,9 @@ class ArtifactApprover {
                              at_,
                              arguments_.message};
     accepted.decoded = hexOrNothing(report_.decoded);
+    if (judged.coverage && !accepted.session.empty()) {
+      accepted.coverage.emplace(judged.coverage->judged.begin(), judged.coverage->judged.end());
+    }
     if (judged.areas) accepted.areas_pixels = pictureXxh3(*judged.areas);
     if (approval_.isAccepted(name, accepted)) {
       told_.push_back(name);

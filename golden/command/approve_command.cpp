@@ -146,6 +146,11 @@ class Approver {
                              at_,
                              arguments_.message};
     accepted.decoded = session_.decodedHash();
+    if (session_.log() != nullptr) {
+      const auto covered = session_.coverage(frame);
+      if (!covered.ok()) return covered.error();
+      accepted.coverage.emplace(covered->judged.begin(), covered->judged.end());
+    }
     std::optional<Picture> areas_picture;
     if (*areas) {
       areas_picture = areasPicture(*frame.suite_case, **areas);

@@ -94,6 +94,7 @@ void printJson(const SuiteSession& session, const std::vector<std::string>& faul
                                   {"accepted_by", accepted.accepted_by},
                                   {"accepted_at", accepted.accepted_at},
                                   {"reason", accepted.reason}});
+      if (accepted.coverage) entry["goldens"].back()["coverage"] = *accepted.coverage;
     }
     root["frames"].push_back(std::move(entry));
   }

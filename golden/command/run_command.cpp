@@ -80,8 +80,8 @@ void printWhy(const std::vector<JudgedFrame>& frames) {
       for (const std::string& line : whyLines(*judged.why)) fmt::print("    {}\n", line);
     }
     const bool has_map =
-        judged.verdict == FrameVerdict::different ||
-        (judged.verdict == FrameVerdict::incomparable && judged.comparison.differing > 0);
+        judged.comparison.differing > 0 &&
+        (judged.verdict == FrameVerdict::different || judged.verdict == FrameVerdict::incomparable);
     if (!has_map || !judged.drawn || !judged.accepted) continue;
     if (!judged.why) fmt::print("where {}:\n", judged.frame.name);
     for (const std::string& line : differenceMap(judged.compared(), *judged.accepted)) {

@@ -69,6 +69,16 @@ bool pathNames(std::string_view path, const IdentityName& name,
          (path.find('/') == std::string_view::npos && patternMatches(path, name.device));
 }
 
+std::vector<std::string> layersOfLink(const PosedDevice& device, std::string_view link) {
+  std::vector<std::string> layers;
+  if (!device.layer.empty()) layers.push_back(device.layer);
+  const auto found = device.model->findLink(link);
+  for (const PosedShare& share : device.shares) {
+    if (found && share.holds(*found)) layers.emplace_back(share.layer);
+  }
+  return layers;
+}
+
 CaseAreas findAreas(const SuiteCase& made, const SceneIdentity* identity) {
   CaseAreas areas;
   for (const PictureArea& area : made.mask) areas.masked.push_back(pixelsOf(made, area, identity));

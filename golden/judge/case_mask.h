@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cell/posed_scene.h"
 #include "golden/compare/picture_mask.h"
 #include "golden/suite/suite.h"
 #include "viewer/render/identity_frame.h"
@@ -25,6 +26,9 @@ bool needsIdentity(const SuiteCase& made);
 /// name.
 bool pathNames(std::string_view path, const IdentityName& name,
                const std::vector<std::string>& layers);
+
+/// The layers that contain all of a link.
+std::vector<std::string> layersOfLink(const PosedDevice& device, std::string_view link);
 
 /// The areas of a case in one picture.
 struct CaseAreas {

@@ -13,19 +13,6 @@ std::string_view layerOfDrawing(StatementKind kind) {
                                          : "lines";
 }
 
-/// The layers that contain a whole link; none for a removed device.
-std::vector<std::string> layersOfLink(const PosedScene& scene, const IdentityName& name) {
-  const PosedDevice* const device = scene.findDevice(name.device);
-  if (device == nullptr) return {};
-  std::vector<std::string> layers;
-  if (!device->layer.empty()) layers.push_back(device->layer);
-  const auto link = device->model->findLink(name.link);
-  for (const PosedShare& share : device->shares) {
-    if (link && share.holds(*link)) layers.emplace_back(share.layer);
-  }
-  return layers;
-}
-
 /// The layers of each name of an identity frame at that moment.
 std::vector<std::vector<std::string>> layersOf(const IdentityFrame& frame,
                                                const PosedScene& scene) {
@@ -33,7 +20,9 @@ std::vector<std::vector<std::string>> layersOf(const IdentityFrame& frame,
   for (const IdentityName& name : frame.names) {
     std::vector<std::string>& of_name = layers.emplace_back();
     if (name.device != "drawing") {
-      of_name = layersOfLink(scene, name);
+      // None for a removed device.
+      const PosedDevice* const device = scene.findDevice(name.device);
+      if (device != nullptr) of_name = layersOfLink(*device, name.link);
       continue;
     }
     for (const PosedDrawing& drawing : scene.drawings) {

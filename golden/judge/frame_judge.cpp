@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <compare>
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include "golden/judge/frame_coverage.h"
 
 namespace rocinante {
 namespace {
@@ -53,12 +57,22 @@ Held holdAgainst(const GoldenFolder& folder, const CaseAreas* areas, const Accep
 }
 
 /// The nearest of several accepted pictures is reported: first one that passes, then one that is
-/// comparable, then the one with the fewest differing pixels.
-bool isNearer(const Comparison& found, const Comparison& best) {
-  const auto rank = [](const Comparison& one) {
-    return one.verdict == Verdict::same ? 0 : one.verdict == Verdict::different ? 1 : 2;
-  };
-  return std::pair(rank(found), found.differing) < std::pair(rank(best), best.differing);
+/// comparable, then one whose devices are all judged, then the one with the fewest differing
+/// pixels.
+struct Nearness {
+  int rank = 0;
+  bool loses_coverage = false;
+  std::int64_t differing = 0;
+  auto operator<=>(const Nearness&) const = default;
+};
+
+Nearness nearnessOf(const Comparison& found, bool loses_coverage) {
+  const int rank = found.verdict == Verdict::same ? 0 : found.verdict == Verdict::different ? 1 : 2;
+  return {rank, loses_coverage, found.differing};
+}
+
+bool losesCoverage(const AcceptedPicture& golden, const JudgedFrame& judged) {
+  return judged.coverage && !lostSince(golden, *judged.coverage).empty();
 }
 
 /// Names the golden's key when it is not the frame's.
@@ -70,7 +84,7 @@ std::string foreignKeyText(const AcceptedPicture& golden, const std::string& key
 
 void judgeAgainst(const std::vector<const AcceptedPicture*>& goldens, const GoldenFolder& folder,
                   const CaseAreas* areas, JudgedFrame& judged) {
-  std::optional<Comparison> best;
+  std::optional<Nearness> best;
   for (const AcceptedPicture* golden : goldens) {
     auto accepted = folder.read(*golden);
     if (!accepted.ok()) {
@@ -82,11 +96,12 @@ void judgeAgainst(const std::vector<const AcceptedPicture*>& goldens, const Gold
       continue;
     }
     Held held = holdAgainst(folder, areas, *golden, *accepted, judged);
-    if (best && !isNearer(held.found, *best)) continue;
-    best = held.found;
-    judged.verdict = frameVerdict(best->verdict);
-    judged.rule = best->rule + foreignKeyText(*golden, judged.key);
-    if (best->differing > 0) judged.rule += fmt::format(", limit from {}", judged.limit_from);
+    const Nearness nearness = nearnessOf(held.found, losesCoverage(*golden, judged));
+    if (best && *best <= nearness) continue;
+    best = nearness;
+    judged.verdict = frameVerdict(held.found.verdict);
+    judged.rule = held.found.rule + foreignKeyText(*golden, judged.key);
+    if (held.found.differing > 0) judged.rule += fmt::format(", limit from {}", judged.limit_from);
     judged.comparison = std::move(held.found);
     judged.golden = *golden;
     judged.accepted = std::move(*accepted);
@@ -121,10 +136,21 @@ void doubtForeignGolden(JudgedFrame& judged) {
       judged.key, rendererOf(judged.golden->key), why);
 }
 
-}  // namespace
+/// What was judged when the golden was accepted and is no more makes a frame different, whatever
+/// its pixels are.
+void judgeCoverage(JudgedFrame& judged) {
+  if (!judged.golden || !losesCoverage(*judged.golden, judged)) return;
+  judged.coverage->lost = lostSince(*judged.golden, *judged.coverage);
+  judged.verdict = FrameVerdict::different;
+  judged.rule = fmt::format("{}; {}", lostSentence(*judged.coverage), judged.rule);
+  // Of equal pixels the golden was not read.
+  if (!judged.accepted && judged.comparison.verdict == Verdict::same) {
+    judged.accepted = judged.drawn;
+  }
+}
 
-void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const CaseAreas* areas,
-                JudgedFrame& judged) {
+void judgePixels(const Manifest& manifest, const GoldenFolder& folder, const CaseAreas* areas,
+                 JudgedFrame& judged) {
   const SuiteCase& made = *judged.frame.suite_case;
   judged.own_masks = made.mask.size();
   if (areas != nullptr) judged.masks = maskOf(made, *areas, nullptr).parts();
@@ -132,7 +158,9 @@ void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const Case
   const auto equals = manifest.findPixels(name, judged.pixels, judged.key);
   if (!equals.empty()) {
     judged.verdict = FrameVerdict::same;
-    judged.golden = *equals.front();
+    const auto whole = std::ranges::find_if(
+        equals, [&](const AcceptedPicture* one) { return !losesCoverage(*one, judged); });
+    judged.golden = whole == equals.end() ? *equals.front() : **whole;
     judged.rule = "equal pixel hash" + foreignKeyText(*judged.golden, judged.key);
     judged.comparison.verdict = Verdict::same;
     judged.comparison.rule = judged.rule;
@@ -159,6 +187,14 @@ void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const Case
   if (is_foreign) judged.tolerance = made.across_keys;
   judgeAgainst(goldens, folder, areas, judged);
   if (is_foreign && made.tolerance.exact) doubtForeignGolden(judged);
+}
+
+}  // namespace
+
+void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const CaseAreas* areas,
+                JudgedFrame& judged) {
+  judgePixels(manifest, folder, areas, judged);
+  judgeCoverage(judged);
 }
 
 void applyExpectation(JudgedFrame& judged) {

@@ -11,8 +11,8 @@ namespace rocinante {
 
 /// Judges `judged.drawn` by the rules of docs/golden-suites.md, section "Verdicts": sets the
 /// verdict, its rule and figures, the nearest golden and its picture. Does not test stability.
-/// `judged` must have the frame, its tolerance, key and pixels; `areas` is null when the case has
-/// no masks.
+/// `judged` must have the frame, its tolerance, key and pixels, and its coverage without `lost`,
+/// unless that is unknown; `areas` is null when the case has no masks.
 void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const CaseAreas* areas,
                 JudgedFrame& judged);
 

@@ -60,6 +60,41 @@ void addIdleMasks(std::span<const JudgedFrame> judged, std::vector<std::string>&
   }
 }
 
+void addCoverageNotes(std::span<const JudgedFrame> judged, std::vector<std::string>& notes) {
+  std::size_t without = 0;
+  std::set<std::string> masked;
+  Account left_out;
+  for (const JudgedFrame& one : judged) {
+    if (!one.coverage) continue;
+    for (LeftOut item : one.coverage->left_out.leftOut()) {
+      item.count = 1;  // frames restate it
+      const auto isKnown = [&](const LeftOut& known) {
+        return known.name == item.name && known.reason == item.reason;
+      };
+      if (std::ranges::none_of(left_out.leftOut(), isKnown)) left_out.leaveOut(std::move(item));
+    }
+    if (!one.golden) continue;
+    if (!one.golden->coverage) {
+      if (!one.coverage->judged.empty()) ++without;
+      continue;
+    }
+    for (const std::string& device : *one.golden->coverage) {
+      if (one.coverage->masked.contains(device)) masked.insert(device);
+    }
+  }
+  if (without > 0) {
+    notes.push_back(
+        fmt::format("{} judged without coverage: that a device is no longer judged is "
+                    "not noticed until they are approved again",
+                    without == 1 ? "1 frame is" : fmt::format("{} frames are", without)));
+  }
+  for (const std::string& device : masked) {
+    notes.push_back(fmt::format("all of {} is masked or hidden, which was judged when accepted",
+                                plainText(device)));
+  }
+  if (!left_out.empty()) notes.push_back(accountSentence(left_out));
+}
+
 bool isLeftOver(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   return (name.starts_with(".") && name.ends_with(".png.new")) || isManifestPart(file) ||
@@ -137,6 +172,7 @@ std::vector<std::string> suiteNotes(std::span<const JudgedFrame> judged) {
   std::vector<std::string> notes;
   addIdleMasks(judged, notes);
   addLooseLimits(judged, notes);
+  addCoverageNotes(judged, notes);
   return notes;
 }
 

@@ -19,7 +19,9 @@ std::vector<std::string> folderFaults(const Manifest& manifest, const GoldenFold
                                       std::span<const SuiteRun> runs = {});
 
 /// Notes of a run on the suite itself, one sentence each: masks that hid nothing in any frame of
-/// their case, and limits more than four times the largest figure of a passing frame.
+/// their case, limits more than four times the largest figure of a passing frame, and what the
+/// frames do not judge: goldens without coverage, devices that are masked since they were accepted,
+/// and what no device of the cell takes.
 std::vector<std::string> suiteNotes(std::span<const JudgedFrame> judged);
 
 }  // namespace rocinante

@@ -10,6 +10,7 @@
 #include "golden/approval/manifest.h"
 #include "golden/compare/compare.h"
 #include "golden/compare/picture_mask.h"
+#include "golden/run/run_coverage.h"
 #include "golden/suite/suite_frame.h"
 #include "viewer/picture/picture.h"
 
@@ -43,6 +44,9 @@ struct JudgedFrame {
   /// addition.
   std::vector<PictureMask::Part> masks;
   std::size_t own_masks = 0;
+  /// Devices that the frame judges, and those that the nearest golden had in addition. Empty: it
+  /// was not drawn, or an older version judged it.
+  std::optional<RunCoverage> coverage{};
   std::string key;                        ///< renderer, size, samples
   std::string pixels;                     ///< hash of the drawn picture
   std::string inputs;                     ///< hash of its textures, glyphs and geometry

@@ -1,6 +1,7 @@
 #include "golden/judge/judged_frame_wire.h"
 
 #include <cstring>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -32,6 +33,12 @@ class WireWriter {
     item(static_cast<std::uint64_t>(values.size()));
     for (const T& value : values) item(value);
   }
+  void item(const std::set<std::string>& texts) {
+    item(static_cast<std::uint64_t>(texts.size()));
+    for (const std::string& text : texts) item(text);
+  }
+  void item(const Account& account) { item(accountLines(account)); }
+  void item(const RunCoverage& coverage) { both(*this, coverage); }
   void item(const PictureMask::Part& part) { both(*this, part); }
   void item(const AcceptedPicture& accepted) { both(*this, accepted); }
   void item(const Comparison& found) { both(*this, found); }
@@ -53,6 +60,15 @@ class WireWriter {
           &accepted.areas_pixels, &accepted.cell, &accepted.decoded}) {
       wire.item(*text);
     }
+    wire.item(accepted.coverage);
+  }
+  template <class Wire, class Coverage>
+  static void fields(Wire& wire, Coverage& coverage) requires
+      std::is_same_v<std::remove_const_t<Coverage>, RunCoverage> {
+    wire.item(coverage.judged);
+    wire.item(coverage.lost);
+    wire.item(coverage.masked);
+    wire.item(coverage.left_out);
   }
   template <class Wire, class Found>
   static void fields(Wire& wire,
@@ -95,6 +111,7 @@ class WireWriter {
     wire.item(judged.tolerance);
     wire.item(judged.comparison);
     wire.item(judged.masks);
+    wire.item(judged.coverage);
     wire.item(judged.key);
     wire.item(judged.pixels);
     wire.item(judged.inputs);
@@ -157,6 +174,17 @@ class WireReader {
     values.resize(length());
     for (T& value : values) item(value);
   }
+  void item(std::set<std::string>& texts) {
+    std::vector<std::string> read;
+    item(read);
+    texts = {read.begin(), read.end()};
+  }
+  void item(Account& account) {
+    std::string lines;
+    item(lines);
+    account = accountOfLines(lines);
+  }
+  void item(RunCoverage& coverage) { WireWriter::fields(*this, coverage); }
   void item(PictureMask::Part& part) { WireWriter::fields(*this, part); }
   void item(AcceptedPicture& accepted) { WireWriter::fields(*this, accepted); }
   void item(Comparison& found) { WireWriter::fields(*this, found); }

@@ -29,6 +29,26 @@ std::multiset<std::string> pixelsOf(const Pictures& pictures) {
   return pixels;
 }
 
+/// Devices that some of the pictures cover.
+std::set<std::string> coverageOf(const Pictures& pictures) {
+  std::set<std::string> devices;
+  for (const AcceptedPicture* accepted : pictures) {
+    if (accepted->coverage) devices.insert(accepted->coverage->begin(), accepted->coverage->end());
+  }
+  return devices;
+}
+
+/// "arm and 2 more are no longer judged; ": devices that were covered; empty: all of them still
+/// are.
+std::string lostText(const Pictures& then, const Pictures& now) {
+  std::set<std::string> lost = coverageOf(then);
+  for (const std::string& device : coverageOf(now)) lost.erase(device);
+  if (lost.empty()) return {};
+  if (lost.size() == 1) return plainText(*lost.begin()) + " is no longer judged; ";
+  return fmt::format("{} and {} more are no longer judged; ", plainText(*lost.begin()),
+                     lost.size() - 1);
+}
+
 /// The first picture not among `others`; the first one when all are.
 const AcceptedPicture& unlike(const Pictures& pictures, const Pictures& others) {
   const auto pixels = pixelsOf(others);
@@ -90,7 +110,9 @@ std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepte
       judged.session = shown.session;
       judged.decoded = shown.decoded;
     }
-    if (pixelsOf(old) == pixelsOf(current)) {
+    const bool is_equal = pixelsOf(old) == pixelsOf(current);
+    const std::string lost = current.empty() ? "" : lostText(old, current);
+    if (is_equal && lost.empty()) {
       judged.verdict = FrameVerdict::same;
       judged.rule = "equal pixel hash";
     } else if (current.empty()) {
@@ -108,10 +130,11 @@ std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepte
       if (!judged.drawn || !judged.accepted) continue;
       judged.comparison = compare(*judged.drawn, *judged.accepted, Tolerance::exactly());
       judged.verdict = FrameVerdict::different;
-      judged.rule = judged.comparison.verdict == Verdict::same
-                        ? "a different number of accepted pictures"
-                        : judged.comparison.rule;
-      judged.rule += fmt::format(" since {}, {}", since, acceptedText(shown));
+      const std::string_view pixels = is_equal ? "equal pixel hash"
+                                      : judged.comparison.verdict == Verdict::same
+                                          ? "a different number of accepted pictures"
+                                          : std::string_view(judged.comparison.rule);
+      judged.rule = fmt::format("{}{} since {}, {}", lost, pixels, since, acceptedText(shown));
     }
   }
   return frames;

@@ -14,7 +14,8 @@ namespace rocinante {
 using ReadAccepted = std::function<Result<Picture>(const AcceptedPicture&)>;
 
 /// The changes between two manifests as frames of a report, by case and key: `then` is the golden's
-/// side, `now` the frame's. Unchanged ones are `same`, without pictures; replaced ones `different`;
+/// side, `now` the frame's. Unchanged ones are `same`, without pictures; replaced ones, and those
+/// that judge fewer devices, `different`;
 /// added and removed ones `missing`; those whose pictures cannot be read `incomparable`. `since`
 /// names the older side in messages.
 std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepted& read_then,

@@ -11,6 +11,7 @@
 #include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/log/log_reader.h"
+#include "golden/judge/frame_coverage.h"
 #include "golden/judge/frame_judge.h"
 #include "golden/judge/stability.h"
 #include "viewer/view/layer_choice.h"
@@ -190,6 +191,14 @@ Result<std::optional<CaseAreas>> SuiteSession::areas(const SuiteFrame& frame) {
   return std::optional(findAreas(made, &*identity));
 }
 
+Result<RunCoverage> SuiteSession::coverage(const SuiteFrame& frame) {
+  const auto draws = drawer();
+  if (!draws.ok()) return draws.error();
+  const auto state = (*draws)->state(request(frame));
+  if (!state.ok()) return state.error();
+  return frameCoverage(*frame.suite_case, (*draws)->cell(), *state, origin_.value_or(LogTime{}));
+}
+
 Result<std::string> SuiteSession::instability(const SuiteFrame& frame, const Picture& drawn) {
   const auto draws = drawer();
   if (!draws.ok()) return draws.error();
@@ -249,6 +258,9 @@ Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
   }
   judged.pixels = pictureXxh3(*drawn);
   judged.drawn = std::move(*drawn);
+  auto covered = coverage(frame);
+  if (!covered.ok()) return covered.error();
+  judged.coverage = std::move(*covered);
   const auto case_areas = areas(frame);
   if (!case_areas.ok()) return case_areas.error();
   judgeDrawn(manifest_, folder_, *case_areas ? &**case_areas : nullptr, judged);

@@ -73,6 +73,8 @@ class SuiteSession {
   Result<std::string> key(const SuiteCase& suite_case);
   /// The areas of the case's masks in this frame; empty for a case without masks.
   Result<std::optional<CaseAreas>> areas(const SuiteFrame& frame);
+  /// The devices that a frame with a time judges.
+  Result<RunCoverage> coverage(const SuiteFrame& frame);
 
   /// Draws and judges one frame. A failing frame is drawn twice more, once after another frame and
   /// once in a fresh context, to tell an unstable frame from a different one. Returns an error only

@@ -75,6 +75,7 @@ Json frameJson(const JudgedFrame& judged) {
   if (judged.frame.line > 0) frame["line"] = judged.frame.line;
   if (!judged.frame.camera.empty()) frame["camera"] = judged.frame.camera;
   if (!judged.frame.tags.empty()) frame["tags"] = judged.frame.tags;
+  if (judged.coverage) frame["coverage"] = coverageJson(*judged.coverage);
   if (!judged.expectation.empty()) frame["expectation"] = judged.expectation;
   if (judged.frame.time) frame["log_time_ns"] = judged.frame.time->time_since_epoch().count();
   if (judged.golden) {
@@ -86,6 +87,7 @@ Json frameJson(const JudgedFrame& judged) {
                        {"accepted_by", judged.golden->accepted_by},
                        {"accepted_at", judged.golden->accepted_at},
                        {"reason", judged.golden->reason}};
+    if (judged.golden->coverage) frame["golden"]["coverage"] = *judged.golden->coverage;
     if (!judged.golden->decoded.empty() || !judged.decoded.empty()) {
       frame["golden"]["decoded_equal"] = judged.golden->decoded == judged.decoded;
     }

@@ -171,6 +171,7 @@ void readGolden(const ReportJson& entry, JudgedFrame& judged) {
   golden.accepted_by = fieldOf<std::string>(*found, "accepted_by");
   golden.accepted_at = fieldOf<std::string>(*found, "accepted_at");
   golden.reason = fieldOf<std::string>(*found, "reason");
+  if (found->contains("coverage")) golden.coverage = textsOf(*found, "coverage");
   // The report only says whether they are equal.
   const auto equal = [&](const char* key) {
     const auto flag = found->find(key);
@@ -210,6 +211,7 @@ Result<JudgedFrame> frameOf(const ReportJson& entry, const SuiteReport& report,
   judged.inputs = fieldOf<std::string>(entry, "inputs");
   judged.session = report.session;
   judged.decoded = report.decoded;
+  if (entry.contains("coverage")) judged.coverage = readCoverage(entry);
   readFigures(entry, judged);
   readLimits(entry, judged);
   readGolden(entry, judged);

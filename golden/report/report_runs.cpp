@@ -95,6 +95,8 @@ std::vector<double> readNumbers(const nlohmann::json& object, const char* key) {
   return numbers;
 }
 
+}  // namespace
+
 Json coverageJson(const RunCoverage& coverage) {
   return {{"judged", coverage.judged},
           {"lost", coverage.lost},
@@ -102,10 +104,10 @@ Json coverageJson(const RunCoverage& coverage) {
           {"left_out", leftOutJson(coverage.left_out)}};
 }
 
-RunCoverage readCoverage(const nlohmann::json& run) {
+RunCoverage readCoverage(const nlohmann::json& judged) {
   RunCoverage coverage;
-  const auto found = run.find("coverage");
-  if (found == run.end() || !found->is_object()) return coverage;
+  const auto found = judged.find("coverage");
+  if (found == judged.end() || !found->is_object()) return coverage;
   const auto itemsIn = [&](const char* key) {
     const auto items = readTexts(*found, key);
     return std::set<std::string>(items.begin(), items.end());
@@ -126,6 +128,8 @@ RunCoverage readCoverage(const nlohmann::json& run) {
   }
   return coverage;
 }
+
+namespace {
 
 RunFinding readFinding(const nlohmann::json& json) {
   RunFinding finding;

@@ -15,6 +15,10 @@ std::string runText(const JudgedRun& run);
 /// Everything that explains the verdict, a sentence each: findings (at most `most`), then changes.
 std::vector<std::string> runReasons(const JudgedRun& run, std::size_t most = 100);
 
+/// What a run or a frame judged, and not; read back from a stranger's report.
+Json coverageJson(const RunCoverage& coverage);
+RunCoverage readCoverage(const nlohmann::json& judged);
+
 Json runsJson(const std::vector<JudgedRun>& runs);
 /// Reads what runsJson() writes, from a stranger: skips what is malformed.
 std::vector<JudgedRun> readRunsJson(const nlohmann::json& list);

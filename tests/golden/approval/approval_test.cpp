@@ -144,6 +144,27 @@ TEST_F(ApprovalTest, APictureOfAnotherKeyIsAcceptedAlready) {
   EXPECT_FALSE(isAccepted(other));
 }
 
+TEST_F(ApprovalTest, CoverageAloneIsReplacedUnderTheGoldensOwnKey) {
+  approve("pick", tinyPicture(10));
+  AcceptedPicture covered = entryOf(tinyPicture(10));
+  covered.key = "newer 4x4 1x";
+  covered.coverage = {"arm"};
+  Approval approval(folder_, manifest());
+  EXPECT_FALSE(approval.isAccepted("pick", covered));
+  ASSERT_TRUE(approval.stage("pick", covered, tinyPicture(10), nullptr, false).ok());
+  ASSERT_TRUE(approval.commit().ok());
+  const Manifest now = manifest();
+  const auto accepted = now.findAll("pick");
+  ASSERT_EQ(accepted.size(), 1U);
+  EXPECT_EQ(accepted.front()->key, kTinyKey);
+  EXPECT_EQ(accepted.front()->coverage, covered.coverage);
+  EXPECT_EQ(*folder_.read(*accepted.front()), tinyPicture(10));
+  EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", pick_}));
+  EXPECT_TRUE(Approval(folder_, manifest()).isAccepted("pick", covered));
+  covered.coverage.reset();  // a report of an older version knows of none
+  EXPECT_TRUE(Approval(folder_, manifest()).isAccepted("pick", covered));
+}
+
 TEST_F(ApprovalTest, AGoldenOfAnotherKeyStaysBesideTheNewOne) {
   approve("pick", tinyPicture(10));
   AcceptedPicture other = entryOf(tinyPicture(11));

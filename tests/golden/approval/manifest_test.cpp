@@ -68,6 +68,29 @@ TEST(Manifest, RemembersWhereMasksLay) {
   EXPECT_EQ(read->cases, manifest.cases);
 }
 
+TEST(Manifest, RemembersTheDevicesThatAPictureJudges) {
+  const test::TemporaryFolder folder;
+  Manifest manifest;
+  AcceptedPicture covered = accepted("a 640x480 4x", "aa");
+  covered.coverage = {"arm", "gantry"};
+  manifest.accept("pick", covered);
+  covered = accepted("a 640x480 4x", "bb");
+  covered.coverage.emplace();  // none is not unknown
+  manifest.accept("place", covered);
+  manifest.accept("old", accepted("a 640x480 4x", "cc"));
+  ASSERT_TRUE(manifest.write(folder.path()).ok());
+  const auto read = Manifest::read(folder.path());
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->cases, manifest.cases);
+  for (const char* wrong : {"\"arm\"", "[1]"}) {
+    const std::string text = fmt::format(
+        R"({{"format": 1, "cases": {{"pick": [{{"key": "k", "picture": "a.png", "pixels": "aa",
+            "coverage": {}}}]}}}})",
+        wrong);
+    EXPECT_FALSE(Manifest::parse(text, "manifest.json").ok()) << wrong;
+  }
+}
+
 TEST(Manifest, RemembersTheFilesOfTheCellThatPicturesWereAcceptedOf) {
   const test::TemporaryFolder folder;
   const std::string text = "format = 1\n";

@@ -61,6 +61,7 @@ class FrameJudgeTest : public testing::Test {
     judged.key = kJudgedKey;
     judged.pixels = pictureXxh3(drawn);
     judged.drawn = drawn;
+    judged.coverage = covered_;
     judgeDrawn(manifest_, folder_, areas, judged);
     applyExpectation(judged);
     return judged;
@@ -76,6 +77,7 @@ class FrameJudgeTest : public testing::Test {
   GoldenFolder folder_{root_ / "goldens", {}};
   Manifest manifest_;
   SuiteCase case_;
+  std::optional<RunCoverage> covered_;
 };
 
 TEST_F(FrameJudgeTest, WithoutAnyGoldenItIsMissing) {
@@ -382,6 +384,48 @@ TEST_F(FrameJudgeTest, JudgeOnlyLooksWhereThePartIsAndWhereItWas) {
   EXPECT_EQ(judge(then, &areas).verdict, FrameVerdict::different);
 }
 
+TEST_F(FrameJudgeTest, FewerDevicesThanAcceptedIsDifferentWhateverThePixelsAre) {
+  AcceptedPicture accepted = accept(evenPicture(10));
+  accepted.coverage = {"arm", "lamp"};
+  manifest_.accept("pick", accepted);
+  covered_.emplace().judged = {"arm", "lamp", "more"};
+  EXPECT_EQ(judge(evenPicture(10)).verdict, FrameVerdict::same);
+  covered_->judged = {"arm"};
+  covered_->left_out.leaveOut({.kind = "device", .name = "lamp", .reason = "the cell is dark"});
+  const JudgedFrame equal = judge(evenPicture(10));
+  EXPECT_EQ(equal.verdict, FrameVerdict::different);
+  EXPECT_EQ(equal.rule,
+            "lamp: not judged, since the cell is dark, though accepted; equal pixel hash");
+  EXPECT_EQ(equal.coverage->lost, std::set<std::string>{"lamp"});
+  EXPECT_EQ(equal.accepted, equal.drawn);  // for the report
+  tolerate(Tolerance::loose());
+  EXPECT_EQ(judge(evenPicture(11)).verdict, FrameVerdict::different);
+  EXPECT_THAT(judge(evenPicture(90)).rule, HasSubstr("though accepted; worst tile's mean"));
+  // A renderer that draws other pixels excuses nothing.
+  accepted.key = kOtherKey;
+  manifest_.cases.clear();
+  manifest_.accept("pick", accepted);
+  tolerate(Tolerance::exactly());
+  EXPECT_EQ(judge(evenPicture(12)).verdict, FrameVerdict::different);
+  covered_->masked = {"lamp"};
+  EXPECT_EQ(judge(evenPicture(12)).verdict, FrameVerdict::incomparable);
+  EXPECT_EQ(judge(evenPicture(10)).verdict, FrameVerdict::same);
+}
+
+TEST_F(FrameJudgeTest, OfSeveralEqualGoldensOneWithoutTheDeviceIsEnough) {
+  AcceptedPicture accepted = accept(evenPicture(10));
+  accepted.coverage = {"arm", "lamp"};
+  manifest_.accept("pick", accepted);
+  accepted.key = kOtherKey;
+  accepted.coverage = {"arm"};
+  manifest_.accept("pick", accepted);
+  covered_.emplace().judged = {"arm"};
+  EXPECT_EQ(judge(evenPicture(10)).verdict, FrameVerdict::same);
+  tolerate(Tolerance::loose());
+  accept(evenPicture(12), kJudgedKey, true);  // without coverage, and further away
+  EXPECT_EQ(judge(evenPicture(11)).verdict, FrameVerdict::same);
+}
+
 TEST(PathNames, TakesDevicesLinksLayersAndDrawings) {
   const IdentityName link{"arm", "link6"};
   for (const char* path : {"arm", "arm/link6", "arm/*", "a*", "layer/robots", "layer/*"}) {
@@ -448,7 +492,12 @@ TEST(Stability, BlamesSurfacesThatMeetWhereThePixelsLie) {
 }
 
 TEST_F(FrameJudgeTest, PassesBetweenProcessesWhole) {
-  accept(evenPicture(10));
+  AcceptedPicture accepted = accept(evenPicture(10));
+  accepted.coverage = {"arm", "lamp"};
+  manifest_.accept("pick", accepted);
+  covered_.emplace().judged = {"arm"};
+  covered_->masked = {"hood"};
+  covered_->left_out.leaveOut({.kind = "value", .name = "lamp", .reason = "dark", .count = 3});
   Picture drawn = evenPicture(10);
   setPixel(drawn, 3, 3, 99);
   case_.mask = {{MaskRectangle{20, 20, 4, 4}, "", 0}};
@@ -463,6 +512,10 @@ TEST_F(FrameJudgeTest, PassesBetweenProcessesWhole) {
   EXPECT_EQ(received.tolerance.name, "arm");
   EXPECT_EQ(received.tolerance.level, 7);
   EXPECT_EQ(received.golden, sent.golden);
+  EXPECT_EQ(received.coverage->judged, sent.coverage->judged);
+  EXPECT_EQ(received.coverage->lost, std::set<std::string>{"lamp"});
+  EXPECT_EQ(received.coverage->masked, sent.coverage->masked);
+  EXPECT_EQ(accountLines(received.coverage->left_out), accountLines(sent.coverage->left_out));
   EXPECT_EQ(received.drawn, sent.drawn);
   EXPECT_EQ(received.accepted, sent.accepted);
   EXPECT_EQ(received.comparison.worst_frame, sent.comparison.worst_frame);

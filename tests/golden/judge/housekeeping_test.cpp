@@ -83,5 +83,27 @@ TEST(SuiteNotes, TellsMasksThatHideNothingAnywhere) {
   EXPECT_THAT(suiteNotes(judged), ElementsAre("mask gone of case pick hides nothing"));
 }
 
+TEST(SuiteNotes, TellsOnceWhatIsNotJudged) {
+  std::vector<JudgedFrame> judged(3);
+  for (JudgedFrame& one : judged) {
+    one.golden = entry("a.png", smallPicture(1));
+    one.coverage.emplace();
+    one.coverage->judged = {"arm"};
+    one.coverage->masked = {"hood"};
+    one.coverage->left_out.leaveOut(
+        {.kind = "device", .name = "arn", .reason = "the cell has no such device"});
+  }
+  EXPECT_THAT(suiteNotes(judged),
+              ElementsAre("3 frames are judged without coverage: that a device is no longer judged "
+                          "is not noticed until they are approved again",
+                          "left out: 1 device `arn` (the cell has no such device)"));
+  for (JudgedFrame& one : judged) one.golden->coverage = {"arm", "hood"};
+  judged[1].golden->coverage.reset();
+  judged[1].coverage->judged.clear();  // at rest, there is nothing to lose
+  EXPECT_THAT(suiteNotes(judged),
+              ElementsAre("all of hood is masked or hidden, which was judged when accepted",
+                          "left out: 1 device `arn` (the cell has no such device)"));
+}
+
 }  // namespace
 }  // namespace rocinante

@@ -45,5 +45,24 @@ TEST(ManifestChanges, TellsReplacedNewAndRemoved) {
                                  "accepted by ada on today: why"));
 }
 
+TEST(ManifestChanges, APictureThatJudgesFewerDevicesIsDifferent) {
+  Manifest then, now;
+  AcceptedPicture accepted = acceptedAs("kept.png", greyPicture(1));
+  accepted.coverage = {"arm"};
+  now.accept("more", acceptedAs("more.png", greyPicture(2)));
+  then.accept("more", acceptedAs("more.png", greyPicture(2)));
+  now.cases["more"].front().coverage = {"arm"};
+  then.accept("kept", accepted);
+  accepted.coverage.reset();
+  now.accept("kept", accepted);
+  const auto read = [](const AcceptedPicture&) -> Result<Picture> { return greyPicture(1); };
+  const auto changes = manifestChanges(then, read, now, read, "v1");
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(changes.front().verdict, FrameVerdict::different);
+  EXPECT_EQ(changes.front().rule,
+            "arm is no longer judged; equal pixel hash since v1, accepted by ada on today: why");
+  EXPECT_EQ(changes.back().verdict, FrameVerdict::same);
+}
+
 }  // namespace
 }  // namespace rocinante

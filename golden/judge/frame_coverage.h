@@ -1,0 +1,30 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "core/base/time.h"
+#include "core/cell/cell.h"
+#include "core/packet/session_state.h"
+#include "golden/approval/manifest.h"
+#include "golden/run/run_coverage.h"
+#include "golden/suite/suite.h"
+
+namespace rocinante {
+
+/// Devices that a frame judges: those that are drawn and whose pose or joints the session states by
+/// then, if the model takes all joint values that are stated. `masked` has those of them that the
+/// case masks or hides completely, `left_out` what no device takes; `lost` stays empty.
+/// The moment is what `state` is of; `origin` the log's.
+RunCoverage frameCoverage(const SuiteCase& made, const Cell& cell, const SessionState& state,
+                          LogTime origin);
+
+/// Devices that an accepted picture covers and the frame neither judges nor masks. Empty for a
+/// picture that was accepted without coverage.
+std::set<std::string> lostSince(const AcceptedPicture& accepted, const RunCoverage& now);
+
+/// "arm: not judged, since the cell has no such device, though it was accepted", for the first of
+/// `coverage.lost`, which is not empty; the others are counted.
+std::string lostSentence(const RunCoverage& coverage);
+
+}  // namespace rocinante

@@ -1,0 +1,64 @@
+# A frame judges the devices that the log moves: fewer than were accepted is different, in whatever
+# picture.
+export ROCINANTE_USER=ada XDG_CACHE_HOME=$PWD/cache
+cp -r "$SRC/examples/demo/demo.cell.toml" "$SRC/examples/demo/arm" "$SRC/examples/demo"/*.urdf "$SRC/examples/demo"/*.obj \
+  "$SRC/examples/demo"/*.mtl "$SRC/examples/demo/textures" "$SRC/examples/demo/session.mcap" .
+cat >suite.toml <<'TOML'
+format = 1
+cell = "demo.cell.toml"
+log = "session.mcap"
+[defaults]
+size = [160, 120]
+[[case]]
+name = "hall"
+at = "7s"
+layers = ["structure", "robots"]
+camera = "top"
+[[case]]
+name = "signs"
+at = "7s"
+mask = ["gantry", "layer/tanks", { path = "arm/*", grow = 60 }]
+TOML
+golden() { rocinante golden "$@" || echo "exit $?"; }
+golden approve suite.toml -m first
+golden run suite.toml --json out.json
+covers() {
+  python3 - <<'PYTHON'
+import json
+for name, pictures in json.load(open("goldens/manifest.json"))["cases"].items():
+    print(name, [p.get("coverage") for p in pictures])
+PYTHON
+}
+covers
+golden list suite.toml --json | grep -A4 '"coverage"'
+echo "-- the cell calls the arm otherwise"
+cp demo.cell.toml keep.toml
+sed -i 's/^name = "arm"/name = "arn"/' demo.cell.toml
+golden run suite.toml -j 2 --json out.json --junit out.xml 2>/dev/null | sed '/^why/,/^note/{/^note/!d}'
+python3 -c 'import json; print(json.load(open("out.json"))["frames"][0]["coverage"])'
+grep -o 'message="[^;]*' out.xml
+echo "-- out of sight"
+sed 's/^camera = "top"/hide = ["arm"]/' suite.toml >hidden.toml
+cp keep.toml demo.cell.toml
+golden approve suite.toml --only hall -m again
+golden run hidden.toml --only hall | sed '/^why/,/^note/{/^note/!d}'
+echo "-- accepted by an older version"
+python3 - <<'PYTHON'
+import json
+manifest = json.load(open("goldens/manifest.json"))
+for pictures in manifest["cases"].values():
+    for picture in pictures:
+        del picture["coverage"]
+json.dump(manifest, open("goldens/manifest.json", "w"))
+PYTHON
+git init -q . && git add goldens suite.toml && git -c user.name=a -c user.email=a@b commit -qm old
+cp -r goldens old
+golden run suite.toml
+golden approve suite.toml -m "with coverage"
+covers
+golden run suite.toml
+for file in old/*.png; do cmp "$file" "goldens/${file#old/}"; done
+echo "-- a revision that judges less"
+git add goldens && git -c user.name=a -c user.email=a@b commit -qm new
+cp old/manifest.json goldens
+golden diff HEAD suite.toml | sed 's/ on 20[^ ]*Z//'
