@@ -10,6 +10,7 @@
 #include "core/cli/text_table.h"
 #include "core/report/json_text.h"
 #include "golden/judge/housekeeping.h"
+#include "golden/suite/suite_neighbours.h"
 
 namespace rocinante {
 namespace {
@@ -121,7 +122,7 @@ Result<cli::Exit> runListCommand(const ListArguments& arguments) {
   if (!session.ok()) return session.error();
   const std::vector<std::string> faults =
       folderFaults(session->manifest(), session->folder(), session->allFrames(), arguments.verify,
-                   session->suite().runs);
+                   session->suite().runs, neighboursOf(session->suite()));
   std::size_t without = 0;
   for (const SuiteFrame& frame : session->frames()) {
     without += picturesOf(*session, frame.name).empty() ? 1 : 0;

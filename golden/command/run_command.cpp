@@ -16,6 +16,7 @@
 #include "golden/judge/suite_runs.h"
 #include "golden/report/report.h"
 #include "golden/report/report_runs.h"
+#include "golden/suite/suite_neighbours.h"
 #include "golden/why/accepted_cells.h"
 #include "golden/why/explain_runs.h"
 #include "golden/why/frame_explainer.h"
@@ -34,8 +35,9 @@ std::vector<std::string> notesOf(const SuiteSession& session, const FrameSelecti
   std::vector<std::string> notes = suiteNotes(judged);
   // A partial run cannot judge the rest of the folder.
   if (!selection.isWhole()) return notes;
-  for (std::string& fault : folderFaults(session.manifest(), session.folder(), session.allFrames(),
-                                         false, session.suite().runs)) {
+  for (std::string& fault :
+       folderFaults(session.manifest(), session.folder(), session.allFrames(), false,
+                    session.suite().runs, neighboursOf(session.suite()))) {
     notes.push_back(std::move(fault));
   }
   return notes;

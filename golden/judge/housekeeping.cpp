@@ -8,6 +8,7 @@
 
 #include "core/base/plain_text.h"
 #include "golden/approval/staging_folder.h"
+#include "golden/suite/suite_neighbours.h"
 
 namespace rocinante {
 namespace {
@@ -118,10 +119,15 @@ void addStrayFiles(const std::filesystem::path& folder, const std::set<std::stri
 }
 
 void addRunFaults(const Manifest& manifest, const GoldenFolder& folder,
-                  std::span<const SuiteRun> runs, bool verify, std::vector<std::string>& faults) {
+                  std::span<const SuiteRun> runs, std::span<const Suite> neighbours, bool verify,
+                  std::vector<std::string>& faults) {
   std::error_code ignored;
   for (const auto& [name, logs] : manifest.runs) {
-    const bool is_run = std::ranges::find(runs, name, &SuiteRun::name) != runs.end();
+    const auto isNamed = [&](const SuiteRun& run) { return run.name == name; };
+    const bool is_run = std::ranges::any_of(runs, isNamed) ||
+                        std::ranges::any_of(neighbours, [&](const Suite& other) {
+                          return std::ranges::any_of(other.runs, isNamed);
+                        });
     for (const AcceptedRun& accepted : logs) {
       const std::string file = folder.fileOf(accepted).string();
       if (!is_run) {
@@ -140,14 +146,19 @@ void addRunFaults(const Manifest& manifest, const GoldenFolder& folder,
 
 std::vector<std::string> folderFaults(const Manifest& manifest, const GoldenFolder& folder,
                                       std::span<const SuiteFrame> frames, bool verify,
-                                      std::span<const SuiteRun> runs) {
+                                      std::span<const SuiteRun> runs,
+                                      std::span<const Suite> neighbours) {
   std::set<std::string> names;
   for (const SuiteFrame& frame : frames) names.insert(frame.name);
   std::vector<std::string> faults;
   for (const auto& [name, pictures] : manifest.cases) {
+    const bool is_frame =
+        names.contains(name) || std::ranges::any_of(neighbours, [&](const Suite& other) {
+          return mayHaveFrame(other, name);
+        });
     for (const AcceptedPicture& accepted : pictures) {
       const std::string file = folder.fileOf(accepted.picture, accepted.pixels).string();
-      if (!names.contains(name)) {
+      if (!is_frame) {
         faults.push_back(
             fmt::format("golden {} is stale: the suite has no frame {}", file, plainText(name)));
       } else if (!folder.has(accepted)) {
@@ -160,7 +171,7 @@ std::vector<std::string> folderFaults(const Manifest& manifest, const GoldenFold
       }
     }
   }
-  addRunFaults(manifest, folder, runs, verify, faults);
+  addRunFaults(manifest, folder, runs, neighbours, verify, faults);
   std::set<std::string> known = manifest.files();
   known.merge(manifest.runFiles());
   addStrayFiles(folder.goldens(), known, faults);

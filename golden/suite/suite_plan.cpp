@@ -25,13 +25,6 @@ std::string momentName(Nanoseconds since_origin) {
   return fmt::format("{:05}.{:03}s", ms / 1000, ms % 1000);
 }
 
-/// A camera's name or an event's text as part of a file name; other characters become `_`.
-std::string fileWord(std::string_view text) {
-  std::string word;
-  for (const char c : text.substr(0, 40)) word += isFileText({&c, 1}) ? c : '_';
-  return word;
-}
-
 /// A moment of a case: the suffix of the frame's name, and the time.
 struct NamedMoment {
   std::string suffix;
@@ -164,6 +157,12 @@ bool hasAnyTag(const SuiteFrame& frame, const std::vector<std::string>& tags) {
 }
 
 }  // namespace
+
+std::string fileWord(std::string_view text) {
+  std::string word;
+  for (const char c : text.substr(0, 40)) word += isFileText({&c, 1}) ? c : '_';
+  return word;
+}
 
 Result<std::pair<int, int>> parseShard(std::string_view text) {
   int shard = 0;

@@ -40,6 +40,9 @@ Result<std::vector<SuiteFrame>> selectFrames(std::vector<SuiteFrame> frames,
 std::vector<const SuiteRun*> selectRuns(const Suite& suite, const std::vector<SuiteFrame>& frames,
                                         const FrameSelection& selection);
 
+/// A camera's name or an event's text as part of a frame's name; other characters become `_`.
+std::string fileWord(std::string_view text);
+
 /// Indices of `frames` sorted by time, stable, so that a session is read once.
 std::vector<std::size_t> inLogOrder(const std::vector<SuiteFrame>& frames);
 

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "golden/approval/staging_folder.h"
+#include "golden/suite/suite_neighbours.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante {
@@ -60,6 +61,43 @@ TEST(FolderFaults, TellsWhatIsStaleMissingStrayAndLeftOver) {
                   "golden " + at + "old.png is stale: the suite has no frame old"));
   EXPECT_THAT(folderFaults(manifest, folder, frames, true),
               testing::Contains(HasSubstr("kept.png is not the picture")));
+}
+
+TEST(FolderFaults, WhatASuiteBesideItHasIsNotStale) {
+  const test::TemporaryFolder root;
+  const auto write = [&](const char* name, const std::string& text) {
+    std::ofstream(root / name) << "format = 1\n" << text;
+  };
+  write("own.toml", "cell = \"x.toml\"\n[[case]]\nname = \"own\"\n");
+  write("b.toml",
+        "log = \"x.mcap\"\n[[case]]\nname = \"b\"\n[[case]]\nname = \"tour\"\nevery = \"1s\"\n"
+        "camera = [\"the top\", \"side\"]\n[[run]]\nname = \"lift\"\n");
+  write("c.toml", "cell = \"x.toml\"\ngoldens = \"other\"\n[[case]]\nname = \"c\"\n");
+  write("cell.toml", "[[device]]\nname = \"d\"\n");
+  const auto suite = readSuite(root / "own.toml");
+  ASSERT_TRUE(suite.ok()) << suite.error().text();
+  const auto neighbours = neighboursOf(*suite);
+  ASSERT_EQ(neighbours.size(), 1U);
+  const GoldenFolder folder(root / "goldens", {});
+  std::filesystem::create_directory(root / "goldens");
+  Manifest manifest;
+  for (const std::string name : {"own", "b", "tour.the_top-00001.000s", "b-2", "tour", "tour.side2",
+                                 "tour.front-00001.000s", "c"}) {
+    manifest.accept(name, entry(name + ".png", smallPicture(1)));
+    ASSERT_TRUE(writePng(root / "goldens" / (name + ".png"), smallPicture(1)).ok());
+  }
+  for (const char* name : {"lift", "drop"}) {
+    manifest.runs[name].push_back({std::string(name) + ".mcap", "", "", "", "", "", ""});
+    std::ofstream(root / "goldens" / (std::string(name) + ".mcap")) << "x";
+  }
+  std::vector<SuiteFrame> frames(1);
+  frames[0].name = "own";
+  std::string stale;
+  for (const std::string& fault : folderFaults(manifest, folder, frames, false, {}, neighbours)) {
+    EXPECT_THAT(fault, HasSubstr(" is stale: "));
+    stale += fault.substr(fault.rfind(' ') + 1) + " ";
+  }
+  EXPECT_EQ(stale, "drop b-2 c tour.front-00001.000s tour tour.side2 ");
 }
 
 TEST(SuiteNotes, TellsLimitsFourTimesLooserThanNeeded) {
