@@ -68,7 +68,7 @@ MeshStore::Loaded MeshStore::read(const Key& key, const FoundFile& found) const 
   if (mesh.ok()) {
     loaded.mesh = std::make_shared<const Mesh>(std::move(*mesh));
   } else {
-    loaded.problem = mesh.error().text();
+    loaded.problem = mesh.error();
   }
   return loaded;
 }
@@ -140,9 +140,12 @@ std::shared_ptr<const Mesh> MeshStore::load(const std::string& name,
     loaded.faults.clear();
   }
   if (!loaded.mesh) {
-    faults.error(
-        "model.unusable-mesh", place,
-        fmt::format("the mesh {} is not used: {}", quotedPathInFault(name), loaded.problem));
+    // A mesh that is a model by itself is the finding's own place.
+    const Error& problem = loaded.problem;
+    const bool is_place = place.line == 0 && problem.where == faults.file();
+    faults.error("model.unusable-mesh", place,
+                 fmt::format("the mesh {} is not used: {}", quotedPathInFault(name),
+                             is_place ? problem.what : problem.text()));
   }
   return loaded.mesh;
 }

@@ -62,7 +62,7 @@ class MeshStore {
   using Key = std::tuple<std::filesystem::path, double, UpAxis>;
   struct Loaded {
     std::shared_ptr<const Mesh> mesh;
-    std::string problem;
+    Error problem{};    ///< without a mesh
     bool told = false;  ///< the results below have been passed on
     Findings faults;
     std::vector<FileLookup> lookups;
