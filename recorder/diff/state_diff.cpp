@@ -1,6 +1,7 @@
 #include "recorder/diff/state_diff.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/base/hash.h"
 #include "core/session/message_folder.h"
@@ -56,11 +57,65 @@ class Fold {
   SessionState state_;
 };
 
+/// True for the same pose: a quaternion and its negative turn alike.
+bool isSamePose(const PoseValue& a, const PoseValue& b) {
+  const Quat& q = b.pose.orientation;
+  return a.carrier == b.carrier && a.pose.position == b.pose.position &&
+         (a.pose.orientation == q || a.pose.orientation == Quat(-q.w, -q.x, -q.y, -q.z));
+}
+
+bool isSameDevice(const DeviceState& a, const DeviceState& b) {
+  if (a == b) return true;
+  if (!a.pose || !b.pose || !isSamePose(a.pose->value, b.pose->value)) return false;
+  DeviceState turned = b;
+  turned.pose->value = a.pose->value;
+  return a == turned;
+}
+
+/// SessionState::sameAs(), but for the sign of quaternions.
+bool isSameState(const SessionState& a, const SessionState& b) {
+  if (a.sameAs(b)) return true;
+  const auto isSame = [](const auto& one, const auto& other) {
+    return one.first == other.first && isSameDevice(one.second, other.second);
+  };
+  return std::ranges::equal(a.devices(), b.devices(), isSame) && a.visibility() == b.visibility() &&
+         a.colors() == b.colors() && a.drawings() == b.drawings() && a.views() == b.views() &&
+         a.sources() == b.sources();
+}
+
+/// A line of SessionState::identityText(); of a pose's two quaternions the one whose last number
+/// that is not zero is positive.
+std::string withSignOfPose(std::string line) {
+  const std::size_t pose = line.find(" pose ");
+  if (pose == std::string::npos) return line;
+  std::vector<std::size_t> words;  // where DEVICE and its numbers begin
+  for (std::size_t at = pose + 5; at != std::string::npos; at = line.find(' ', at + 1)) {
+    words.push_back(at + 1);
+  }
+  constexpr std::size_t kNumbers = 8, kFirst = 4;
+  if (words.size() < kNumbers) return line;
+  const auto isZero = [&](std::size_t word) {
+    return std::strtod(line.c_str() + words[word], nullptr) == 0;
+  };
+  std::size_t last = kNumbers;
+  while (--last > kFirst && isZero(last)) {
+  }
+  if (line[words[last]] != '-') return line;
+  for (std::size_t word = kNumbers; word-- > kFirst;) {
+    if (line[words[word]] == '-') {
+      line.erase(words[word], 1);
+    } else if (!isZero(word)) {
+      line.insert(words[word], "-");
+    }
+  }
+  return line;
+}
+
 std::vector<std::string> sortedLines(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
+    lines.push_back(withSignOfPose(text.substr(at, end - at)));
     at = end + 1;
   }
   std::ranges::sort(lines);
@@ -97,14 +152,14 @@ Result<StateDiff> diffStates(LogReader& a, LogReader& b,
     if (Status folded = fold_a.fold(moment, told_a); !folded) return folded.error();
     if (Status folded = fold_b.fold(moment, told_b); !folded) return folded.error();
     // Equal states that fold equal messages stay equal.
-    if (!diff.differs && told_a != told_b && !fold_a.state().sameAs(fold_b.state())) {
+    if (!diff.differs && told_a != told_b && !isSameState(fold_a.state(), fold_b.state())) {
       diff.differs = true;
       diff.first = moment;
       describe(fold_a.state(), fold_b.state(), diff);
     }
     if (progress) progress(moment);
   }
-  diff.ends_differ = !fold_a.state().sameAs(fold_b.state());
+  diff.ends_differ = !isSameState(fold_a.state(), fold_b.state());
   return diff;
 }
 

@@ -159,6 +159,23 @@ TEST(LogDiff, StatesAreTheSameHoweverTheyWereTold) {
   EXPECT_FALSE(diff.state->differs);
 }
 
+TEST(LogDiff, AQuaternionAndItsNegativeAreOneState) {
+  const auto posed = [](const char* quaternion, const char* more = "") {
+    return std::string("RK1 arm 1 -\npose arm 1 2 3 ") + quaternion + more;
+  };
+  const std::vector<Given> a = {{1, posed("0 0 -0.6 0.8")}};
+  const LogDiff same = diffOf(a, {{1, posed("0 0 0.6 -0.8")}});
+  EXPECT_TRUE(same.payload->differs);
+  EXPECT_FALSE(same.state->differs || same.state->ends_differ);
+  EXPECT_TRUE(diffOf(a, {{1, posed("0 0 0.6 0.8")}}, DiffBy::state).state->differs);
+  EXPECT_TRUE(diffOf(a, {{1, posed("0 0 0.6 -0.8", " in cart")}}, DiffBy::state).state->differs);
+  // Nor is it named beside another difference.
+  const LogDiff other = diffOf(a, {{1, posed("0 0 0.6 -0.8", "\nhide arm")}}, DiffBy::state);
+  EXPECT_TRUE(other.state->differs);
+  EXPECT_THAT(other.state->only_a, IsEmpty());
+  EXPECT_THAT(other.state->only_b, testing::ElementsAre(HasSubstr("hide arm")));
+}
+
 TEST(LogDiff, OfRandomCutsCountsExactlyWhatWasTaken) {
   std::mt19937 random(3);
   for (int round = 0; round < 30; ++round) {
