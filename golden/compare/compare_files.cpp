@@ -5,6 +5,8 @@
 #include <new>
 #include <thread>
 
+#include "viewer/picture/exif_orientation.h"
+
 namespace rocinante {
 namespace {
 
@@ -26,6 +28,11 @@ void judge(const Tolerance& tolerance, const std::vector<MaskRectangle>& rectang
     result.notes.push_back(fmt::format("the frame is {}, the golden {}",
                                        frame.encoding.componentsText(),
                                        golden.encoding.componentsText()));
+  }
+  if (frame.orientation != golden.orientation) {
+    result.notes.push_back(fmt::format(
+        "EXIF orientation: viewers show the frame {}, the golden {}; pixels are compared as stored",
+        orientationText(frame.orientation), orientationText(golden.orientation)));
   }
   std::optional<PictureMask> mask;
   if (!rectangles.empty()) {

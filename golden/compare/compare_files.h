@@ -18,7 +18,8 @@ struct FilesComparison {
   std::optional<FinePicture> frame, golden;  ///< those that could be read
   std::optional<Picture> masked_frame;       ///< with the golden's pixels where masked
   std::vector<PictureMask::Part> masks;
-  /// Notes beside the verdict: different components, a mask that hides nothing.
+  /// Notes beside the verdict: different components or orientations, a mask that hides
+  /// nothing.
   std::vector<std::string> notes;
 
   /// True when both were read and have one shape.

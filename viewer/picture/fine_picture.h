@@ -27,6 +27,8 @@ struct PictureEncoding {
 struct FinePicture {
   Picture picture;  ///< as from readPicture()
   PictureEncoding encoding;
+  /// EXIF: how viewers show it (orientationText); the pixels are as stored.
+  int orientation = 1;
   /// RGBA of each pixel with the file's values (0..65535 for 16 bits; floats unchanged; missing
   /// alpha 1 or 65535; missing colours equal to grey) when the file has more than 8 bits; else
   /// empty.

@@ -237,6 +237,7 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, 
   out.bits = static_cast<int32_t>(spec.format.size() * 8);
   out.floating = spec.format.is_floating_point() ? 1 : 0;
   out.pictures = 1;
+  out.orientation = spec.get_int_attribute("Orientation", 1);
   bool done = false;
   if (spec.format.is_floating_point()) {
     done = readAs<float>(*input, OIIO::TypeDesc::FLOAT, with_samples, out);

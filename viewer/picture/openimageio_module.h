@@ -6,7 +6,7 @@
 // The C interface of librocinante_openimageio.so: the module is loaded with dlopen and shares no
 // C++ with the program. Functions are found by the names of their typedefs' comments.
 
-#define ROCINANTE_PICTURE_ABI 4
+#define ROCINANTE_PICTURE_ABI 5
 
 extern "C" {
 
@@ -15,12 +15,13 @@ typedef int (*RocinantePictureAbi)(void);
 
 struct RocinantePictureOut {
   int32_t width, height;
-  uint8_t* rgba;       ///< straight alpha, rows top to bottom; free with rocinante_picture_free
-  int32_t components;  ///< in the file, alpha among them
-  int32_t has_alpha;   ///< 1 when one of them is alpha
-  int32_t bits;        ///< of each in the file
-  int32_t floating;    ///< 1 when they are floating point numbers
-  int32_t pictures;    ///< 1, or 2 for more; only counted with samples
+  uint8_t* rgba;        ///< straight alpha, rows top to bottom; free with rocinante_picture_free
+  int32_t components;   ///< in the file, alpha among them
+  int32_t has_alpha;    ///< 1 when one of them is alpha
+  int32_t bits;         ///< of each in the file
+  int32_t floating;     ///< 1 when they are floating point numbers
+  int32_t pictures;     ///< 1, or 2 for more; only counted with samples
+  int32_t orientation;  ///< of EXIF or TIFF: 1 as stored, to 8
   /// When samples were requested and the file has more than 8 bits: RGBA of each pixel with the
   /// file's values, premultiplied if the file is; freed like `rgba`.
   float* samples;

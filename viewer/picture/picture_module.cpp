@@ -183,6 +183,7 @@ Result<FinePicture> readFineByModule(const fs::path& path, std::int64_t max_pixe
   FinePicture fine;
   fine.picture = answer.picture();
   fine.encoding = {answer.out.components, answer.out.bits, answer.out.floating != 0};
+  fine.orientation = answer.out.orientation;
   if (answer.out.samples != nullptr) {
     fine.samples.assign(answer.out.samples, answer.out.samples + answer.size());
     countNotFinite(fine);

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/base/atomic_file.h"
+#include "viewer/picture/exif_orientation.h"
 #include "viewer/picture/fine_picture.h"
 #include "viewer/picture/picture.h"
 #include "viewer/picture/plain_png.h"
@@ -116,6 +117,12 @@ Status checkPalette(ByteView bytes, const std::string& name) {
 }
 
 /// For judging, 16-bit pictures include their samples, and faults that decoders ignore are refused.
+int orientationOf(spng_ctx* context) {
+  spng_exif exif{};
+  if (spng_get_exif(context, &exif) != 0) return 1;
+  return exifOrientation({reinterpret_cast<const std::byte*>(exif.data), exif.length});
+}
+
 Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t max_pixels,
                            bool to_judge) {
   const auto refusal = [&](ErrorKind kind, std::string what) {
@@ -155,6 +162,7 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
   fine.encoding = {header.color_type == SPNG_COLOR_TYPE_TRUECOLOR ? 3 : 4, 8, false};
   if (plain && decodePlainPng(bytes, header.width, header.height, fine.encoding.components,
                               fine.picture.rgba)) {
+    if (to_judge) fine.orientation = orientationOf(context.get());
     return fine;
   }
   std::vector<std::uint16_t> wide(deep ? pixels * 4 : 0);
@@ -167,6 +175,7 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
   // Read to the end, so that the last checksums are checked too.
   if (const int end = spng_decode_chunks(context.get()); end != 0) return damaged(end);
   if (to_judge) {
+    fine.orientation = orientationOf(context.get());
     if (Status whole = checkWholePng(bytes, name); !whole) return whole.error();
     if (header.color_type == SPNG_COLOR_TYPE_INDEXED) {
       if (Status known = checkPalette(bytes, name); !known) return known.error();

@@ -11,6 +11,8 @@ png("other.png", 1, 1, 6, b"\0\x11\x20\x30\xff")
 png("rgb.png", 16, 16, 2, (b"\0" + b"\x50\x60\x70" * 16) * 16)
 png("linear.png", 16, 16, 2, (b"\0" + b"\x50\x60\x70" * 16) * 16, chunk(b"gAMA", struct.pack(">I", 100000)))
 png("clear.png", 16, 16, 2, (b"\0" + b"\x50\x60\x70" * 16) * 16, chunk(b"tRNS", struct.pack(">HHH", 0x50, 0x60, 0x70)))
+turn = b"MM\0*" + struct.pack(">IHHHIHHI", 8, 1, 0x112, 3, 1, 6, 0, 0)
+png("turned.png", 16, 16, 2, (b"\0" + b"\x50\x60\x70" * 16) * 16, chunk(b"eXIf", turn))
 def exr(name, value):
     def attribute(name, kind, content):
         return name + b"\0" + kind + b"\0" + struct.pack("<I", len(content)) + content
@@ -35,7 +37,7 @@ judge() { timeout 20 rocinante golden compare "$@" 2>&1 | sed '/^    |/d' && ech
 judge one.png one.png
 judge other.png one.png
 judge other.png one.png --tier cpu --quiet
-for other in linear clear; do judge $other.png rgb.png --quiet; done
+for other in linear clear turned; do judge $other.png rgb.png --quiet; done
 rocinante golden compare even.exr even.exr --quiet >said 2>&1 || true
 if grep -q 'without the OpenImageIO module' said; then
   echo "skipped: no OpenImageIO module"; exit 77
