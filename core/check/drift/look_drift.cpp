@@ -1,6 +1,7 @@
 #include "core/check/drift/look_drift.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,22 +27,57 @@ std::size_t trianglesOf(const Visual& visual) {
   return corners / 3;
 }
 
-/// The longest side of its mesh; 0 when it draws only some of it, or nothing.
-double lengthOf(const Visual& visual) {
-  if (visual.mesh == nullptr || visual.mesh->bounds.empty()) return 0;
-  if (partsOf(visual).size() != visual.mesh->parts.size()) return 0;
-  const Vec3 size = visual.mesh->bounds.max - visual.mesh->bounds.min;
-  return std::max({size.x, size.y, size.z});
+/// The sides of the box around what it draws, by its scale; zeros when it draws nothing.
+Vec3 sizeOf(const Visual& visual) {
+  Bounds bounds;
+  for (const std::size_t part : partsOf(visual)) {
+    const MeshPart& run = visual.mesh->parts[part];
+    for (std::size_t i = 0; i < run.index_count; ++i) {
+      bounds.add(Vec3(visual.mesh->vertices[visual.mesh->indices[run.first_index + i]].position));
+    }
+  }
+  if (bounds.empty()) return Vec3(0, 0, 0);
+  return glm::abs((bounds.max - bounds.min) * visual.scale);
 }
 
-/// ", 25.4 times as large" when the sizes differ; else empty.
+/// "200 x 200 x 500 mm".
+std::string sidesText(const Vec3& size) {
+  const bool is_large = std::max({size.x, size.y, size.z}) >= 10;
+  const Vec3 shown = is_large ? size : size * 1000.0;
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} {}", shown.x, shown.y, shown.z,
+                     is_large ? "m" : "mm");
+}
+
+/// "25.4 times as large", or both sizes when only some sides differ; empty when they are the same.
 std::string sizeText(const Visual& was, const Visual& is) {
-  const double before = lengthOf(was), after = lengthOf(is);
-  if (before <= 0 || after <= 0) return "";
-  const double ratio = after / before;
-  if (std::abs(ratio - 1) < 0.01) return "";
-  return ratio > 1 ? fmt::format(", {:.4g} times as large", ratio)
-                   : fmt::format(", {:.4g} times smaller", 1 / ratio);
+  const Vec3 before = sizeOf(was), after = sizeOf(is);
+  const double longest_before = std::max({before.x, before.y, before.z});
+  const double longest = std::max({after.x, after.y, after.z});
+  if (longest_before <= 0 || longest <= 0) return "";
+  const Vec3 off = glm::abs(after - before);
+  if (std::max({off.x, off.y, off.z}) < 1e-4 * longest_before) return "";
+  const double ratio = longest / longest_before;
+  const Vec3 rest = glm::abs(after - before * ratio);
+  const bool is_whole = std::max({rest.x, rest.y, rest.z}) < 1e-3 * longest;
+  if (!is_whole || std::abs(ratio - 1) < 0.01) {
+    return fmt::format("was {}, now {}", sidesText(before), sidesText(after));
+  }
+  return ratio > 1 ? fmt::format("{:.4g} times as large", ratio)
+                   : fmt::format("{:.4g} times smaller", 1 / ratio);
+}
+
+/// "group screw2 is gone", "groups a, b and 3 more are new"; empty without names.
+std::string groupsText(const std::vector<std::string>& names, std::string_view one,
+                       std::string_view several) {
+  constexpr std::size_t kMost = 4;
+  if (names.empty()) return "";
+  std::string list;
+  for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i) {
+    list += (i == 0 ? "" : ", ") + names[i];
+  }
+  if (names.size() > kMost) list += fmt::format(" and {} more", names.size() - kMost);
+  return names.size() == 1 ? fmt::format("group {} {}", list, one)
+                           : fmt::format("groups {} {}", list, several);
 }
 
 /// The material of each part that a visual draws.
@@ -147,8 +183,7 @@ std::string LookDrift::shapeDrift(const std::vector<Visual>& was, const std::vec
     const bool had = was[i].mesh != nullptr, has = is[i].mesh != nullptr;
     if (had != has) return has ? "has a mesh that was missing" : "lacks its mesh";
     if (had && shapeOf(was[i]) != shapeOf(is[i])) {
-      return fmt::format("has a different shape: had {} triangles, now {}{}", trianglesOf(was[i]),
-                         trianglesOf(is[i]), sizeText(was[i], is[i]));
+      return "has a different shape: " + shapeText(was[i], is[i]);
     }
     const Vec3 &a = was[i].scale, &b = is[i].scale;
     if (!isSameNumber(a.x, b.x) || !isSameNumber(a.y, b.y) || !isSameNumber(a.z, b.z)) {
@@ -160,6 +195,46 @@ std::string LookDrift::shapeDrift(const std::vector<Visual>& was, const std::vec
     }
   }
   return "";
+}
+
+std::string LookDrift::shapeText(const Visual& was, const Visual& is) {
+  std::vector<std::string> texts;
+  const auto add = [&](std::string text) {
+    if (!text.empty()) texts.push_back(std::move(text));
+  };
+  const auto groupsOf = [&](const Visual& visual) {
+    std::map<std::string, std::vector<Digest>> groups;
+    for (const std::size_t part : partsOf(visual)) {
+      const std::string& group = visual.mesh->parts[part].group;
+      if (!group.empty()) groups[group].push_back(partOf(*visual.mesh, part));
+    }
+    return groups;
+  };
+  const auto before = groupsOf(was), after = groupsOf(is);
+  std::vector<std::string> gone, added, changed;
+  for (const auto& [group, digests] : before) {
+    const auto now = after.find(group);
+    if (now == after.end()) {
+      gone.push_back(group);
+    } else if (now->second != digests) {
+      changed.push_back(group);
+    }
+  }
+  for (const auto& [group, ignored] : after) {
+    if (!before.contains(group)) added.push_back(group);
+  }
+  add(groupsText(gone, "is gone", "are gone"));
+  add(groupsText(added, "is new", "are new"));
+  // When all have changed, the whole has: its size follows.
+  if (changed.size() < before.size()) {
+    add(groupsText(changed, "has a different shape", "have different shapes"));
+  }
+  if (trianglesOf(was) != trianglesOf(is)) {
+    add(fmt::format("had {} triangles, now {}", trianglesOf(was), trianglesOf(is)));
+  }
+  add(sizeText(was, is));
+  if (texts.empty()) texts.emplace_back("points have moved within the same size");
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 void LookDrift::compareMaterials(const Visual& was, const Visual& is, const std::string& name,

@@ -27,6 +27,8 @@ class LookDrift {
   /// The difference between two lists of visuals, as the end of a message; empty when there is
   /// none.
   std::string shapeDrift(const std::vector<Visual>& was, const std::vector<Visual>& is);
+  /// How two meshes differ: groups of an OBJ, triangles, size.
+  std::string shapeText(const Visual& was, const Visual& is);
   /// `color_told`: a changed colour is already reported.
   void compareMaterials(const Visual& was, const Visual& is, const std::string& name,
                         bool color_told, DriftList& drift);

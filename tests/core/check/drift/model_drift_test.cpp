@@ -217,7 +217,13 @@ TEST(ModelDrift, FindsEachSmallChangeAndNothingElse) {
        "box size=\"1 1 1\"",
        "box size=\"1 1 1.5\"",
        {"drift.geometry"},
-       "1.5 times as large"},
+       "was 1000 x 1000 x 1000 mm, now 1000 x 1000 x 1500 mm"},
+      {"a box larger all round",
+       "arm.urdf",
+       "box size=\"1 1 1\"",
+       "box size=\"2 2 2\"",
+       {"drift.geometry"},
+       "different shape: 2 times as large"},
       {"a mesh in inches",
        "arm.urdf",
        "scale=\"1 1 1\"",
@@ -248,7 +254,13 @@ TEST(ModelDrift, FindsEachSmallChangeAndNothingElse) {
        "v 0 1 0",
        "v 0 1.001 0",
        {"drift.geometry"},
-       "had 2 triangles, now 2"},
+       "was 1000 x 1000 x 1000 mm, now 1000 x 1001 x 1000 mm"},
+      {"a vertex moved inside",
+       "part.obj",
+       "v 0 1 0",
+       "v 0.5 1 0",
+       {"drift.geometry"},
+       "points have moved within the same size"},
       {"a face gone", "part.obj", "f 1 2 4\n", "", {"drift.geometry"}, "had 2 triangles, now 1"},
       {"a mesh in millimetres",
        "part.obj",
@@ -438,6 +450,24 @@ TEST(ModelDrift, ARealRobotHasNotDriftedFromItself) {
   const Result<Cell> kuka = loadCell(test::sharedData("robots/kuka_iiwa/model.urdf"), options);
   ASSERT_TRUE(kuka.ok());
   EXPECT_GT(modelDrift(*a, *kuka).size(), 1U);
+}
+
+TEST(ModelDrift, NamesTheGroupsOfAMeshThatChanged) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const std::string screw1 = "g screw1\nf 1 2 3\n", screw2 = "g screw2\nf 1 2 4\n";
+  Files was = soundFiles(), is = soundFiles();
+  was["part.obj"] = points + screw1 + screw2;
+  is["part.obj"] = points + screw1;
+  const auto only = [&] {
+    const Findings found = driftBetween(was, is);
+    return found.size() == 1 ? found[0].text : std::to_string(found.size()) + " findings";
+  };
+  EXPECT_THAT(only(), HasSubstr("link upper of arm has a different shape: group screw2 is gone, "
+                                "had 2 triangles, now 1"));
+  is["part.obj"] = points + screw1 + "g screw2\nf 1 3 4\n";
+  EXPECT_THAT(only(), HasSubstr("shape: group screw2 has a different shape"));
+  is["part.obj"] = points + screw1 + screw2 + "g nut\nf 2 3 4\n";
+  EXPECT_THAT(only(), HasSubstr("shape: group nut is new"));
 }
 
 }  // namespace
