@@ -8,12 +8,14 @@
 #include <thread>
 #include <tuple>
 
+#include "core/base/plain_text.h"
 #include "golden/command/compare_command.h"
 #include "golden/command/report_output.h"
 #include "golden/command/report_sessions.h"
 #include "golden/judge/housekeeping.h"
 #include "golden/judge/suite_jobs.h"
 #include "golden/judge/suite_runs.h"
+#include "golden/report/cause_groups.h"
 #include "golden/report/report.h"
 #include "golden/report/report_runs.h"
 #include "golden/suite/suite_neighbours.h"
@@ -26,8 +28,18 @@
 namespace rocinante {
 namespace {
 
-void printFrame(const JudgedFrame& judged) {
-  fmt::print("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, judged.rule);
+std::string frameText(const JudgedFrame& judged, const std::string& rule) {
+  return fmt::format("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, rule);
+}
+
+void printFailures(const std::vector<JudgedFrame>& frames) {
+  for (const CauseGroup& group : causeGroups(frames)) {
+    if (!group.sentence.empty()) fmt::print("{}\n", plainText(group.sentence));
+    for (const std::string& cause : group.also) fmt::print("    {}\n", plainText(cause));
+    for (const JudgedFrame* const judged : group.frames) {
+      fmt::print("{}", frameText(*judged, plainText(ruleText(group, *judged))));
+    }
+  }
 }
 
 std::vector<std::string> notesOf(const SuiteSession& session, const FrameSelection& selection,
@@ -74,7 +86,8 @@ SuiteReport reportOf(const SuiteSession& session, const SuiteArguments& argument
   return report;
 }
 
-/// Prints why and where each frame failed; reasons come first because a map fills a screen.
+/// Prints all that is known of why and where each frame failed; the reasons come first because a
+/// map fills a screen.
 void printWhy(const std::vector<JudgedFrame>& frames) {
   for (const JudgedFrame& judged : frames) {
     if (judged.why) {
@@ -98,14 +111,27 @@ Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bo
   JobOptions options;
   options.jobs = jobs > 0 ? jobs : usefulJobs(frames, std::thread::hardware_concurrency());
   options.stop = cli::stopRequested;
-  if (!quiet) options.tell = printFrame;
+  // Frames that are not fine are printed below their cause, once it is known.
+  std::vector<std::string> failed;
+  options.tell = [&](const JudgedFrame& judged) {
+    if (quiet) return;
+    if (isFine(judged.verdict)) {
+      fmt::print("{}", frameText(judged, judged.rule));
+    } else {
+      failed.push_back(frameText(judged, judged.rule));
+    }
+  };
   if (progress) {
     options.progress = [](std::size_t done, std::size_t of) {
       fmt::print(stderr, "\r{}/{} ", done, of);
       if (done == of) fmt::print(stderr, "\r              \r");
     };
   }
-  return judgeAll(session, options);
+  auto judged = judgeAll(session, options);
+  if (!judged.ok()) {
+    for (const std::string& line : failed) fmt::print("{}", line);
+  }
+  return judged;
 }
 
 }  // namespace
@@ -119,6 +145,8 @@ CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
                    "drawing processes; 0: chosen from the frames and processors")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
+  command->add_flag("-v,--verbose", arguments.verbose,
+                    "print why each frame differs link by link, and a map of where");
   addReportFiles(*command, arguments.files);
   auto* pages =
       command
@@ -147,6 +175,11 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   auto judged = judgeFrames(*session, arguments.jobs, quiet);
   if (!judged.ok()) return judged.error();
   report.frames = std::move(*judged);
+  FrameExplainer explainer(*session, arguments.suite.suite, *options);
+  const Status explained = explainFailures(explainer, report.frames);
+  if (!quiet) printFailures(report.frames);
+  if (!explained) return explained.error();
+  if (!quiet && arguments.verbose) printWhy(report.frames);
   AcceptedCells cells(*session, *options);
   auto runs =
       judgeRuns(*session, {cli::stopRequested, steadyMs, TrackCache::ofUser(),
@@ -166,15 +199,10 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   }
   report.notes = notesOf(*session, options->selection, report.frames);
   report.renderer = rendererOfRun(report.frames);
-  FrameExplainer explainer(*session, arguments.suite.suite, *options);
-  if (auto explained = explainFailures(explainer, report.frames); !explained) {
-    return explained.error();
-  }
   if (arguments.pages) {
     Status added = addSessionPages(*session, arguments.suite, arguments.viewer, report);
     if (!added) return added.error();
   }
-  if (!quiet) printWhy(report.frames);
   if (!arguments.files.folder.empty() && std::ranges::any_of(report.frames, canApprove)) {
     const auto cell = collectSessionCell(*session, *options);
     if (cell.ok()) report.cell_files = hashesOf(*cell);

@@ -11,6 +11,7 @@ namespace rocinante {
 struct RunArguments {
   SuiteArguments suite;
   ReportFiles files;
+  bool verbose = false;          ///< links, figures and maps of each frame
   bool pages = false;            ///< of the sessions, beside the report
   std::filesystem::path viewer;  ///< folder of what they are made of; empty: the installed one
   int jobs = 1;                  ///< 0: by the number of frames and processors

@@ -7,6 +7,7 @@
 #include "core/base/atomic_file.h"
 #include "core/report/json_text.h"
 #include "core/report/junit.h"
+#include "golden/report/cause_groups.h"
 #include "golden/report/report_runs.h"
 #include "golden/why/frame_why.h"
 
@@ -32,11 +33,14 @@ Json whyJsonOf(const FrameWhy& why) {
   for (const StateChange& change : why.state) {
     state.push_back({{"item", change.item}, {"text", change.text}});
   }
-  return {{"estimated", why.basis == GoldenBasis::guessed},
-          {"differing", why.blame.differing},
-          {"links", links},
-          {"state", state},
-          {"files", why.files}};
+  Json json = {{"causes", why.causes},
+               {"estimated", why.basis == GoldenBasis::guessed},
+               {"differing", why.blame.differing},
+               {"links", links},
+               {"state", state},
+               {"files", why.files}};
+  if (!why.common_cause.empty()) json["common_cause"] = why.common_cause;
+  return json;
 }
 
 Json frameJson(const JudgedFrame& judged) {
@@ -97,7 +101,8 @@ Json frameJson(const JudgedFrame& judged) {
   return frame;
 }
 
-JunitCase junitCase(const SuiteReport& report, const JudgedFrame& judged) {
+JunitCase junitCase(const SuiteReport& report, const std::vector<CauseGroup>& groups,
+                    const JudgedFrame& judged) {
   JunitCase test;
   test.classname = report.suite;
   test.name = judged.frame.name;
@@ -115,7 +120,9 @@ JunitCase junitCase(const SuiteReport& report, const JudgedFrame& judged) {
   if (isFine(judged.verdict)) return test;
   test.outcome = judged.verdict == FrameVerdict::incomparable ? JunitCase::Outcome::error
                                                               : JunitCase::Outcome::failure;
-  test.message = fmt::format("{}: {}", nameOf(judged.verdict), judged.rule);
+  const std::string cause = causeSentence(groups, judged);
+  test.message = fmt::format("{}: {}", nameOf(judged.verdict), cause.empty() ? judged.rule : cause);
+  if (!cause.empty()) test.text += judged.rule + "\n";
   if (judged.why) {
     for (const std::string& line : whyLines(*judged.why)) test.text += line + "\n";
   }
@@ -186,7 +193,10 @@ std::string reportJson(const SuiteReport& report) {
 std::string reportJunit(const SuiteReport& report) {
   JunitSuite suite;
   suite.name = report.suite;
-  for (const JudgedFrame& judged : report.frames) suite.cases.push_back(junitCase(report, judged));
+  const std::vector<CauseGroup> groups = causeGroups(report.frames);
+  for (const JudgedFrame& judged : report.frames) {
+    suite.cases.push_back(junitCase(report, groups, judged));
+  }
   for (const JudgedRun& run : report.runs) suite.cases.push_back(junitRun(report.suite, run));
   return junitXml(suite);
 }

@@ -15,6 +15,7 @@
 #include "core/base/version.h"
 #include "core/check/reports/report_formats.h"
 #include "core/report/json_text.h"
+#include "golden/report/cause_groups.h"
 #include "golden/report/difference_sheet.h"
 #include "golden/report/report_runs.h"
 #include "golden/why/frame_why.h"
@@ -32,9 +33,11 @@ constexpr std::array kFailures = {
 
 std::string ruleOf(FrameVerdict verdict) { return "golden." + std::string(nameOf(verdict)); }
 
-/// The rule that decided and the explanation, as lines.
-std::string failureText(const JudgedFrame& judged) {
-  std::string text = plainText(judged.frame.name + ": " + judged.rule);
+/// The cause, the rule that decided and the explanation, as lines.
+std::string failureText(const std::vector<CauseGroup>& groups, const JudgedFrame& judged) {
+  std::string text = plainText(causeSentence(groups, judged));
+  if (!text.empty()) text += "\n";
+  text += plainText(judged.frame.name + ": " + judged.rule);
   if (judged.why) {
     for (const std::string& line : whyLines(*judged.why)) text += "\n" + plainText(line);
   }
@@ -109,14 +112,43 @@ void addRunsMarkdown(const SuiteReport& report, std::string& text) {
   }
 }
 
-Json frameResult(const SuiteReport& report, const JudgedFrame& judged) {
+/// A table for each cause, and the explanation of its first frame.
+void addFramesMarkdown(const SuiteReport& report, std::string& text) {
+  for (const CauseGroup& group : causeGroups(report.frames)) {
+    if (!group.sentence.empty()) {
+      std::string sentence = markdownText(group.sentence);
+      sentence.front() = 'I';  // "in"
+      text += fmt::format("**{}**\n\n", sentence);
+    }
+    for (const std::string& cause : group.also) text += fmt::format("- {}\n", markdownText(cause));
+    if (!group.also.empty()) text += "\n";
+    text += "| frame | verdict | rule |\n|---|---|---|\n";
+    for (const JudgedFrame* const judged : group.frames) {
+      text += fmt::format("| {} | {} | {} |\n", markdownText(judged->frame.name),
+                          nameOf(judged->verdict), markdownText(ruleText(group, *judged)));
+    }
+    text += "\n";
+    for (const JudgedFrame* const judged : group.frames) {
+      if (!judged->why) continue;
+      text += fmt::format("**Why {} changed**\n\n", markdownText(judged->frame.name));
+      for (const std::string& line : whyLines(*judged->why)) {
+        text += fmt::format("- {}\n", markdownText(line));
+      }
+      text += "\n";
+      if (!group.sentence.empty()) break;
+    }
+  }
+}
+
+Json frameResult(const SuiteReport& report, const std::vector<CauseGroup>& groups,
+                 const JudgedFrame& judged) {
   Json result;
   result["ruleId"] = ruleOf(judged.verdict);
   for (std::size_t i = 0; i < kFailures.size(); ++i) {
     if (kFailures[i].first == judged.verdict) result["ruleIndex"] = i;
   }
   result["level"] = "error";
-  result["message"]["text"] = failureText(judged);
+  result["message"]["text"] = failureText(groups, judged);
   Json location;
   location["physicalLocation"]["artifactLocation"]["uri"] = uriOf(report.suite);
   location["physicalLocation"]["region"]["startLine"] = std::max(judged.frame.line, 1);
@@ -183,8 +215,9 @@ std::string reportSarif(const SuiteReport& report) {
   run["invocations"] = Json::array({invocation});
   run["columnKind"] = "unicodeCodePoints";
   run["results"] = Json::array();
+  const std::vector<CauseGroup> groups = causeGroups(report.frames);
   for (const JudgedFrame& judged : report.frames) {
-    if (!isFine(judged.verdict)) run["results"].push_back(frameResult(report, judged));
+    if (!isFine(judged.verdict)) run["results"].push_back(frameResult(report, groups, judged));
   }
   for (const JudgedRun& judged : report.runs) {
     if (!isFine(judged.verdict)) run["results"].push_back(runResult(report, judged));
@@ -198,9 +231,10 @@ std::string reportSarif(const SuiteReport& report) {
 
 std::string reportGithub(const SuiteReport& report) {
   std::string text;
+  const std::vector<CauseGroup> groups = causeGroups(report.frames);
   for (const JudgedFrame& judged : report.frames) {
     if (isFine(judged.verdict)) continue;
-    const std::string title = ruleOf(judged.verdict), what = failureText(judged);
+    const std::string title = ruleOf(judged.verdict), what = failureText(groups, judged);
     text += githubCommand({"error", report.suite, judged.frame.line, 0, title, what});
   }
   for (const JudgedRun& run : report.runs) {
@@ -226,23 +260,7 @@ std::string reportMarkdown(const SuiteReport& report, const std::string& page) {
   }
   text += "\n\n";
   addRunsMarkdown(report, text);
-  if (fine < report.frames.size()) {
-    text += "| frame | verdict | rule |\n|---|---|---|\n";
-    for (const JudgedFrame& judged : report.frames) {
-      if (isFine(judged.verdict)) continue;
-      text += fmt::format("| {} | {} | {} |\n", markdownText(judged.frame.name),
-                          nameOf(judged.verdict), markdownText(judged.rule));
-    }
-    text += "\n";
-    for (const JudgedFrame& judged : report.frames) {
-      if (isFine(judged.verdict) || !judged.why) continue;
-      text += fmt::format("**Why {} changed**\n\n", markdownText(judged.frame.name));
-      for (const std::string& line : whyLines(*judged.why)) {
-        text += fmt::format("- {}\n", markdownText(line));
-      }
-      text += "\n";
-    }
-  }
+  addFramesMarkdown(report, text);
   if (fine < report.frames.size() || fine_runs < report.runs.size()) {
     if (!page.empty()) text += sheetText(report, page);
     text += fmt::format("Repeat: {}\n\n", markdownCode(report.run_command));

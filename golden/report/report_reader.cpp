@@ -118,6 +118,8 @@ void readWhy(const ReportJson& entry, JudgedFrame& judged) {
     change.item = fieldOf<std::string>(item, "item");
     change.text = fieldOf<std::string>(item, "text");
   }
+  why->causes = textsOf(*found, "causes");
+  why->common_cause = fieldOf<std::string>(*found, "common_cause");
   judged.why = std::move(why);
 }
 

@@ -1,5 +1,6 @@
 #include "golden/why/explain_pictures.h"
 
+#include "golden/why/model_change.h"
 #include "golden/why/view_blame.h"
 
 namespace rocinante {
@@ -35,6 +36,7 @@ Result<FrameWhy> explainBoth(const Picture& golden, const DrawableSide& golden_s
       blameViews({golden, golden_identity->frame}, *golden_views, {frame, frame_identity->frame},
                  *frame_views, movedLinks(golden_moment, frame_moment));
   why.state = stateChanges(golden_moment, frame_moment, cameraName(frame_side));
+  findCauses({}, {}, why);
   return why;
 }
 
@@ -46,6 +48,7 @@ Result<FrameWhy> explainByGuess(const Picture& golden, const Picture& frame,
   if (!views.ok()) return views.error();
   FrameWhy why;
   why.blame = guessViews(golden, {frame, identity->frame}, *views, frame_side.drawer.cell());
+  findCauses({}, {}, why);
   return why;
 }
 

@@ -31,13 +31,13 @@ void explainRuns(const SuiteSession& session, const SuiteOptions& options,
       }
     }
     if (hashesOf(*today) == *before) continue;
-    run.changes =
-        modelChanges(*before, session.manifest().texts, *today, now ? *now : session.cell());
+    run.changes = textsOf(
+        modelChanges(*before, session.manifest().texts, *today, now ? *now : session.cell()));
     // What moves the model is a finding already.
     std::erase_if(run.changes, [&](const std::string& change) {
       return std::ranges::any_of(run.judgement.findings, [&](const RunFinding& finding) {
         return finding.kind == RunFinding::Kind::model &&
-               plainText(finding.what) == "model: " + change;
+               plainText(finding.what).starts_with("model: " + change);
       });
     });
   }

@@ -1,5 +1,6 @@
 #include "golden/why/file_change.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "core/base/plain_text.h"
@@ -13,7 +14,7 @@ std::string_view roleOf(const std::string& name) {
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   if (ending == ".mtl") return "materials";
   if (ending == ".toml") return "cell";
-  if (ending == ".urdf" || ending == ".sdf") return "kinematics";
+  if (ending == ".urdf" || ending == ".sdf") return "model";
   for (const char* picture :
        {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".tga", ".bmp", ".hdr"}) {
     if (ending == picture) return "texture";
@@ -22,6 +23,42 @@ std::string_view roleOf(const std::string& name) {
     if (ending == mesh) return "mesh";
   }
   return "file";
+}
+
+/// A text without its comments, each run of white space outside quotes as one space.
+std::string meaningOf(std::string_view text, bool is_xml) {
+  std::string meaning;
+  char quote = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quote == 0 && is_xml && text.substr(i).starts_with("<!--")) {
+      const std::size_t end = text.find("-->", i);
+      if (end == text.npos) return std::string(text);
+      i = end + 2;
+      continue;
+    }
+    if (quote == 0 && !is_xml && c == '#') {
+      i = std::min(text.find('\n', i), text.size()) - 1;
+      continue;
+    }
+    if (!is_xml && (c == '"' || c == '\'')) quote = quote == 0 ? c : quote == c ? '\0' : quote;
+    const bool is_space = c == ' ' || c == '\t' || c == '\r' || c == '\n';
+    if (quote != 0 || !is_space) {
+      meaning += c;
+    } else if (!meaning.empty() && meaning.back() != ' ') {
+      meaning += ' ';
+    }
+  }
+  if (meaning.ends_with(' ')) meaning.pop_back();
+  return meaning;
+}
+
+bool haveSameMeaning(const std::string& name, const std::string& golden, const std::string& frame,
+                     const FileTexts& texts) {
+  const auto before = texts.find(golden), now = texts.find(frame);
+  if (before == texts.end() || now == texts.end()) return false;
+  const bool is_xml = roleOf(name) == "model";
+  return meaningOf(before->second, is_xml) == meaningOf(now->second, is_xml);
 }
 
 }  // namespace
@@ -34,7 +71,7 @@ FileHashes hashesOf(const CellBundle& bundle) {
 
 bool isToldText(const std::string& name) {
   const std::string_view role = roleOf(name);
-  return role == "cell" || role == "kinematics" || role == "materials";
+  return role == "cell" || role == "model" || role == "materials";
 }
 
 FileTexts toldTexts(const CellBundle& bundle) {
@@ -49,26 +86,30 @@ FileTexts toldTexts(const CellBundle& bundle) {
   return texts;
 }
 
-std::vector<std::string> fileChanges(const FileHashes& golden, const FileHashes& frame) {
+std::vector<FileChange> fileChanges(const FileHashes& golden, const FileHashes& frame,
+                                    const FileTexts& texts) {
   FileHashes all = golden;
   all.insert(frame.begin(), frame.end());
-  std::vector<std::string> lines;
+  std::vector<FileChange> changes;
   for (const auto& [file, ignored] : all) {
     const auto before = golden.find(file);
     const auto now = frame.find(file);
     const std::string role(roleOf(file));
     // The manifest's text is untrusted.
     const std::string name = plainText(file);
+    const auto add = [&](const std::string& what) {
+      changes.push_back({name + ": the " + role + what, isToldText(file)});
+    };
     if (before == golden.end()) {
-      lines.push_back(name + ": the " + role + " is new");
+      add(" is new");
     } else if (now == frame.end()) {
-      lines.push_back(name + ": the " + role + " is no longer part of the cell");
-    } else if (before->second != now->second) {
-      lines.push_back(name + ": the " + role + (role.ends_with('s') ? " have" : " has") +
-                      " changed");
+      add(" is no longer part of the cell");
+    } else if (before->second != now->second &&
+               !haveSameMeaning(file, before->second, now->second, texts)) {
+      add(role.ends_with('s') ? " have changed" : " has changed");
     }
   }
-  return lines;
+  return changes;
 }
 
 }  // namespace rocinante

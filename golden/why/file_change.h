@@ -18,7 +18,13 @@ FileTexts toldTexts(const CellBundle& bundle);
 /// True for the name of a file whose text toldTexts() keeps.
 bool isToldText(const std::string& name);
 
-/// "textures/floor.png: the texture has changed", one per file, sorted by name.
-std::vector<std::string> fileChanges(const FileHashes& golden, const FileHashes& frame);
+struct FileChange {
+  std::string text;      ///< "textures/floor.png: the texture has changed"
+  bool is_told = false;  ///< isToldText(): what changed in it is known where its text is
+};
+/// One per file, sorted by name. `texts` by hash; a text that differs only in comments and white
+/// space has not changed.
+std::vector<FileChange> fileChanges(const FileHashes& golden, const FileHashes& frame,
+                                    const FileTexts& texts = {});
 
 }  // namespace rocinante

@@ -1,10 +1,13 @@
 #include "golden/why/frame_explainer.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/bundle/attached_cell.h"
+#include "core/bundle/cell_folder.h"
 #include "core/log/log_reader.h"
 #include "golden/compare/pixel_difference.h"
+#include "golden/why/golden_texts.h"
 #include "golden/why/model_change.h"
 
 namespace rocinante {
@@ -66,6 +69,10 @@ SuiteSession* FrameExplainer::opened(Candidate& candidate) {
     auto session = SuiteSession::open(suite_file_, candidate.options);
     if (session.ok()) candidate.session = std::make_unique<SuiteSession>(std::move(*session));
     candidate.is_unusable = !candidate.session;
+    if (candidate.session) {
+      auto bundle = collectSessionCell(*candidate.session, candidate.options);
+      if (bundle.ok()) candidate.bundle = std::move(*bundle);
+    }
   }
   return candidate.session.get();
 }
@@ -84,15 +91,76 @@ Result<FrameExplainer::Found> FrameExplainer::findGolden(const JudgedFrame& judg
     const FrameRequest request = session->request(*frame);
     const auto drawn = (*drawer)->frame(request);
     if (drawn.ok() && pictureXxh3(*drawn) == judged.golden->pixels) {
-      return Found{&candidate, request, GoldenBasis::redrawn};
+      return Found{*drawer, &candidate, request, GoldenBasis::redrawn};
     }
     const bool is_its = session->sessionHash() == judged.golden->session &&
-                        (*drawer)->inputsHash() == judged.golden->inputs;
-    if (drawn.ok() && is_its && best.candidate == nullptr) {
-      best = {&candidate, request, GoldenBasis::inputs};
+                        (*drawer)->inputsHash() == judged.golden->inputs &&
+                        hasFilesOf(candidate, *judged.golden);
+    if (drawn.ok() && is_its && best.drawer == nullptr) {
+      best = {*drawer, &candidate, request, GoldenBasis::inputs};
     }
   }
-  return best;
+  if (best.drawer != nullptr) return best;
+  return findRebuilt(judged);
+}
+
+bool FrameExplainer::hasFilesOf(const Candidate& candidate, const AcceptedPicture& golden) const {
+  const FileHashes* const before = now_.manifest().cellOf(golden);
+  if (before == nullptr || !candidate.bundle) return true;
+  // By content: an attached cell may have other folders.
+  const auto contentsOf = [](const FileHashes& files) {
+    std::multiset<std::string> contents;
+    for (const auto& [name, hash] : files) contents.insert(hash);
+    return contents;
+  };
+  return contentsOf(*before) == contentsOf(hashesOf(*candidate.bundle));
+}
+
+FrameExplainer::Rebuilt* FrameExplainer::rebuilt(const AcceptedPicture& golden) {
+  const auto [place, is_new] = rebuilt_.try_emplace(golden.cell);
+  Rebuilt& its = place->second;
+  const FileHashes* const before = now_.manifest().cellOf(golden);
+  if (is_new && before != nullptr && bundleToday() != nullptr) {
+    const GoldenTexts put_back(*bundleToday(), *before, now_.manifest().texts);
+    if (put_back.any() && put_back.unknown() == 0) {
+      CellOptions options;
+      options.parallel = options_.parallel;
+      auto cell = loadBundle(*bundleToday(), "", options);
+      if (cell.ok()) its.cell = std::move(*cell);
+    }
+  }
+  return its.cell ? &its : nullptr;
+}
+
+Result<FrameExplainer::Found> FrameExplainer::findRebuilt(const JudgedFrame& judged) {
+  Rebuilt* const its = options_.drawers ? nullptr : rebuilt(*judged.golden);
+  if (its == nullptr) return Found{};
+  std::vector<const SuiteSession*> sessions = {&now_};
+  for (const Candidate& candidate : candidates_) {
+    if (candidate.session) sessions.push_back(candidate.session.get());
+  }
+  for (const SuiteSession* session : sessions) {
+    if (session->sessionHash() != judged.golden->session) continue;
+    const auto& frames = session->allFrames();
+    const auto frame = std::ranges::find(frames, judged.frame.name, &SuiteFrame::name);
+    if (frame == frames.end() || !frame->time) continue;
+    const std::optional<std::filesystem::path> log =
+        session->log() == nullptr ? std::nullopt : std::optional(session->log()->log);
+    std::unique_ptr<FrameDrawer>& drawer = its->drawers[log.value_or("").string()];
+    if (!drawer) {
+      auto made = sceneDrawers(*its->cell, log)();
+      if (!made.ok()) return made.error();
+      drawer = std::move(*made);
+    }
+    const FrameRequest request = session->request(*frame);
+    const auto drawn = drawer->frame(request);
+    if (!drawn.ok()) continue;
+    const bool is_redrawn = pictureXxh3(*drawn) == judged.golden->pixels;
+    if (!is_redrawn && drawer->inputsHash() != judged.golden->inputs) continue;
+    return Found{drawer.get(), nullptr, request,
+                 is_redrawn ? GoldenBasis::redrawn : GoldenBasis::inputs};
+  }
+  return Found{};
 }
 
 CellBundle* FrameExplainer::bundleToday() {
@@ -105,20 +173,22 @@ CellBundle* FrameExplainer::bundleToday() {
   return bundle_today_ ? &*bundle_today_ : nullptr;
 }
 
-const std::vector<std::string>& FrameExplainer::changesSince(Candidate& candidate) {
+const ModelChanges& FrameExplainer::changesSince(Candidate& candidate) {
   if (!candidate.changes) {
     candidate.changes = modelChanges(candidate.session->cell(), now_.cell());
-    const auto before = collectSessionCell(*candidate.session, candidate.options);
-    if (before.ok() && bundleToday() != nullptr) {
-      for (std::string& line : fileChanges(hashesOf(*before), hashesOf(*bundleToday()))) {
-        candidate.changes->push_back(std::move(line));
+    if (candidate.bundle && bundleToday() != nullptr) {
+      FileTexts texts = toldTexts(*candidate.bundle);
+      texts.merge(toldTexts(*bundleToday()));
+      for (ModelChange& change :
+           changedFiles(hashesOf(*candidate.bundle), hashesOf(*bundleToday()), texts)) {
+        candidate.changes->push_back(std::move(change));
       }
     }
   }
   return *candidate.changes;
 }
 
-const std::vector<std::string>& FrameExplainer::changesSince(const AcceptedPicture& golden) {
+const ModelChanges& FrameExplainer::changesSince(const AcceptedPicture& golden) {
   const auto [place, is_new] = changes_.try_emplace(golden.cell);
   if (!is_new) return place->second;
   place->second = cellFaults(now_.cell());
@@ -128,6 +198,23 @@ const std::vector<std::string>& FrameExplainer::changesSince(const AcceptedPictu
   }
   return place->second;
 }
+
+namespace {
+
+/// The cameras that a frame is seen by.
+std::vector<std::string> camerasOf(const FrameDrawer& drawer, const FrameRequest& request) {
+  const Cell& cell = drawer.cell();
+  std::vector<std::string> cameras;
+  if (!request.camera.empty()) {
+    cameras.push_back(request.camera);
+  } else if (!cell.cameras.empty()) {
+    cameras.push_back(cell.cameras.front().name);
+  }
+  for (const CellInset& inset : cell.insets) cameras.push_back(inset.camera);
+  return cameras;
+}
+
+}  // namespace
 
 Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFrame& judged) {
   std::shared_ptr<const FrameWhy> nothing;
@@ -145,18 +232,20 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
   const DrawableSide today{**drawer, now_.request(judged.frame)};
   const auto golden = findGolden(judged);
   if (!golden.ok()) return golden.error();
-  if (golden->candidate == nullptr) {
-    auto why = explainByGuess(*judged.accepted, compared, today);
-    if (!why.ok()) return why.error();
-    why->files = changesSince(*judged.golden);
-    return std::make_shared<const FrameWhy>(std::move(*why));
-  }
-  const auto golden_drawer = golden->candidate->session->drawer();
-  if (!golden_drawer.ok()) return golden_drawer.error();
-  auto why = explainBoth(*judged.accepted, {**golden_drawer, golden->request}, compared, today);
+  auto why =
+      golden->drawer == nullptr
+          ? explainByGuess(*judged.accepted, compared, today)
+          : explainBoth(*judged.accepted, {*golden->drawer, golden->request}, compared, today);
   if (!why.ok()) return why.error();
   why->basis = golden->basis;
-  why->files = changesSince(*golden->candidate);
+  Candidate* candidate = nullptr;
+  for (Candidate& one : candidates_) {
+    if (&one == golden->candidate && hasFilesOf(one, *judged.golden)) candidate = &one;
+  }
+  const ModelChanges& changes =
+      candidate != nullptr ? changesSince(*candidate) : changesSince(*judged.golden);
+  why->files = textsOf(changes);
+  findCauses(changes, camerasOf(**drawer, today.request), *why);
   return std::make_shared<const FrameWhy>(std::move(*why));
 }
 

@@ -10,6 +10,7 @@
 #include "golden/judge/suite_session.h"
 #include "golden/why/explain_pictures.h"
 #include "golden/why/file_change.h"
+#include "golden/why/model_change.h"
 
 namespace rocinante {
 
@@ -18,8 +19,9 @@ namespace rocinante {
 Result<CellBundle> collectSessionCell(const SuiteSession& session, const SuiteOptions& options);
 
 /// Explains why frames of a suite differ from their goldens. It looks for the golden's own cell and
-/// session in the files named by the suite (when --cell or --log replace them) and in the cell
-/// attached to the log; they are used if they reproduce the accepted pixels. Not thread-safe.
+/// session in the files named by the suite (when --cell or --log replace them), in the cell
+/// attached to the log and in the texts of the cell that the manifest keeps; they are used if they
+/// reproduce the accepted pixels. Not thread-safe.
 class FrameExplainer {
  public:
   /// `session` is borrowed; it must have been opened from `suite_file` with `options`.
@@ -34,10 +36,17 @@ class FrameExplainer {
     SuiteOptions options;
     std::unique_ptr<SuiteSession> session;  ///< opened when first needed
     bool is_unusable = false;
-    std::optional<std::vector<std::string>> changes;  ///< of the model; on demand
+    std::optional<CellBundle> bundle;     ///< the session's cell; empty when it has faults
+    std::optional<ModelChanges> changes;  ///< of the model; on demand
+  };
+  /// Draws the cell that a golden was accepted with and a log.
+  struct Rebuilt {
+    std::optional<Cell> cell;
+    std::map<std::string, std::unique_ptr<FrameDrawer>> drawers;  ///< by the log's file
   };
   struct Found {
-    Candidate* candidate = nullptr;
+    FrameDrawer* drawer = nullptr;
+    const Candidate* candidate = nullptr;  ///< null: rebuilt
     FrameRequest request;
     GoldenBasis basis = GoldenBasis::guessed;
   };
@@ -45,8 +54,13 @@ class FrameExplainer {
   void findCandidates();
   SuiteSession* opened(Candidate& candidate);
   Result<Found> findGolden(const JudgedFrame& judged);
-  const std::vector<std::string>& changesSince(Candidate& candidate);
-  const std::vector<std::string>& changesSince(const AcceptedPicture& golden);
+  Result<Found> findRebuilt(const JudgedFrame& judged);
+  /// Null when its texts are not known, or are today's.
+  Rebuilt* rebuilt(const AcceptedPicture& golden);
+  /// Whether its cell has the files that the golden was accepted with; true when unknown.
+  bool hasFilesOf(const Candidate& candidate, const AcceptedPicture& golden) const;
+  const ModelChanges& changesSince(Candidate& candidate);
+  const ModelChanges& changesSince(const AcceptedPicture& golden);
   CellBundle* bundleToday();
 
   SuiteSession& now_;
@@ -55,8 +69,9 @@ class FrameExplainer {
   bool looked_ = false;
   std::vector<Candidate> candidates_;
   bool collected_ = false;
-  std::optional<CellBundle> bundle_today_;                   ///< empty when the cell has faults
-  std::map<std::string, std::vector<std::string>> changes_;  ///< by a golden's key of its cell
+  std::optional<CellBundle> bundle_today_;       ///< empty when the cell has faults
+  std::map<std::string, ModelChanges> changes_;  ///< by a golden's key of its cell
+  std::map<std::string, Rebuilt> rebuilt_;       ///< by the same
 };
 
 /// Explains failed frames, at most `most` of them.

@@ -22,12 +22,23 @@ struct FrameWhy {
   GoldenBasis basis = GoldenBasis::guessed;
   Blame blame;
   std::vector<StateChange> state;  ///< empty when guessed: the golden's session is unknown
-  std::vector<std::string> files;  ///< changed files of the model; lines of fileChanges()
+  std::vector<std::string> files;  ///< changes of the model, then its changed files: ModelChange
+  /// What made the picture differ, the likeliest first: changes of the model that this frame can
+  /// show, else of the session, else the links whose pixels differ. Set by findCauses().
+  std::vector<std::string> causes{};
+  /// causes[0] without figures that differ from frame to frame; empty: causes[0].
+  std::string common_cause{};
 };
+
+struct ModelChange;
+
+/// Sets `causes` and `common_cause`. `cameras`: those that the frame is seen by.
+void findCauses(const std::vector<ModelChange>& model, const std::vector<std::string>& cameras,
+                FrameWhy& why);
 
 /// A sentence about the reliability of the explanation.
 std::string_view sentenceOf(GoldenBasis basis);
-/// The explanation as lines of text, at most `rows` of each kind.
+/// The explanation as lines of text, causes before effects, at most `rows` of each kind.
 std::vector<std::string> whyLines(const FrameWhy& why, std::size_t rows = 6);
 
 }  // namespace rocinante

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/base/plain_text.h"
@@ -13,51 +15,96 @@
 namespace rocinante {
 namespace {
 
-void addTo(std::vector<std::string>& lines, std::vector<std::string> more) {
-  lines.insert(lines.end(), std::make_move_iterator(more.begin()),
-               std::make_move_iterator(more.end()));
+void addTo(ModelChanges& changes, ModelChanges more) {
+  changes.insert(changes.end(), std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
 }
 
-std::vector<std::string> driftLines(const Cell& golden, const Cell& now) {
-  std::vector<std::string> lines;
-  for (const Finding& finding : modelDrift(golden, now)) lines.push_back(plainText(finding.text));
-  return lines;
+ModelChange::Seen seenOf(std::string_view rule) {
+  if (rule == "drift.camera") return ModelChange::Seen::camera;
+  for (const std::string_view unseen : {"drift.collision", "drift.joint-limits", "drift.layer",
+                                        "drift.device-optional", "drift.model-removed"}) {
+    if (rule == unseen) return ModelChange::Seen::never;
+  }
+  return ModelChange::Seen::drawn;
+}
+
+/// Without what it would do to a replay: "...: everything attached to it would be drawn there".
+std::string withoutEffect(const std::string& text) {
+  const std::size_t colon = text.rfind(": ");
+  const bool is_effect =
+      colon != std::string::npos && text.find(" would ", colon) != std::string::npos;
+  return is_effect ? text.substr(0, colon) : text;
+}
+
+ModelChanges driftChanges(const Cell& golden, const Cell& now) {
+  ModelChanges changes;
+  for (const Finding& finding : modelDrift(golden, now)) {
+    changes.push_back(
+        {plainText(withoutEffect(finding.text)), finding.subject, seenOf(finding.rule)});
+  }
+  std::ranges::stable_partition(
+      changes, [](const ModelChange& change) { return change.seen != ModelChange::Seen::never; });
+  return changes;
 }
 
 }  // namespace
 
-std::vector<std::string> cellFaults(const Cell& cell) {
-  std::vector<std::string> lines;
+std::vector<std::string> textsOf(const ModelChanges& changes) {
+  std::vector<std::string> texts;
+  for (const ModelChange& change : changes) texts.push_back(change.text);
+  return texts;
+}
+
+ModelChanges cellFaults(const Cell& cell) {
+  ModelChanges changes;
   for (const Finding& fault : cell.faults) {
     if (fault.severity != Severity::error) continue;
     std::string place = fault.file.empty() ? "" : fault.file + ": ";
     if (fault.line > 0) place.insert(place.size() - 2, fmt::format(":{}", fault.line));
-    lines.push_back(plainText(place + fault.text));
+    changes.push_back({plainText(place + fault.text)});
   }
-  return lines;
+  return changes;
 }
 
-std::vector<std::string> modelChanges(const Cell& golden, const Cell& now) {
-  std::vector<std::string> lines = cellFaults(now);
-  addTo(lines, driftLines(golden, now));
-  return lines;
+ModelChanges changedFiles(const FileHashes& golden, const FileHashes& frame,
+                          const FileTexts& texts) {
+  ModelChanges changes;
+  for (FileChange& file : fileChanges(golden, frame, texts)) {
+    changes.push_back({std::move(file.text),
+                       {},
+                       file.is_told ? ModelChange::Seen::maybe : ModelChange::Seen::drawn});
+  }
+  std::ranges::stable_partition(
+      changes, [](const ModelChange& change) { return change.seen == ModelChange::Seen::drawn; });
+  return changes;
 }
 
-std::vector<std::string> modelChanges(const FileHashes& golden, const FileTexts& texts,
-                                      CellBundle& today, const Cell& now) {
-  std::vector<std::string> lines;
+ModelChanges modelChanges(const Cell& golden, const Cell& now) {
+  ModelChanges changes = cellFaults(now);
+  addTo(changes, driftChanges(golden, now));
+  return changes;
+}
+
+ModelChanges modelChanges(const FileHashes& golden, const FileTexts& texts, CellBundle& today,
+                          const Cell& now) {
+  ModelChanges changes;
   const FileHashes files_today = hashesOf(today);
+  FileTexts all_texts = toldTexts(today);
+  all_texts.insert(texts.begin(), texts.end());
   const GoldenTexts put_back(today, golden, texts);
   if (put_back.any()) {
     const auto before = loadBundle(today, "", {});
-    if (before.ok()) addTo(lines, driftLines(*before, now));
+    if (before.ok()) addTo(changes, driftChanges(*before, now));
   }
-  addTo(lines, fileChanges(golden, files_today));
+  addTo(changes, changedFiles(golden, files_today, all_texts));
   if (put_back.unknown() > 0) {
-    lines.push_back(
-        "changes in these texts are unknown: the golden was accepted before texts were kept");
+    changes.push_back(
+        {"changes in these texts are unknown: the golden was accepted before texts were kept",
+         {},
+         ModelChange::Seen::never});
   }
-  return lines;
+  return changes;
 }
 
 }  // namespace rocinante

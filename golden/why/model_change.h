@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,18 +10,37 @@
 
 namespace rocinante {
 
+/// A change of the model, as a sentence.
+struct ModelChange {
+  enum class Seen : std::uint8_t {
+    drawn,   ///< pictures can show it
+    camera,  ///< pictures of the camera `subject` can show it
+    maybe,   ///< a file changed in something that is not compared
+    never    ///< limits, collision shapes, layers
+  };
+  std::string text;
+  std::string subject{};  ///< the device, model or camera; empty: a file
+  Seen seen = Seen::drawn;
+};
+using ModelChanges = std::vector<ModelChange>;
+
 /// The drift.* findings of two cells, such as "joint elbow_joint of ur10 has moved by 20 mm", one
-/// sentence each, after the faults of `now` (cellFaults).
-std::vector<std::string> modelChanges(const Cell& golden, const Cell& now);
+/// sentence each, after the faults of `now` (cellFaults). What pictures never show comes last.
+ModelChanges modelChanges(const Cell& golden, const Cell& now);
 
 /// The same when only hashes of the golden's files and some of their texts are known, followed by
 /// the changed files (fileChanges): the golden's cell is rebuilt from those texts and `today`'s
 /// other files. `today` is `now` with its files; it is modified and restored. A line reports
 /// missing texts.
-std::vector<std::string> modelChanges(const FileHashes& golden, const FileTexts& texts,
-                                      CellBundle& today, const Cell& now);
+ModelChanges modelChanges(const FileHashes& golden, const FileTexts& texts, CellBundle& today,
+                          const Cell& now);
+/// fileChanges() as changes; `texts` as there.
+ModelChanges changedFiles(const FileHashes& golden, const FileHashes& frame,
+                          const FileTexts& texts);
 
 /// A cell's errors as printed by `check`: "arm.urdf:7: there is no file arm.stl".
-std::vector<std::string> cellFaults(const Cell& cell);
+ModelChanges cellFaults(const Cell& cell);
+
+std::vector<std::string> textsOf(const ModelChanges& changes);
 
 }  // namespace rocinante

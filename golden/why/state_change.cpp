@@ -114,8 +114,8 @@ class StateComparison {
 
  private:
   void add(std::string item, std::string text, std::optional<double> amount = {},
-           bool is_angle = false) {
-    changes_.push_back({std::move(item), std::move(text), amount, is_angle});
+           bool is_angle = false, std::string common = {}) {
+    changes_.push_back({std::move(item), std::move(text), amount, is_angle, std::move(common)});
   }
 
   static bool linkMoved(const PosedDevice& before, std::size_t there, const PosedDevice& now,
@@ -136,7 +136,7 @@ class StateComparison {
       add(now.name,
           fmt::format("{}: base moved by {:.{}f} m, turned by {:.2f}°", now.name, moved,
                       decimalsFor(moved), turned * kDegrees),
-          moved);
+          moved, false, now.name + " is in another place in the session");
     }
     if (before.model->file != now.model->file && before.model->name != now.model->name) {
       add(now.name,
@@ -160,7 +160,8 @@ class StateComparison {
         if (from == to) continue;
         const std::string item = fmt::format("{}/{}{}", now.name, its.name, components[i].suffix);
         add(item, fmt::format("{}: {}", item, fromToText(from, to, components[i].unit)),
-            std::abs(to - from), components[i].unit == "rad");
+            std::abs(to - from), components[i].unit == "rad",
+            fmt::format("joint {} of {} has other values in the session", its.name, now.name));
       }
     }
   }
@@ -206,7 +207,8 @@ class StateComparison {
         add(itemOf(key), itemOf(key) + ": only in the frame's session");
       } else if (found->second.text != drawing.text) {
         add(itemOf(key),
-            fmt::format("{}: \"{}\" -> \"{}\"", itemOf(key), found->second.text, drawing.text));
+            fmt::format("{}: \"{}\" -> \"{}\"", itemOf(key), found->second.text, drawing.text), {},
+            false, itemOf(key) + " has another text");
       } else if (!(found->second == drawing)) {
         add(itemOf(key), itemOf(key) + ": drawn differently");
       }
@@ -226,7 +228,7 @@ class StateComparison {
       const double moved = std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
       if (moved > 0) {
         add(item, fmt::format("{}: {} moved by {:.{}f} m", item, what, moved, decimalsFor(moved)),
-            moved);
+            moved, false, item + " has moved");
       }
     };
     compare("eye", before->eye, now->eye);

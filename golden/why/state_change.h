@@ -24,6 +24,7 @@ struct StateChange {
   /// Movement of a joint or base in rad or m; empty for other changes.
   std::optional<double> amount;
   bool is_angle = false;
+  std::string common{};  ///< `text` without figures; empty: it has none
 };
 
 /// The differences: devices in scene order, then drawings, then the named camera (empty: none).

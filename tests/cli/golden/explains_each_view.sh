@@ -54,11 +54,11 @@ TOML
 rocinante golden approve suite.toml -m first
 why() { sed -n '/^why/,/^    |/p' | grep -v '^    |' | sed 's/\(20 mm\):.*/\1/'; }
 echo "both sides are known:"
-rocinante golden run suite.toml --cell now/cell.toml --report report >run.txt || why <run.txt
+rocinante golden run suite.toml --cell now/cell.toml --report report --verbose >run.txt || why <run.txt
 grep -A6 '"device"' report/report.json | grep -E '"(inset|camera|kind)"' | sort | uniq -c
 echo "the same, in place:"
 cp now/arm.urdf then/
-rocinante golden run suite.toml >run.txt || why <run.txt
+rocinante golden run suite.toml --verbose >run.txt || why <run.txt
 echo "a golden that was accepted before texts were kept:"
 python3 - <<'PY'
 import json
@@ -66,4 +66,4 @@ manifest = json.load(open("goldens/manifest.json"))
 print(sorted(list(manifest["cells"].values())[0]), len(manifest.pop("texts")))
 json.dump(manifest, open("goldens/manifest.json", "w"))
 PY
-rocinante golden run suite.toml >run.txt || why <run.txt
+rocinante golden run suite.toml --verbose >run.txt || why <run.txt

@@ -59,7 +59,7 @@ echo '-- another box'
 box 0.6 0.3
 run --report report
 test -e report/unsaid.golden.png && test -e report/unsaid.difference.png && echo 'the report has both pictures'
-rocinante golden run suite.toml --only unsaid | grep -c 'box/body: .* differing pixels' || echo "exit $?"
+rocinante golden run suite.toml --only unsaid --verbose | grep -c 'box/body: .* differing pixels' || echo "exit $?"
 echo '-- approved here too'
 rocinante golden approve suite.toml --only unsaid -m 'a taller box' | tail -1
 grep -c '"picture": "unsaid' goldens/manifest.json

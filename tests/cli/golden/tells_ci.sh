@@ -33,7 +33,7 @@ for result in run["results"]:
     place = result["locations"][0]["physicalLocation"]
     print(result["ruleId"], run["tool"]["driver"]["rules"][result["ruleIndex"]]["id"],
           place["artifactLocation"]["uri"], place["region"]["startLine"],
-          result["message"]["text"].splitlines()[-1])
+          result["message"]["text"].splitlines()[0])
 PY
 rm -f page.md
 run --summary page.md >/dev/null || echo "exit $?"

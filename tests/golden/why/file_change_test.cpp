@@ -8,12 +8,35 @@ namespace {
 
 using testing::ElementsAre;
 
+std::vector<std::string> linesOf(const std::vector<FileChange>& changes) {
+  std::vector<std::string> lines;
+  for (const FileChange& change : changes) lines.push_back(change.text);
+  return lines;
+}
+
 TEST(FileChanges, NameWhatAFileIs) {
-  EXPECT_THAT(fileChanges({{"a.obj", "1"}, {"a.mtl", "1"}, {"t.PNG", "1"}, {"same.stl", "1"}},
-                          {{"a.obj", "2"}, {"a.mtl", "2"}, {"same.stl", "1"}, {"b.urdf", "1"}}),
-              ElementsAre("a.mtl: the materials have changed", "a.obj: the mesh has changed",
-                          "b.urdf: the kinematics is new",
-                          "t.PNG: the texture is no longer part of the cell"));
+  EXPECT_THAT(
+      linesOf(fileChanges({{"a.obj", "1"}, {"a.mtl", "1"}, {"t.PNG", "1"}, {"same.stl", "1"}},
+                          {{"a.obj", "2"}, {"a.mtl", "2"}, {"same.stl", "1"}, {"b.urdf", "1"}})),
+      ElementsAre("a.mtl: the materials have changed", "a.obj: the mesh has changed",
+                  "b.urdf: the model is new", "t.PNG: the texture is no longer part of the cell"));
+}
+
+TEST(FileChanges, ACommentIsNoChange) {
+  const FileTexts texts = {{"1", "<robot name=\"a\"><link name=\"x\"/></robot>"},
+                           {"2", "<robot name=\"a\"><!-- of 2026 --><link name=\"x\"/></robot>\n"},
+                           {"3", "<robot name=\"a\"><link name=\"y\"/></robot>"},
+                           {"4", "name = \"a # b\"\n"},
+                           {"5", "# of 2026\nname =  \"a # b\" # c"},
+                           {"6", "name = \"a # c\"\n"}};
+  const auto changed = [&](const char* file, const char* before, const char* now) {
+    return !fileChanges({{file, before}}, {{file, now}}, texts).empty();
+  };
+  EXPECT_FALSE(changed("a.urdf", "1", "2"));
+  EXPECT_TRUE(changed("a.urdf", "1", "3"));
+  EXPECT_TRUE(changed("a.urdf", "1", "unknown"));
+  EXPECT_FALSE(changed("cell.toml", "4", "5"));
+  EXPECT_TRUE(changed("cell.toml", "4", "6"));
 }
 
 }  // namespace
