@@ -11,6 +11,7 @@
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
 #include "core/base/shell_word.h"
+#include "golden/report/cause_groups.h"
 #include "golden/report/page_pictures.h"
 #include "golden/report/report_page.h"
 #include "golden/report/report_runs.h"
@@ -117,7 +118,8 @@ std::string toleranceText(const JudgedFrame& judged) {
   return judged.limit_from.empty() ? text : text + ", from " + judged.limit_from;
 }
 
-Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, PagePictures& pictures) {
+Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, const std::string& cause,
+                   PagePictures& pictures) {
   const SuiteFrame& frame = judged.frame;
   Json json = {{"name", frame.name},
                {"verdict", nameOf(judged.verdict)},
@@ -145,6 +147,7 @@ Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, PagePic
                        {"tile_over", found.worst_tile_over}};
   }
   if (judged.why) json["why"] = whyJson(*judged.why);
+  if (!cause.empty()) json["cause"] = cause;
   if (!judged.page.empty()) json["page"] = judged.page;
   const auto add = [&](const char* key, const std::string& own, const std::string& of_all) {
     const std::string& command = own.empty() ? of_all : own;
@@ -196,8 +199,11 @@ Json shownFirst(const SuiteReport& report) {
 
 /// Failures as text, for browsers without scripts.
 std::string plainHtml(const SuiteReport& report) {
-  std::string html = fmt::format("<p>{}: {}.</p>\n<ul>\n", nameOf(report.verdict()),
+  std::string html = fmt::format("<p>{}: {}.</p>\n", nameOf(report.verdict()),
                                  countText(report.frames.size(), "frame"));
+  const std::string cause = firstSentence(report);
+  if (!cause.empty()) html = fmt::format("<p>{}</p>\n", xmlText(cause)) + html;
+  html += "<ul>\n";
   for (const JudgedFrame& judged : report.frames) {
     if (isFine(judged.verdict)) continue;
     html += fmt::format("<li>{}: <b>{}</b>, {}</li>\n", xmlText(judged.frame.name),
@@ -245,12 +251,18 @@ std::string reportHtml(const SuiteReport& report) {
     counts[std::string(nameOf(verdict))] = report.count(verdict);
   }
   Json frames = Json::array();
+  for (const CauseGroup& group : causeGroups(report.frames)) {
+    for (const JudgedFrame* const judged : group.frames) {
+      frames.push_back(pageFrameJson(report, *judged, group.sentence, pictures));
+    }
+  }
   for (const JudgedFrame& judged : report.frames) {
-    frames.push_back(pageFrameJson(report, judged, pictures));
+    if (isFine(judged.verdict)) frames.push_back(pageFrameJson(report, judged, "", pictures));
   }
   const Json root = {
       {"verdict", nameOf(report.verdict())},
       {"title", report.suite},
+      {"cause", firstSentence(report)},
       {"counts", counts},
       {"environment", environmentJson(report)},
       {"notes", report.notes},

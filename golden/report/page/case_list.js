@@ -1,4 +1,4 @@
-// The cases in the suite's order. Small pictures are decoded when they come into view.
+// The frames by cause, then those that are fine, in the suite's order. Small pictures are decoded when they come into view.
 class CaseList {
   constructor(frames, store, chosen) {
     this.frames = frames;
@@ -21,13 +21,23 @@ class CaseList {
       button.addEventListener("click", () => chosen(index));
       return make("li", {}, button);
     });
-    find("cases").append(...this.items);
+    this.heads = new Map();
+    this.items.forEach((item, index) => {
+      const cause = frames[index].cause;
+      if (cause && !this.heads.has(cause)) {
+        this.heads.set(cause, make("li", { className: "cause", textContent: cause }));
+        find("cases").append(this.heads.get(cause));
+      }
+      find("cases").append(item);
+    });
   }
 
   filter(passes) {
     this.visible = this.frames.map((_, index) => index).filter((index) => passes(this.frames[index]));
     const visible = new Set(this.visible);
     this.items.forEach((item, index) => { item.hidden = !visible.has(index); });
+    const causes = new Set(this.visible.map((index) => this.frames[index].cause));
+    for (const [cause, head] of this.heads) head.hidden = !causes.has(cause);
     find("shown").textContent = `${this.visible.length} of ${this.frames.length} ${this.frames.length === 1 ? "frame" : "frames"} shown`;
   }
 

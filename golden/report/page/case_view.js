@@ -27,6 +27,8 @@ function showCase(frame) {
   find("case-name").textContent = frame.name;
   find("case-verdict").textContent = frame.verdict;
   find("case-verdict").className = "verdict " + frame.verdict;
+  find("case-cause").hidden = !frame.cause || frame.cause === find("cause").textContent;
+  find("case-cause").textContent = frame.cause ?? "";
   find("case-rule").textContent = frame.rule;
   pairs(find("facts-list"), [
     ["figures", figuresText(frame.figures)],

@@ -8,6 +8,8 @@
   find("verdict").textContent = report.verdict;
   find("verdict").classList.add(report.verdict);
   find("suite").textContent = report.title;
+  find("cause").hidden = !report.cause;
+  find("cause").textContent = report.cause;
   find("counts").append(...Object.entries(report.counts).filter(([, count]) => count > 0).map(([verdict, count]) =>
     make("li", {}, make("span", { className: "verdict " + verdict, textContent: grouped(count) }), " " + verdict)));
   pairs(find("environment-list"), report.environment.map((entry) => [entry.name, entry.value, entry.command]));

@@ -25,8 +25,10 @@ class Pane {
       context.beginPath();
       context.rect(from * width, 0, (until - from) * width, height);
       context.clip();
-      // Judged pixels stay squares when enlarged; pixels of a reduced picture may be smoothed.
-      context.imageSmoothingEnabled = is_reduced || transform.scale * ratio < 1;
+      // Judged pixels stay squares when enlarged by hand or by a whole number.
+      const scale = transform.scale * ratio;
+      const is_uneven = transform.fitted && !Number.isInteger(scale);
+      context.imageSmoothingEnabled = is_reduced || is_uneven || scale < 1;
       context.imageSmoothingQuality = "high";
       context.drawImage(image, Math.round(width / 2 + left * ratio), Math.round(height / 2 + top * ratio),
         Math.round(image.width * transform.scale * ratio), Math.round(image.height * transform.scale * ratio));

@@ -23,6 +23,7 @@ class Stage {
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.paused = this.calm.matches;
     new ResizeObserver(() => this.draw()).observe(this.element);
+    addEventListener("resize", () => this.draw());
     setInterval(() => {
       if (this.mode === "flicker" && !this.paused && !document.hidden) this.swap();
     }, Stage.flicker_ms);
@@ -113,9 +114,28 @@ class Stage {
     return frame ?? golden ?? thumbnail;
   }
 
+  // Panes side by side or below one another, whichever shows the pictures larger, and no larger than
+  // the pictures then are. On a narrow page only the width limits them.
+  layOut(size) {
+    const gap = 8, caption = 22, border = 2, least = 160, count = this.panes.length;
+    const main = find("case"), scrolls = getComputedStyle(main).overflowY === "auto";
+    const width = this.element.clientWidth;
+    const height = scrolls ? Math.max(least, main.clientHeight - this.element.offsetTop - 36) : Infinity;
+    const beside = Math.min(((width - (count - 1) * gap) / count - border) / size.width, (height - caption - border) / size.height);
+    const below = Math.min((width - border) / size.width,
+      ((height - (count - 1) * gap) / count - caption - border) / size.height);
+    const scale = Math.max(beside, below, 1 / 16);
+    this.element.style.gridAutoFlow = below > beside ? "row" : "column";
+    for (const { figure, canvas } of this.panes) {
+      figure.style.width = Math.floor(size.width * scale) + border + "px";
+      canvas.style.height = Math.floor(size.height * scale) + border + "px";
+    }
+  }
+
   draw() {
     if (!this.shown || this.panes.length === 0) return;
     const size = this.size();
+    this.layOut(size);
     const [first] = this.panes;
     if (this.transform.fitted) this.transform.fit(size.width, size.height, first.width, first.height);
     for (const pane of this.panes) {

@@ -10,7 +10,6 @@ class ViewTransform {
   fit(width, height, pane_width, pane_height) {
     this.fitted = true;
     this.scale = Math.min(pane_width / width, pane_height / height);
-    if (this.scale > 1) this.scale = Math.floor(this.scale);
     this.x = width / 2;
     this.y = height / 2;
   }
