@@ -47,7 +47,7 @@ TOML
 rocinante golden approve suite.toml -m first | tail -1
 # How many pixels differ is the renderer's.
 counted() { sed -E 's/[0-9][0-9,]* of [0-9][0-9,]* differing/N of M differing/g; s/[0-9][0-9,]* differing/N differing/g; s/\([-+]?[0-9.]+, [-+]?[0-9.]+\) px/(X, Y) px/'; }
-run() { { rocinante golden run suite.toml "$@" || echo "exit $?"; } | counted; }
+run() { { rocinante golden run "${suite:-suite.toml}" "$@" || echo "exit $?"; } | counted; }
 echo "one cause:"
 arm 0.52 0.1 0.9
 run --junit out.xml --sarif out.sarif --summary page.md --github
@@ -85,9 +85,31 @@ log = "session.mcap"
 goldens = "moments"
 [[case]]
 name = "moment"
-time = "2s"
+at = "2s"
 size = [96, 72]
 TOML
 rocinante golden approve moment.toml -m first 2>/dev/null | tail -1
 arm 0.50 0.1 0.5
-rocinante golden run moment.toml --log session.mcap 2>/dev/null | head -1
+suite=moment.toml; run --log session.mcap 2>/dev/null | sed -n 1p
+echo "the session, whose figures differ from frame to frame:"
+cp -r "$SRC/examples/demo/demo.cell.toml" "$SRC/examples/demo/arm" "$SRC/examples/demo"/*.urdf "$SRC/examples/demo"/*.obj \
+  "$SRC/examples/demo"/*.mtl "$SRC/examples/demo/textures" .
+rocinante log filter session.mcap --source gantry --source planner -o others.mcap >made.txt
+rocinante log cut session.mcap --until 13s -o begin.mcap >made.txt
+rocinante log merge begin.mcap others.mcap -o still.mcap >made.txt || true
+cat >demo.toml <<'TOML'
+format = 1
+cell = "demo.cell.toml"
+log = "session.mcap"
+goldens = "demo"
+[defaults]
+size = [96, 72]
+[[case]]
+name = "early"
+at = "14s"
+[[case]]
+name = "late"
+at = "15s"
+TOML
+rocinante golden approve demo.toml -m first | tail -1
+suite=demo.toml; run --log still.mcap 2>/dev/null
