@@ -7,6 +7,7 @@
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "golden/approval/approval.h"
+#include "golden/command/approve_run.h"
 #include "golden/report/report_artifact.h"
 #include "golden/why/file_change.h"
 
@@ -167,8 +168,15 @@ Result<cli::Exit> approveArtifact(const ApproveArguments& arguments, const Appro
   auto folder = GoldenFolder::of(*suite);
   if (!folder.ok()) return folder.error();
   ArtifactApprover approver(*suite, std::move(*folder), std::move(*manifest), *report, arguments);
-  std::size_t refused = 0;
+  std::size_t refused = 0, runs_approved = 0;
   for (const auto& [name, pixels] : list) {
+    const auto run = std::ranges::find(report->runs, name, &JudgedRun::name);
+    if (run != report->runs.end()) {
+      const auto approved = approveReportedRun(arguments, *run, pixels);
+      if (!approved.ok()) cli::warn(approved.error().text());
+      ++(approved.ok() ? runs_approved : refused);
+      continue;
+    }
     const Status done = approver.approve(name, pixels);
     if (approver.unwritten()) return *approver.unwritten();
     if (done) continue;
@@ -181,7 +189,7 @@ Result<cli::Exit> approveArtifact(const ApproveArguments& arguments, const Appro
   const auto told = approver.commit(refused);
   if (!told.ok()) return told.error();
   for (const std::string& name : *told) fmt::print("approved {}\n", name);
-  fmt::print("{} approved, {} refused; goldens in {}\n", told->size(), refused,
+  fmt::print("{} approved, {} refused; goldens in {}\n", told->size() + runs_approved, refused,
              suite->goldens.lexically_normal().string());
   return refused > 0 ? cli::Exit::no : cli::Exit::done;
 }

@@ -228,7 +228,7 @@ CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
   command->add_option("-m,--message", arguments.message, "why; kept in the manifest")->required();
   command
       ->add_option("--from", arguments.from,
-                   "only frames of this list whose pixels match it (as copied from the report)")
+                   "only frames and runs of this list that match it (as copied from the report)")
       ->type_name("LIST");
   CLI::Option* const artifact =
       command
@@ -252,11 +252,9 @@ CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
           ->excludes(artifact);
   command->add_flag("--replace", arguments.replace, "with --run: instead of those accepted so far")
       ->needs(run);
-  command
-      ->add_flag("--anyway", arguments.anyway,
-                 "with --run: also a log that `check` finds incompatible, or that widens what is "
-                 "accepted very far")
-      ->needs(run);
+  command->add_flag("--anyway", arguments.anyway,
+                    "also a log of a run that `check` finds incompatible, or that widens what is "
+                    "accepted very far");
   return command;
 }
 
@@ -265,6 +263,10 @@ Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
   if (arguments.interactive && ::isatty(STDIN_FILENO) != 1) {
     return Error{ErrorKind::refused, "--interactive needs a terminal as standard input", {}};
   }
+  if (arguments.anyway && arguments.from.empty()) {
+    return Error{ErrorKind::bad_argument, "accepts logs of runs: it needs --run or --from",
+                 "--anyway"};
+  }
   auto list = listOf(arguments);
   if (!list.ok()) return list.error();
   if (!arguments.artifact.empty()) return approveArtifact(arguments, **list);
@@ -272,6 +274,18 @@ Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
   if (!options.ok()) return options.error();
   auto session = SuiteSession::open(arguments.suite.suite, *options);
   if (!session.ok()) return session.error();
+  std::size_t runs_approved = 0, runs_refused = 0;
+  if (*list) {
+    for (const SuiteRun& run : session->suite().runs) {
+      const auto listed = (*list)->find(run.name);
+      if (listed == (*list)->end()) continue;
+      const auto done = approveListedRun(arguments, run.name, listed->second);
+      if (!done.ok()) cli::warn(done.error().text());
+      ++(done.ok() ? runs_approved : runs_refused);
+      (*list)->erase(listed);
+    }
+    if ((*list)->empty()) return runs_refused > 0 ? cli::Exit::no : cli::Exit::done;
+  }
   if (session->frames().empty()) {
     return Error{ErrorKind::bad_argument, "no case is selected; --run RUN accepts the log of a run",
                  arguments.suite.suite.string()};
@@ -290,9 +304,10 @@ Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
   }
   auto counts = Approver(*session, *options, arguments, std::move(*list)).run();
   if (!counts.ok()) return counts.error();
-  const std::size_t refused = counts->refused + unknown;
-  fmt::print("{} approved, {} refused; goldens in {}\n", counts->approved + counts->unchanged,
-             refused, session->suite().goldens.lexically_normal().string());
+  const std::size_t refused = counts->refused + unknown + runs_refused;
+  fmt::print("{} approved, {} refused; goldens in {}\n",
+             counts->approved + counts->unchanged + runs_approved, refused,
+             session->suite().goldens.lexically_normal().string());
   if (counts->skipped > 0) fmt::print("{} left unchanged\n", counts->skipped);
   return refused > 0 ? cli::Exit::no : cli::Exit::done;
 }

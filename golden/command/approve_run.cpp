@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/atomic_file.h"
+#include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/bundle/private_folder.h"
 #include "core/check/check.h"
 #include "golden/approval/run_approval.h"
 #include "golden/judge/suite_runs.h"
+#include "golden/report/report.h"
 #include "golden/run/track_cache.h"
 #include "golden/why/accepted_cells.h"
 #include "golden/why/file_change.h"
@@ -104,9 +108,8 @@ Status refuseFor(const std::vector<std::string>& objections, const OpenedRecordi
                log.recording.string()};
 }
 
-}  // namespace
-
-Result<cli::Exit> approveRunOfSuite(const ApproveArguments& arguments) {
+/// `listed` is the hash of its log in a list; empty without one.
+Result<cli::Exit> approveOneRun(const ApproveArguments& arguments, const std::string& listed) {
   const auto options = suiteOptions(arguments.suite);
   if (!options.ok()) return options.error();
   const auto session = SuiteSession::open(arguments.suite.suite, *options);
@@ -120,6 +123,14 @@ Result<cli::Exit> approveRunOfSuite(const ApproveArguments& arguments) {
   if (log == nullptr) {
     return Error{ErrorKind::bad_argument, "a log to accept is needed",
                  "--log " + arguments.run + "=FILE"};
+  }
+  if (!listed.empty()) {
+    const auto bytes = readFile(log->log, kMaxRunLogBytes);
+    if (!bytes.ok()) return log->named(bytes.error());
+    if (hexOf(xxh3(bytesOf(*bytes))) != listed) {
+      return Error{ErrorKind::refused, "its log is not the one that the list accepts",
+                   "run " + run->name};
+    }
   }
   Objections objections(*session, *options, *run, *log);
   if (Status collected = objections.collect(arguments.replace); !collected) {
@@ -136,10 +147,59 @@ Result<cli::Exit> approveRunOfSuite(const ApproveArguments& arguments) {
   }
   const auto approved = approveRun(session->folder(), candidate);
   if (!approved.ok()) return log->named(approved.error());
-  fmt::print("{} {} for run {}; goldens in {}\n", log->recording.string(),
+  fmt::print("{} {} for run {}; goldens in {}\n",
+             listed.empty() ? log->recording.string() : "its log",
              *approved == RunApproved::added ? "accepted" : "was accepted already", run->name,
              session->suite().goldens.lexically_normal().string());
   return cli::Exit::done;
+}
+
+}  // namespace
+
+Result<cli::Exit> approveListedRun(const ApproveArguments& arguments, const std::string& run,
+                                   const std::string& bytes) {
+  ApproveArguments its = arguments;
+  its.run = run;
+  its.suite.only.clear();
+  its.suite.tags.clear();
+  its.suite.not_tags.clear();
+  its.suite.shard.clear();
+  return approveOneRun(its, bytes);
+}
+
+Result<cli::Exit> approveReportedRun(const ApproveArguments& arguments, const JudgedRun& run,
+                                     const std::string& bytes) {
+  if (!run.log_copy) {
+    return Error{ErrorKind::not_found,
+                 "the report has no copy of its log: give the log, without --artifact",
+                 "run " + run.name};
+  }
+  if (run.log_bytes != bytes) {
+    return Error{ErrorKind::refused, "the log in the report is not the one that the list accepts",
+                 "run " + run.name};
+  }
+  const auto folder = PrivateFolder::make();
+  if (!folder.ok()) return folder.error();
+  const std::filesystem::path file = (*folder)->path() / runLogFile(run);
+  if (Status written = writeFileWhole(file, bytesOf(*run.log_copy), true); !written) {
+    return written.error();
+  }
+  ApproveArguments its = arguments;
+  its.suite.logs.push_back(run.name + "=" + file.string());
+  // CI recorded the suite's log, too: nothing of it is judged here.
+  const auto suite = readSuite(arguments.suite.suite);
+  std::error_code ignored;
+  if (suite.ok() && suite->log && !std::filesystem::exists(*suite->log, ignored)) {
+    its.suite.logs.push_back(file.string());
+  }
+  const auto done = approveListedRun(its, run.name, bytes);
+  if (done.ok()) return done;
+  // Its file is one of ours.
+  return Error{done.error().kind, done.error().what, "run " + run.name};
+}
+
+Result<cli::Exit> approveRunOfSuite(const ApproveArguments& arguments) {
+  return approveOneRun(arguments, "");
 }
 
 }  // namespace rocinante

@@ -8,7 +8,10 @@
 #include <thread>
 #include <tuple>
 
+#include "core/base/atomic_file.h"
+#include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/base/shell_word.h"
 #include "golden/command/compare_command.h"
 #include "golden/command/report_output.h"
 #include "golden/command/report_sessions.h"
@@ -74,7 +77,6 @@ SuiteReport reportOf(const SuiteSession& session, const SuiteArguments& argument
     std::tie(report.shard, report.shards) = parseShard(arguments.shard).value_or(std::pair(1, 1));
   }
   report.run_command = commandText("run", arguments);
-  report.approve_command = commandText("approve", arguments) + " -m 'WHY'";
   SuiteArguments one = arguments;
   one.shard.clear();
   one.only.clear();
@@ -84,6 +86,43 @@ SuiteReport reportOf(const SuiteSession& session, const SuiteArguments& argument
   report.approve_one_command = commandText("approve", one) + " -m 'WHY' --only";
   report.approve_from_command = commandText("approve", one) + " -m 'WHY' --from LIST";
   return report;
+}
+
+/// Keeps the logs of runs that may be accepted for the report's folder.
+void keepRunLogs(const SuiteSession& session, std::vector<JudgedRun>& runs) {
+  for (JudgedRun& run : runs) {
+    if (run.verdict != FrameVerdict::different && run.verdict != FrameVerdict::missing) continue;
+    const auto spec = std::ranges::find_if(
+        session.runs(), [&](const SuiteRun* one) { return one->name == run.name; });
+    const OpenedRecording* const log =
+        spec == session.runs().end() ? nullptr : session.logOf(**spec);
+    if (log == nullptr) continue;
+    auto bytes = readFile(log->log, kMaxRunLogBytes);
+    if (!bytes.ok()) continue;  // too large for a report
+    run.log_bytes = hexOf(xxh3(bytesOf(*bytes)));
+    run.log_copy = std::make_shared<const std::string>(std::move(*bytes));
+  }
+}
+
+/// The command that accepts all that is not fine: the frames, then each run.
+std::string acceptCommand(const SuiteReport& report, const SuiteArguments& arguments) {
+  std::string text;
+  const bool has_frames =
+      !std::ranges::all_of(report.frames, isFine, &JudgedFrame::verdict) || report.shards > 1;
+  if (has_frames || report.runs.empty()) {
+    text = commandText("approve", arguments) + " -m 'WHY'";
+  }
+  SuiteArguments of_run = arguments;
+  of_run.only.clear();
+  of_run.tags.clear();
+  of_run.not_tags.clear();
+  of_run.shard.clear();
+  for (const JudgedRun& run : report.runs) {
+    if (run.verdict != FrameVerdict::different && run.verdict != FrameVerdict::missing) continue;
+    text += fmt::format("{}{} -m 'WHY' --run {}", text.empty() ? "" : " && ",
+                        commandText("approve", of_run), shellWord(run.name));
+  }
+  return text;
 }
 
 /// Prints all that is known of why and where each frame failed; the reasons come first because a
@@ -197,6 +236,8 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   if (!quiet) {
     for (const JudgedRun& run : report.runs) fmt::print("{}", runText(run));
   }
+  report.approve_command = acceptCommand(report, arguments.suite);
+  if (!arguments.files.folder.empty()) keepRunLogs(*session, report.runs);
   report.notes = notesOf(*session, options->selection, report.frames);
   report.renderer = rendererOfRun(report.frames);
   if (arguments.pages) {

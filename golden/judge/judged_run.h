@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct JudgedRun {
   std::string page{};  ///< "lift.run.html": the session's, beside the report; or empty
   std::vector<std::string> changes;  ///< of the model since the first log was accepted
   double judge_ms = 0;
+  /// XXH3-128 of the log under test, where it may be accepted by a list; else empty.
+  std::string log_bytes{};
+  std::shared_ptr<const std::string> log_copy{};  ///< the log itself, for a report's folder
 };
 
 }  // namespace rocinante

@@ -66,6 +66,12 @@ Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
   for (std::string* command : {&merged.run_command, &merged.approve_command}) {
     *command = is_one_suite ? withoutShard(*command, parts.front()) : std::string();
   }
+  // Runs are in the command of the shard that judged them.
+  for (const SuiteReport& part : parts) {
+    if (!is_one_suite) break;
+    std::string command = withoutShard(part.approve_command, part);
+    if (command.size() > merged.approve_command.size()) merged.approve_command = std::move(command);
+  }
   // A list of approvals belongs to one suite.
   if (!is_one_suite) {
     merged.run_one_command.clear();

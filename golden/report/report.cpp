@@ -158,6 +158,11 @@ bool canApprove(const JudgedFrame& judged) {
   return may && !judged.pixels.empty() && judged.drawn.has_value();
 }
 
+bool canApproveRun(const JudgedRun& run) {
+  const bool may = run.verdict == FrameVerdict::different || run.verdict == FrameVerdict::missing;
+  return may && !run.log_bytes.empty();
+}
+
 std::string reportJson(const SuiteReport& report) {
   Json root;
   root["format"] = 1;

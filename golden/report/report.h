@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +53,11 @@ struct SuiteReport {
 inline const std::string kSessionPageFile = "session.html";
 inline std::string runPageFile(const JudgedRun& run) { return run.name + ".run.html"; }
 
+/// A copy of a run's log beside the report, which `approve --artifact` takes.
+inline std::string runLogFile(const JudgedRun& run) { return run.name + ".run.mcap"; }
+inline constexpr std::uint64_t kMaxRunLogBytes = std::uint64_t{64} << 20U;
+/// True for a run whose log may be accepted by a list: it was not accepted yet, and is known.
+bool canApproveRun(const JudgedRun& run);
 /// True for a frame that may become a golden: it was drawn, is stable, and is not one already.
 bool canApprove(const JudgedFrame& judged);
 

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::string_view kReportName = "report.json";
 constexpr std::string_view kFrameEnding = ".frame.png";
+constexpr std::string_view kRunLogEnding = ".run.mcap";  // runLogFile()
 /// As golden/report/report_reader.cpp reads them.
 constexpr std::uint64_t kMaxJsonBytes = std::uint64_t{256} << 20U;
 constexpr std::uint64_t kMaxFrameBytes = std::uint64_t{256} << 20U;
@@ -75,9 +76,12 @@ Status unpackReport(const ZipArchive& archive, const std::string& artifact,
   for (const std::string& name : archive.names()) {
     const std::string_view file = lastOf(name);
     const bool is_frame = file.ends_with(kFrameEnding) && file.front() != '.' && isFileText(file);
+    const bool is_log = file.ends_with(kRunLogEnding) && file.front() != '.' && isFileText(file);
     const bool is_json = file == kReportName || file == kPagePicturesFile;
-    if (name != beside + std::string(file) || !(is_frame || is_json)) continue;
-    const auto content = archive.read(name, is_frame ? kMaxFrameBytes : kMaxJsonBytes);
+    if (name != beside + std::string(file) || !(is_frame || is_log || is_json)) continue;
+    const auto content = archive.read(name, is_log     ? kMaxRunLogBytes
+                                            : is_frame ? kMaxFrameBytes
+                                                       : kMaxJsonBytes);
     if (!content.ok()) return content.error();
     unpacked += content->size();
     if (unpacked > kMaxUnpackedBytes) {

@@ -265,7 +265,8 @@ std::string reportMarkdown(const SuiteReport& report, const std::string& page) {
     if (!page.empty()) text += sheetText(report, page);
     text += fmt::format("Repeat: {}\n\n", markdownCode(report.run_command));
   }
-  if (fine < report.frames.size()) {
+  const bool is_all_fine = fine == report.frames.size() && fine_runs == report.runs.size();
+  if (!is_all_fine && !report.approve_command.empty()) {
     text += fmt::format("Accept all: {}\n\n", markdownCode(report.approve_command));
   }
   for (const std::string& note : report.notes) text += fmt::format("- {}\n", markdownText(note));

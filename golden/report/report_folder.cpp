@@ -85,6 +85,7 @@ Status writeRunPictures(const JudgedRun& run, ArrivingFiles& files) {
     const Bytes png = encodePng(run.pictures[i].picture);
     if (Status written = files.write(runPictureFile(run, i), png); !written) return written;
   }
+  if (run.log_copy) return files.write(runLogFile(run), bytesOf(*run.log_copy));
   return {};
 }
 
@@ -102,6 +103,7 @@ std::set<std::string> besideReport(const std::filesystem::path& folder) {
   }
   for (const JudgedRun& run : old->runs) {
     names.insert(runPageFile(run));
+    names.insert(runLogFile(run));
     for (std::size_t i = 0; i < kMaxRunPictures; ++i) names.insert(runPictureFile(run, i));
   }
   return names;

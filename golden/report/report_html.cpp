@@ -163,6 +163,7 @@ Json pageRunsJson(const SuiteReport& report, PagePictures& pictures) {
   Json runs = runsJson(report.runs);
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
     const JudgedRun& run = report.runs[i];
+    runs[i]["can_approve"] = canApproveRun(run);
     for (std::size_t k = 0; k < run.pictures.size(); ++k) {
       runs[i]["pictures"][k]["picture"] = pictures.add(run.pictures[k].picture);
     }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
+#include "core/base/hash.h"
 #include "core/base/json_parse.h"
 #include "golden/report/page_pictures.h"
 #include "golden/report/report_runs.h"
@@ -242,12 +243,27 @@ Status readPictures(const std::filesystem::path& folder, JudgedFrame& judged) {
   return read(".golden.png", judged.golden ? judged.golden->pixels : "", judged.accepted);
 }
 
-Status readRunPictures(const std::filesystem::path& folder, JudgedRun& run) {
+/// The pictures of a run and the copy of its log, as far as they are there.
+Status readRunFiles(const std::filesystem::path& folder, JudgedRun& run) {
+  std::error_code ignored;
+  std::vector<RunPicture> pictures;
   for (std::size_t i = 0; i < run.pictures.size(); ++i) {
-    auto picture = readPng(folder / runPictureFile(run, i));
+    const std::filesystem::path file = folder / runPictureFile(run, i);
+    if (!std::filesystem::exists(file, ignored)) continue;
+    auto picture = readPng(file);
     if (!picture.ok()) return picture.error();
     run.pictures[i].picture = std::move(*picture);
+    pictures.push_back(std::move(run.pictures[i]));
   }
+  run.pictures = std::move(pictures);
+  const std::filesystem::path file = folder / runLogFile(run);
+  if (run.log_bytes.empty() || !std::filesystem::exists(file, ignored)) return {};
+  auto log = readFile(file, kMaxRunLogBytes);
+  if (!log.ok()) return log.error();
+  if (hexOf(xxh3(bytesOf(*log))) != run.log_bytes) {
+    return Error{ErrorKind::damaged, "is not the log that report.json lists", file.string()};
+  }
+  run.log_copy = std::make_shared<const std::string>(std::move(*log));
   return {};
 }
 
@@ -306,7 +322,7 @@ Result<SuiteReport> readReport(const std::filesystem::path& folder) {
     if (auto read = readPictures(folder, judged); !read) return read.error();
   }
   for (JudgedRun& run : report->runs) {
-    if (auto read = readRunPictures(folder, run); !read) return read.error();
+    if (auto read = readRunFiles(folder, run); !read) return read.error();
   }
   const auto small = readFile(folder / kPagePicturesFile, kMaxReportBytes);
   if (small.ok()) addPagePictures(*small, *report);

@@ -232,6 +232,7 @@ Json runsJson(const std::vector<JudgedRun>& runs) {
     if (!run.tags.empty()) json["tags"] = run.tags;
     if (!run.pictures.empty()) json["pictures"] = picturesJson(run);
     if (!run.page.empty()) json["page"] = run.page;
+    if (!run.log_bytes.empty()) json["log_bytes"] = run.log_bytes;
     json["findings"] = Json::array();
     for (const RunFinding& finding : judged.findings) {
       json["findings"].push_back(findingJson(finding));
@@ -259,6 +260,7 @@ std::vector<JudgedRun> readRunsJson(const nlohmann::json& list) {
     }
     run.rule = readText(json, "rule");
     run.log = readText(json, "log");
+    run.log_bytes = readText(json, "log_bytes");
     run.accepted = readTexts(json, "accepted");
     run.align = readText(json, "align");
     run.judge_ms = readNumber<double>(json, "judge_ms");

@@ -20,10 +20,18 @@
     find("notes").lastChild.append(...report.notes.map((note) => make("li", { textContent: note })));
   }
 
-  new RunView(report.runs, store);
+  const approval = new Approval(frames, report.runs, report.approve_from, (index, on) => {
+    if (index >= frames.length) return run_view.mark(index - frames.length, on);
+    list?.markPicked(index, on);
+    if (index === current) find("select-case").checked = on;
+  });
+  const run_view = new RunView(report.runs, store,
+    report.approve_from && ((run, on) => approval.set([frames.length + run], on)));
+  let list = null;
+  const runs = report.runs.map((_, index) => frames.length + index);
+  find("approval-all").addEventListener("click", () => approval.set([...(list?.visible ?? []), ...runs], true));
   if (frames.length === 0) {
     document.querySelector(".columns").hidden = true;
-    find("approval").hidden = true;
     document.body.classList.add("only-runs");
     return;
   }
@@ -34,11 +42,7 @@
   });
   const why = new WhyTable(stage);
   const filter = new CaseFilter(frames, refilter);
-  const list = new CaseList(frames, store, choose);
-  const approval = new Approval(frames, report.approve_from, (index, on) => {
-    list.markPicked(index, on);
-    if (index === current) find("select-case").checked = on;
-  });
+  list = new CaseList(frames, store, choose);
 
   const radios = kModes.map(({ name, title }, index) => {
     const radio = make("input", { type: "radio", name: "mode", value: name, checked: index === 0 });
@@ -103,7 +107,6 @@
   find("open-help").addEventListener("click", () => find("help").showModal());
   find("open-environment").addEventListener("click", () => find("environment").showModal());
   find("select-case").addEventListener("change", (event) => approval.set([current], event.target.checked));
-  find("approval-all").addEventListener("click", () => approval.set(list.visible, true));
   stage.setPaused(stage.paused);
 
   filter.showOnly(report.show_first);

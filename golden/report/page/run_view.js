@@ -1,16 +1,28 @@
 // Runs: sessions compared as motion. Findings as a list, joints as curves: the accepted band and the
 // session under test.
 class RunView {
-  constructor(runs, pictures) {
+  constructor(runs, pictures, pick) {
     this.pictures = pictures;
+    this.pick = pick; // (number, on): called when a run is chosen for approval
+    this.boxes = new Map();
     find("runs").hidden = runs.length === 0;
-    find("runs").append(...runs.map((run) => this.section(run)));
+    find("runs").append(...runs.map((run, number) => this.section(run, number)));
   }
 
-  section(run) {
+  mark(number, on) {
+    this.boxes.get(number).checked = on;
+  }
+
+  section(run, number) {
     const head = make("h3", {}, make("span", { className: "verdict " + run.verdict, textContent: run.verdict }),
       " run " + run.name);
     const section = make("section", { className: "run" }, head, make("p", { textContent: run.rule }));
+    if (run.can_approve && this.pick) {
+      const box = make("input", { type: "checkbox" });
+      box.addEventListener("change", () => this.pick(number, box.checked));
+      this.boxes.set(number, box);
+      section.append(make("label", {}, box, " approve"));
+    }
     if (run.findings.length > 0) {
       section.append(make("ul", {}, ...run.findings.map((finding) => this.finding(finding, run.page))));
     }
