@@ -21,6 +21,22 @@ await check("the first frame that needs a person is shown", async () => {
   assert.equal(await text("#shown"), "2 of 3 frames shown");
   assert.match(await text("#counts"), /2 different/);
 });
+await check("the page opens with the cause, and so does the list of its frames", async () => {
+  const cause = await text("#cause");
+  assert.match(cause, /^in .*frame.*: joint|^in .*frame.*: link|^in .*frame.*: box/);
+  assert.equal(await text("#cases .cause"), cause);
+});
+await check("pictures are as large as the window allows", async () => {
+  const wide = await page.evaluate(() => {
+    const stage = document.getElementById("stage").clientWidth;
+    const panes = [...document.querySelectorAll("#stage canvas")].map((each) => each.clientWidth);
+    const main = document.getElementById("case");
+    const below = main.clientHeight - document.getElementById("stage").offsetTop;
+    const high = document.querySelector("#stage canvas").clientHeight;
+    return { width: panes.reduce((a, b) => a + b) / stage, height: high / below };
+  });
+  assert.ok(Math.max(wide.width, wide.height) > 0.85, JSON.stringify(wide));
+});
 await check("verdicts, words and tags filter", async () => {
   await page.getByLabel("same", { exact: true }).check();
   assert.equal(await text("#shown"), "3 of 3 frames shown");
