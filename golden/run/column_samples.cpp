@@ -40,8 +40,8 @@ ColumnSamples::ColumnSamples(const SessionTrack& track, const DeviceTrack* devic
   width_ = column->width();
   shared_times_ = &times;
   load(track, device->series[column->series]);
-  const bool is_whole = std::none_of(values_.begin(), values_.end(),
-                                     [](double value) { return std::isinf(value); });
+  const bool is_whole =
+      std::none_of(values_.begin(), values_.end(), [](double value) { return std::isinf(value); });
   if (!is_whole) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < times.size(); ++i) {

@@ -69,7 +69,8 @@ class RateJudge {
   double countIn(std::size_t session, std::int64_t from, std::int64_t until) const {
     const auto before = [&](std::int64_t time) {
       const bool is_run = session == times_.accepted.size();
-      return counts_[session].before(is_run ? times_.inRun(time) : times_.inAccepted(session, time));
+      return counts_[session].before(is_run ? times_.inRun(time)
+                                            : times_.inAccepted(session, time));
     };
     return before(until) - before(from);
   }
@@ -111,9 +112,9 @@ class RateJudge {
     finding.at_accepted = times_.sinceOrigin(*worst_);
     finding.at_run = times_.sinceRunOrigin(*worst_);
     finding.until_accepted = times_.sinceOrigin(last_);
-    finding.what = fmt::format("{}: stated {:.1f} times a second, accepted {:.1f}, since {}",
-                               device_, rate, rate < least ? least : most,
-                               times_.bothTimes(*first_));
+    finding.what =
+        fmt::format("{}: stated {:.1f} times a second, accepted {:.1f}, since {}", device_, rate,
+                    rate < least ? least : most, times_.bothTimes(*first_));
     return finding;
   }
 

@@ -18,8 +18,7 @@ constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kJoints = 0, kPose = 1;  // series
 
 bool isAbsent(const DeviceState* said) {
-  return said == nullptr ||
-         (said->presence && said->presence->value.presence == Presence::removed);
+  return said == nullptr || (said->presence && said->presence->value.presence == Presence::removed);
 }
 
 }  // namespace
@@ -138,8 +137,8 @@ TrackRecorder::Recording& TrackRecorder::recording(const std::string& name, cons
   }
   made.joint_columns = made.track->series[kJoints].width;
   made.track->series[kPose].width = 7;
-  made.has_mimics = std::ranges::any_of(
-      model->joints, [](const Joint& joint) { return joint.mimic.has_value(); });
+  made.has_mimics = std::ranges::any_of(model->joints,
+                                        [](const Joint& joint) { return joint.mimic.has_value(); });
   made.links = LinkPlacer::of(name, *model, links_);
   if (made.links) made.links->addColumns(*made.track, kJoints);
   return made;
@@ -189,8 +188,8 @@ void TrackRecorder::addDevice(const std::string& name, LogTime time) {
 
 void TrackRecorder::keep(Recording& device, LogTime time, bool is_restated) {
   // Packets that are restated for late joiners do not count in the device's rate.
-  const auto bin = static_cast<std::size_t>(std::max<std::int64_t>(
-      0, (time - track_.start) / kCountBin));
+  const auto bin =
+      static_cast<std::size_t>(std::max<std::int64_t>(0, (time - track_.start) / kCountBin));
   if (!is_restated) {
     if (device.track->updates.size() <= bin) device.track->updates.resize(bin + 1);
     ++device.track->updates[bin];
@@ -272,8 +271,8 @@ void TrackRecorder::namedValues(Recording& device, const DeviceState& said, doub
 void TrackRecorder::leaveOutUnstated(const Recording& device, double* row) const {
   if (device.has_mimics || device.says_values.size() >= device.joint_columns) return;
   for (const NamedValue& value : device.named) {
-    if (!value.column || std::ranges::find(device.says_values, value.name) !=
-                             device.says_values.end()) {
+    if (!value.column ||
+        std::ranges::find(device.says_values, value.name) != device.says_values.end()) {
       continue;
     }
     row[*value.column] = kNotHere;

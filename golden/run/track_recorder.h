@@ -51,7 +51,8 @@ class TrackRecorder {
     bool is_stated = false;
     Path carrier;
     // Of the packet that is being folded:
-    bool is_touched = false, says_presence = false, says_joints = false, says_pose = false, says_all_joints = false;
+    bool is_touched = false, says_presence = false, says_joints = false, says_pose = false,
+         says_all_joints = false;
     std::vector<std::string_view> says_values;
   };
 
