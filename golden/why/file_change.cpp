@@ -97,8 +97,9 @@ std::vector<FileChange> fileChanges(const FileHashes& golden, const FileHashes& 
     const std::string role(roleOf(file));
     // The manifest's text is untrusted.
     const std::string name = plainText(file);
+    const bool is_told = isToldText(file);
     const auto add = [&](const std::string& what) {
-      changes.push_back({name + ": the " + role + what, isToldText(file)});
+      changes.push_back({name + ": the " + role + what, is_told});
     };
     if (before == golden.end()) {
       add(" is new");

@@ -73,8 +73,8 @@ std::vector<std::string> whyLines(const FrameWhy& why, std::size_t rows) {
 
 void findCauses(const ModelChanges& model, const std::vector<std::string>& cameras, FrameWhy& why) {
   std::vector<LinkChange> pixels = why.blame.changes;
-  std::ranges::stable_partition(
-      pixels, [](const LinkChange& change) { return !change.name.device.empty(); });
+  std::stable_partition(pixels.begin(), pixels.end(),
+                        [](const LinkChange& change) { return !change.name.device.empty(); });
   const auto isShown = [&](const ModelChange& change) {
     if (change.seen == ModelChange::Seen::camera) {
       return std::ranges::find(cameras, change.subject) != cameras.end();

@@ -43,8 +43,9 @@ ModelChanges driftChanges(const Cell& golden, const Cell& now) {
     changes.push_back(
         {plainText(withoutEffect(finding.text)), finding.subject, seenOf(finding.rule)});
   }
-  std::ranges::stable_partition(
-      changes, [](const ModelChange& change) { return change.seen != ModelChange::Seen::never; });
+  std::stable_partition(changes.begin(), changes.end(), [](const ModelChange& change) {
+    return change.seen != ModelChange::Seen::never;
+  });
   return changes;
 }
 
@@ -75,8 +76,9 @@ ModelChanges changedFiles(const FileHashes& golden, const FileHashes& frame,
                        {},
                        file.is_told ? ModelChange::Seen::maybe : ModelChange::Seen::drawn});
   }
-  std::ranges::stable_partition(
-      changes, [](const ModelChange& change) { return change.seen == ModelChange::Seen::drawn; });
+  std::stable_partition(changes.begin(), changes.end(), [](const ModelChange& change) {
+    return change.seen == ModelChange::Seen::drawn;
+  });
   return changes;
 }
 
