@@ -201,7 +201,7 @@ std::string runText(const JudgedRun& run) {
   std::string text =
       fmt::format("{:<13} {}: {}\n", nameOf(run.verdict), run.name, plainText(run.rule));
   const auto& findings = run.judgement.findings;
-  if (findings.size() > 1 || !run.changes.empty()) {
+  if (findings.size() > 1 || !run.changes.empty() || !acceptingLimits(run).empty()) {
     text += fmt::format("why {}:\n", run.name);
     for (const std::string& line : runReasons(run, 30)) text += fmt::format("    {}\n", line);
   }

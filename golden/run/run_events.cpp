@@ -147,6 +147,8 @@ class EventJudge {
         fmt::format("event \"{}\" of {} is {} {}{}: at {} (accepted {})", event.text, event.source,
                     figureText(*finding.largest, "ms"), late < Nanoseconds(0) ? "early" : "late",
                     by, timeText(finding.first_run), timeText(finding.first_accepted));
+    // The delay began after the event before, and so does everything that it moves.
+    if (since) finding.sorts_at = first_.events[*since].time - first_.origin;
     add(std::move(finding));
   }
 

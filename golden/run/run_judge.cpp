@@ -200,6 +200,23 @@ void judgeMotion(const RunTimes& times, RunJudgement& judged) {
   }
 }
 
+/// By what may have caused what: see RunFinding::sorts_at.
+void sortByCause(std::vector<RunFinding>& findings) {
+  for (RunFinding& finding : findings) {
+    if (finding.sorts_at == Nanoseconds(0)) finding.sorts_at = finding.first_accepted;
+  }
+  for (RunFinding& link : findings) {
+    const std::size_t slash = link.item.find('/');
+    if (link.kind != RunFinding::Kind::pose || slash == std::string::npos) continue;
+    for (const RunFinding& joint : findings) {
+      const bool moves_it = joint.kind == RunFinding::Kind::joint &&
+                            joint.item.compare(0, slash + 1, link.item, 0, slash + 1) == 0;
+      if (moves_it) link.sorts_at = std::max(link.sorts_at, joint.sorts_at);
+    }
+  }
+  std::stable_sort(findings.begin(), findings.end());
+}
+
 /// Why nothing was judged, so that there is no verdict.
 std::string nothingJudged(const RunJudgement& judged) {
   if (!judged.coverage.masked.empty() && judged.coverage.lost.empty()) {
@@ -265,7 +282,7 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
     judged.rule = nothingJudged(judged);
     return judged;
   }
-  std::stable_sort(judged.findings.begin(), judged.findings.end());
+  sortByCause(judged.findings);
   addNotes(times, judged);
   if (!run.left_out.empty()) judged.notes.push_back(accountSentence(run.left_out));
   judged.rule = runRule(judged);

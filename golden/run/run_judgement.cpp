@@ -10,7 +10,7 @@ namespace rocinante {
 bool RunFinding::operator<(const RunFinding& other) const {
   // Causes before effects: what changed in the model, and what is not judged, have no time.
   const auto place = [](const RunFinding& its) {
-    return std::tuple(std::min(its.kind, Kind::event), its.first_accepted, its.kind,
+    return std::tuple(std::min(its.kind, Kind::event), its.sorts_at, its.kind,
                       std::string_view(its.item), std::string_view(its.unit));
   };
   return place(*this) < place(other);

@@ -32,6 +32,8 @@ struct RunFinding {
   /// Since the origin of each session; `first`: where it begins, `at`: where it is largest.
   Nanoseconds first_accepted{0}, first_run{0}, at_accepted{0}, at_run{0}, until_accepted{0};
   RunCurve curve;
+  /// Causes come first: what an event's delay or a joint moves follows it. Not in reports.
+  Nanoseconds sorts_at{0};
 
   bool operator<(const RunFinding& other) const;
 };

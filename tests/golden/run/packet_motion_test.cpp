@@ -73,8 +73,7 @@ TEST_F(PacketMotion, ASpikeOfOnePacketIsFoundAtAnyRate) {
     for (std::size_t i = 0; i < 20; ++i, ++spikes) {
       SaidSession run = armSession(rate_hz, seconds, 0.7 / rate_hz, handMotion);
       const std::size_t margin = run.packets.size() / 10 + 1;
-      const std::size_t at =
-          margin + random() % (run.packets.size() - 2 * margin);
+      const std::size_t at = margin + random() % (run.packets.size() - 2 * margin);
       const std::size_t joint = random() % 6;
       auto& said = run.packets[at];
       const double by = (i % 2 == 0 ? 1 : -1) * kDegree;
@@ -109,10 +108,9 @@ TEST_F(PacketMotion, WhatIsLateByLessThanTheLimitIsTheSameWhateverItsTexture) {
     const SessionTrack accepted = need(armSession(rate_hz, 3, 0, handMotion));
     for (const double late_ms : {1.0, 4.0, 7.5, 11.0, 15.0, 19.0}) {
       for (const double sign : {1.0, -1.0}) {
-        const SaidSession run =
-            armSession(rate_hz, 3, 0, [&](double at, std::size_t joint) {
-              return handMotion(at - sign * late_ms / 1000, joint);
-            });
+        const SaidSession run = armSession(rate_hz, 3, 0, [&](double at, std::size_t joint) {
+          return handMotion(at - sign * late_ms / 1000, joint);
+        });
         expectSilent("late", judgeRun(byOrigin(), {&accepted}, need(run)));
       }
     }
@@ -227,7 +225,7 @@ TEST_F(PacketMotion, TheLimitThatAFindingNamesAcceptsIt) {
       if (finding.accept.empty()) continue;
       OwnLimits& limits = spec.own_limits[finding.item];
       const double limit = std::stod(finding.accept.substr(finding.accept.rfind("= ") + 2));
-      (finding.unit == "mm" ? limits.position_mm
+      (finding.unit == "mm"                     ? limits.position_mm
        : finding.kind == RunFinding::Kind::pose ? limits.turn_deg
                                                 : limits.joint_deg) = limit;
     }
@@ -257,6 +255,18 @@ TEST_F(PacketMotion, ALimitOfAJointHoldsForWhatItMoves) {
   ASSERT_FALSE(found.findings.empty());
   EXPECT_EQ(found.findings.front().item, "arm/tip");
   EXPECT_EQ(found.findings.front().unit, "mm");
+  spec.masks.clear();
+  const RunJudgement both = judged(session, changed, spec);
+  EXPECT_EQ(both.findings.front().item, "arm/joint3") << "the cause comes first";
+}
+
+TEST_F(PacketMotion, AnEventComesBeforeWhatItsDelayMoves) {
+  const SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  SaidSession changed = session;
+  changed.times("", [](double at) { return at < 8 ? at : at + 0.3; });
+  const RunJudgement found = judged(session, changed);
+  ASSERT_GT(found.findings.size(), 2U);
+  EXPECT_EQ(found.findings.front().item, "event/placed") << textOfFindings(found);
 }
 
 TEST_F(PacketMotion, ASessionThatHasLittleOfTheAcceptedTimeIsDifferent) {
@@ -269,9 +279,8 @@ TEST_F(PacketMotion, ASessionThatHasLittleOfTheAcceptedTimeIsDifferent) {
 }
 
 TEST_F(PacketMotion, TheReportNamesWhatMayHideInAFastMotion) {
-  const SaidSession session = armSession(125, 2, 0, [](double at, std::size_t joint) {
-    return joint == 4 ? std::sin(at * 3) : 0.0;
-  });
+  const SaidSession session = armSession(
+      125, 2, 0, [](double at, std::size_t joint) { return joint == 4 ? std::sin(at * 3) : 0.0; });
   const RunJudgement found = judged(session, session, byOrigin());
   ASSERT_EQ(found.notes.size(), 1U);
   EXPECT_NE(found.notes.front().find("arm/joint5 moves by 2."), std::string::npos)
