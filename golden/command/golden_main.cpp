@@ -12,6 +12,7 @@
 #include "golden/command/run_command.h"
 #include "golden/command/session_command.h"
 #include "golden/command/store_command.h"
+#include "golden/command/suggest_command.h"
 #include "viewer/gl/context_option.h"
 #include "viewer/gl/renderer_key.h"
 
@@ -25,6 +26,7 @@ constexpr char kExamples[] =
     "  rocinante golden bisect cell.toml session.mcap --other-cell new/cell.toml\n"
     "  rocinante golden session accepted.mcap new.mcap cell.toml --report out/report\n"
     "  rocinante golden approve suite.toml -i -m 'looked at each'\n"
+    "  rocinante golden suggest suite.toml --run lift monday.mcap tuesday.mcap friday.mcap\n"
     "  rocinante golden list suite.toml --verify\n"
     "  rocinante golden add suite.toml --case pick --event picked --after 200ms --camera overview\n"
     "  rocinante golden diff main suite.toml --report out/changes\n"
@@ -54,6 +56,8 @@ int goldenMain(int argc, char** argv) {
   SessionArguments session_arguments;
   CLI::App* session = addSessionCommand(app, session_arguments);
 
+  SuggestArguments suggest_arguments;
+  CLI::App* suggest = addSuggestCommand(app, suggest_arguments);
   PushArguments push_arguments;
   CLI::App* push = addPushCommand(app, push_arguments);
   GcArguments gc_arguments;
@@ -74,6 +78,7 @@ int goldenMain(int argc, char** argv) {
     if (bisect->parsed()) return runBisectCommand(bisect_arguments);
     if (push->parsed()) return runPushCommand(push_arguments);
     if (gc->parsed()) return runGcCommand(gc_arguments);
+    if (suggest->parsed()) return runSuggestCommand(suggest_arguments);
     if (session->parsed()) return runSessionCommand(session_arguments);
     return cli::Exit::could_not_run;
   });

@@ -1,0 +1,126 @@
+#include "golden/run/limit_suggestion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "golden/run/run_judge.h"
+
+namespace rocinante {
+namespace {
+
+constexpr double kMargin = 1.2;
+constexpr std::size_t kOneIn = 20;
+
+using Sessions = std::vector<const SessionTrack*>;
+
+Sessions without(const Sessions& sessions, std::size_t place) {
+  Sessions others = sessions;
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(place));
+  return others;
+}
+
+/// With a margin, rounded up to two digits.
+double limitFor(double largest) {
+  const double wanted = largest * kMargin;
+  const double digit = std::pow(10, std::floor(std::log10(wanted)) - 1);
+  return std::ceil(wanted / digit - 1e-9) * digit;
+}
+
+void raise(std::optional<double>& limit, double to) { limit = std::max(limit.value_or(0), to); }
+
+/// The limits alone, without how good they are.
+LimitSuggestion limitsOf(const RunSpec& spec, const Sessions& sessions) {
+  LimitSuggestion found;
+  // How late events come first: it widens every band.
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    for (const RunFinding& finding :
+         judgeRun(spec, without(sessions, i), *sessions[i]).findings) {
+      if (finding.kind != RunFinding::Kind::event || !finding.largest) continue;
+      found.event_ms = std::max(found.event_ms, limitFor(*finding.largest));
+    }
+  }
+  const RunSpec patient = found.appliedTo(spec);
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    for (const RunFinding& finding :
+         judgeRun(patient, without(sessions, i), *sessions[i]).findings) {
+      if (finding.accept.empty()) {
+        found.beyond.insert(finding.what);
+        continue;
+      }
+      OwnLimits& own = found.own_limits[finding.item];
+      const bool is_turn = finding.kind == RunFinding::Kind::pose && finding.unit != "mm";
+      raise(finding.unit == "mm" ? own.position_mm : is_turn ? own.turn_deg : own.joint_deg,
+            limitFor(*finding.largest));
+    }
+  }
+  return found;
+}
+
+bool isAlarm(const RunSpec& spec, const Sessions& sessions, std::size_t place) {
+  const RunJudgement judged = judgeRun(spec, without(sessions, place), *sessions[place]);
+  return !judged.comparable || !judged.findings.empty();
+}
+
+std::string entriesOf(const OwnLimits& limits) {
+  std::string text;
+  const auto add = [&](const char* key, const std::optional<double>& limit) {
+    if (limit) text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", key, *limit);
+  };
+  add("joint_deg", limits.joint_deg);
+  add("position_mm", limits.position_mm);
+  add("turn_deg", limits.turn_deg);
+  add("event_ms", limits.event_ms);
+  return text;
+}
+
+}  // namespace
+
+std::size_t LimitSuggestion::wanted() const {
+  const std::size_t needed = kOneIn * (alarms + 1) - 2;
+  return needed > recordings ? needed - recordings : 0;
+}
+
+RunSpec LimitSuggestion::appliedTo(RunSpec spec) const {
+  spec.limits.event_ms = std::max(spec.limits.event_ms, event_ms);
+  for (const auto& [item, limits] : own_limits) {
+    const RunLimits known = spec.limitsOf(item);
+    OwnLimits& own = spec.own_limits[item];
+    if (limits.joint_deg) own.joint_deg = std::max(known.joint_deg, *limits.joint_deg);
+    if (limits.position_mm) own.position_mm = std::max(known.position_mm, *limits.position_mm);
+    if (limits.turn_deg) own.turn_deg = std::max(known.turn_deg, *limits.turn_deg);
+  }
+  return spec;
+}
+
+std::string LimitSuggestion::toml(const RunSpec& spec) const {
+  const RunSpec applied = appliedTo(spec);
+  const RunLimits& run = applied.limits;
+  OwnLimits ofRun;
+  if (run.joint_deg > kRunFloors.joint_deg) ofRun.joint_deg = run.joint_deg;
+  if (run.judges_links || run.position_mm > kRunFloors.position_mm) ofRun.position_mm = run.position_mm;
+  if (run.turn_deg > kRunFloors.turn_deg) ofRun.turn_deg = run.turn_deg;
+  if (run.event_ms > kRunFloors.event_ms) ofRun.event_ms = run.event_ms;
+  std::string text = entriesOf(ofRun);
+  for (const auto& [item, limits] : applied.own_limits) {
+    text += fmt::format("{}\"{}\" = {{ {} }}", text.empty() ? "" : ", ", item, entriesOf(limits));
+  }
+  return text.empty() ? text : fmt::format("limits = {{ {} }}", text);
+}
+
+LimitSuggestion suggestLimits(const RunSpec& spec, const Sessions& sessions) {
+  LimitSuggestion found = limitsOf(spec, sessions);
+  found.recordings = sessions.size();
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    if (!isAlarm(spec, sessions, i)) continue;
+    ++found.alarms_before;
+    // What is within the run's own limits is within wider ones.
+    const LimitSuggestion of_others = limitsOf(spec, without(sessions, i));
+    if (isAlarm(of_others.appliedTo(spec), sessions, i)) ++found.alarms;
+  }
+  return found;
+}
+
+}  // namespace rocinante
