@@ -95,6 +95,14 @@ class Objections {
   std::vector<std::string> found_;
 };
 
+/// Somebody has said how far recordings of the run differ.
+bool hasLimits(const RunSpec& spec) {
+  const RunLimits& limits = spec.limits;
+  return !spec.own_limits.empty() || limits.joint_deg > kRunFloors.joint_deg ||
+         limits.position_mm > kRunFloors.position_mm || limits.turn_deg > kRunFloors.turn_deg ||
+         limits.event_ms > kRunFloors.event_ms;
+}
+
 Status refuseFor(const std::vector<std::string>& objections, const OpenedRecording& log,
                  bool anyway) {
   for (std::size_t i = 0; i < std::min(objections.size(), kMostPrinted); ++i) {
@@ -151,6 +159,11 @@ Result<cli::Exit> approveOneRun(const ApproveArguments& arguments, const std::st
              listed.empty() ? log->recording.string() : "its log",
              *approved == RunApproved::added ? "accepted" : "was accepted already", run->name,
              session->suite().goldens.lexically_normal().string());
+  const bool is_first = arguments.replace || session->manifest().runsOf(run->name).empty();
+  if (is_first && !hasLimits(run->spec)) {
+    fmt::print("one recording tells no band: accept 2 to 4 more, or let `rocinante golden suggest` "
+               "derive limits from several\n");
+  }
   return cli::Exit::done;
 }
 
