@@ -161,8 +161,9 @@ Result<cli::Exit> approveOneRun(const ApproveArguments& arguments, const std::st
              session->suite().goldens.lexically_normal().string());
   const bool is_first = arguments.replace || session->manifest().runsOf(run->name).empty();
   if (is_first && !hasLimits(run->spec)) {
-    fmt::print("one recording tells no band: accept 2 to 4 more, or let `rocinante golden suggest` "
-               "derive limits from several\n");
+    fmt::print(
+        "one recording tells no band: accept 2 to 4 more, or let `rocinante golden suggest` "
+        "derive limits from several\n");
   }
   return cli::Exit::done;
 }

@@ -172,7 +172,9 @@ std::string acceptingLimits(const JudgedRun& run) {
   constexpr std::size_t kMostEntries = 6;
   const auto& findings = run.judgement.findings;
   const auto isAccepted = [](const RunFinding& finding) { return !finding.accept.empty(); };
-  if (findings.size() > kMostEntries || !std::ranges::all_of(findings, isAccepted)) return {};
+  const bool is_of_suite = run.line > 0;
+  if (!is_of_suite || findings.size() > kMostEntries || !std::ranges::all_of(findings, isAccepted))
+    return {};
   std::string text;
   for (const RunFinding& finding : findings) {
     text += (text.empty() ? "" : ", ") + finding.accept;

@@ -36,8 +36,7 @@ LimitSuggestion limitsOf(const RunSpec& spec, const Sessions& sessions) {
   LimitSuggestion found;
   // How late events come first: it widens every band.
   for (std::size_t i = 0; i < sessions.size(); ++i) {
-    for (const RunFinding& finding :
-         judgeRun(spec, without(sessions, i), *sessions[i]).findings) {
+    for (const RunFinding& finding : judgeRun(spec, without(sessions, i), *sessions[i]).findings) {
       if (finding.kind != RunFinding::Kind::event || !finding.largest) continue;
       found.event_ms = std::max(found.event_ms, limitFor(*finding.largest));
     }
@@ -52,7 +51,9 @@ LimitSuggestion limitsOf(const RunSpec& spec, const Sessions& sessions) {
       }
       OwnLimits& own = found.own_limits[finding.item];
       const bool is_turn = finding.kind == RunFinding::Kind::pose && finding.unit != "mm";
-      raise(finding.unit == "mm" ? own.position_mm : is_turn ? own.turn_deg : own.joint_deg,
+      raise(finding.unit == "mm" ? own.position_mm
+            : is_turn            ? own.turn_deg
+                                 : own.joint_deg,
             limitFor(*finding.largest));
     }
   }
@@ -100,7 +101,8 @@ std::string LimitSuggestion::toml(const RunSpec& spec) const {
   const RunLimits& run = applied.limits;
   OwnLimits ofRun;
   if (run.joint_deg > kRunFloors.joint_deg) ofRun.joint_deg = run.joint_deg;
-  if (run.judges_links || run.position_mm > kRunFloors.position_mm) ofRun.position_mm = run.position_mm;
+  if (run.judges_links || run.position_mm > kRunFloors.position_mm)
+    ofRun.position_mm = run.position_mm;
   if (run.turn_deg > kRunFloors.turn_deg) ofRun.turn_deg = run.turn_deg;
   if (run.event_ms > kRunFloors.event_ms) ofRun.event_ms = run.event_ms;
   std::string text = entriesOf(ofRun);

@@ -12,7 +12,7 @@ namespace rocinante {
 
 /// Limits with which recordings of one scenario accept each other.
 struct LimitSuggestion {
-  double event_ms = 0;                                      ///< 0: the run's own is enough
+  double event_ms = 0;                                       ///< 0: the run's own is enough
   std::map<std::string, OwnLimits, std::less<>> own_limits;  ///< by item
   std::set<std::string> beyond;  ///< sentences of findings that no limit accepts
   std::size_t recordings = 0;
@@ -33,6 +33,7 @@ struct LimitSuggestion {
 
 /// Each recording is judged beside all others; what it leaves them by, and a fifth more, is the
 /// limit. `sessions`: at least three, made with linksToJudge(spec).
-LimitSuggestion suggestLimits(const RunSpec& spec, const std::vector<const SessionTrack*>& sessions);
+LimitSuggestion suggestLimits(const RunSpec& spec,
+                              const std::vector<const SessionTrack*>& sessions);
 
 }  // namespace rocinante

@@ -56,8 +56,7 @@ TEST_F(LimitSuggestionTest, FurtherRecordingsAreTheSameWithWhatIsSuggested) {
     const LimitSuggestion found = suggestLimits({}, sessions);
     EXPECT_EQ(found.recordings, 5U);
     EXPECT_TRUE(found.beyond.empty()) << *found.beyond.begin();
-    EXPECT_LE(alarms(found.appliedTo({}), sessions, noise_deg, pause_s, 8), 1U)
-        << found.toml({});
+    EXPECT_LE(alarms(found.appliedTo({}), sessions, noise_deg, pause_s, 8), 1U) << found.toml({});
     // It widens no more than it must: a quarter of a degree is still seen.
     SaidSession changed = session_;
     changed.joint("arm", 1, 2, 3,
