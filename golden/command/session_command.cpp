@@ -38,8 +38,8 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
                  ""};
   }
   question.spec.limits = limits;
-  question.spec.limits.judges_links =
-      limits.position_mm != kRunFloors.position_mm || limits.turn_deg != kRunFloors.turn_deg;
+  question.spec.limits.link_positions = limits.position_mm != kRunFloors.position_mm;
+  question.spec.limits.link_turns = limits.turn_deg != kRunFloors.turn_deg;
   question.spec.align = *runAlignNamed(arguments.align);
   const auto tolerance = Tolerance::named(arguments.tier);
   if (!tolerance.ok()) return tolerance.error();

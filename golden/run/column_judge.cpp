@@ -34,9 +34,14 @@ class ColumnJudge {
       : times_(times), item_(std::move(item)), column_(column), accepted_(accepted), run_(run) {
     const RunLimits limits = times.spec.limitsOf(item_);
     reach_ = times.reachOf(limits);
+    const bool is_link = column.kind == TrackColumn::Kind::link_pose;
     if (column.width() == 7) {
-      measures_.push_back({"mm", "position_mm", limits.position_mm, 0, 3, {}});
-      measures_.push_back({"°", "turn_deg", limits.turn_deg, 3, 3, {}});
+      if (!is_link || limits.link_positions) {
+        measures_.push_back({"mm", "position_mm", limits.position_mm, 0, 3, {}});
+      }
+      if (!is_link || limits.link_turns) {
+        measures_.push_back({"°", "turn_deg", limits.turn_deg, 3, 3, {}});
+      }
     } else if (column.kind == TrackColumn::Kind::length) {
       measures_.push_back({"mm", "position_mm", limits.position_mm, 0, 1, {}});
     } else {
@@ -67,7 +72,7 @@ class ColumnJudge {
 
   FastMotion fastest() const {
     FastMotion fastest{item_, measures_.front().unit, 0, 0, 0};
-    if (measures_.size() != 1) return fastest;
+    if (column_.width() != 1) return fastest;
     fastest.figure = accepted_.front().farthestWithin(reach_, fastest.at) * scale();
     fastest.times_limit = fastest.figure / measures_.front().limit;
     return fastest;
@@ -290,7 +295,7 @@ class ColumnJudge {
       finding.until_accepted = times_.sinceOrigin(measure.last);
       finding.what = sentence(measure);
       finding.accept = acceptingLimit(measure);
-      if (measures_.size() == 1) {
+      if (column_.width() == 1) {
         finding.curve = runCurve(times_, accepted_, run_, scale(), reach_, measure.limit);
       }
       findings.push_back(std::move(finding));
@@ -316,7 +321,7 @@ class ColumnJudge {
         std::chrono::milliseconds(1)) {
       text += fmt::format("; largest at {}", times_.bothTimes(measure.at));
     }
-    if (measures_.size() != 1) return text;
+    if (column_.width() != 1) return text;
     const std::string how = howColumnsDiffer(measure);
     return how.empty() ? text : text + "; " + how;
   }

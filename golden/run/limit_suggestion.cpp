@@ -11,7 +11,8 @@
 namespace rocinante {
 namespace {
 
-constexpr double kMargin = 1.2;
+constexpr double kMargin = 2;
+constexpr double kSeen = 0.1;  ///< share of a limit from which on what differs is seen
 constexpr std::size_t kOneIn = 20;
 
 using Sessions = std::vector<const SessionTrack*>;
@@ -31,6 +32,24 @@ double limitFor(double largest) {
 
 void raise(std::optional<double>& limit, double to) { limit = std::max(limit.value_or(0), to); }
 
+/// False when the run's own limit allows it.
+bool keep(std::optional<double>& limit, double its) {
+  if (limit && *limit <= its) limit.reset();
+  return limit.has_value();
+}
+
+/// Leaves out what the run's own limits allow.
+void dropWhatHolds(const RunSpec& spec, std::map<std::string, OwnLimits, std::less<>>& limits) {
+  for (auto entry = limits.begin(); entry != limits.end();) {
+    auto& [item, own] = *entry;
+    const RunLimits known = spec.limitsOf(item);
+    const bool joint = keep(own.joint_deg, known.joint_deg);
+    const bool position = keep(own.position_mm, known.position_mm);
+    const bool turn = keep(own.turn_deg, known.turn_deg);
+    entry = joint || position || turn ? std::next(entry) : limits.erase(entry);
+  }
+}
+
 /// The limits alone, without how good they are.
 LimitSuggestion limitsOf(const RunSpec& spec, const Sessions& sessions) {
   LimitSuggestion found;
@@ -42,13 +61,20 @@ LimitSuggestion limitsOf(const RunSpec& spec, const Sessions& sessions) {
     }
   }
   const RunSpec patient = found.appliedTo(spec);
+  // What a recording stays within its limit by counts, too: the next one may not.
+  RunSpec strict = patient;
+  strict.own_limits.clear();
+  for (auto* limit :
+       {&strict.limits.joint_deg, &strict.limits.position_mm, &strict.limits.turn_deg}) {
+    *limit *= kSeen;
+  }
   for (std::size_t i = 0; i < sessions.size(); ++i) {
-    for (const RunFinding& finding :
-         judgeRun(patient, without(sessions, i), *sessions[i]).findings) {
-      if (finding.accept.empty()) {
-        found.beyond.insert(finding.what);
-        continue;
-      }
+    const Sessions others = without(sessions, i);
+    for (const RunFinding& finding : judgeRun(patient, others, *sessions[i]).findings) {
+      if (finding.accept.empty()) found.beyond.insert(finding.what);
+    }
+    for (const RunFinding& finding : judgeRun(strict, others, *sessions[i]).findings) {
+      if (finding.accept.empty()) continue;
       OwnLimits& own = found.own_limits[finding.item];
       const bool is_turn = finding.kind == RunFinding::Kind::pose && finding.unit != "mm";
       raise(finding.unit == "mm" ? own.position_mm
@@ -57,6 +83,7 @@ LimitSuggestion limitsOf(const RunSpec& spec, const Sessions& sessions) {
             limitFor(*finding.largest));
     }
   }
+  dropWhatHolds(patient, found.own_limits);
   return found;
 }
 
@@ -101,9 +128,8 @@ std::string LimitSuggestion::toml(const RunSpec& spec) const {
   const RunLimits& run = applied.limits;
   OwnLimits ofRun;
   if (run.joint_deg > kRunFloors.joint_deg) ofRun.joint_deg = run.joint_deg;
-  if (run.judges_links || run.position_mm > kRunFloors.position_mm)
-    ofRun.position_mm = run.position_mm;
-  if (run.turn_deg > kRunFloors.turn_deg) ofRun.turn_deg = run.turn_deg;
+  if (run.link_positions) ofRun.position_mm = run.position_mm;
+  if (run.link_turns) ofRun.turn_deg = run.turn_deg;
   if (run.event_ms > kRunFloors.event_ms) ofRun.event_ms = run.event_ms;
   std::string text = entriesOf(ofRun);
   for (const auto& [item, limits] : applied.own_limits) {

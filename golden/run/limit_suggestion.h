@@ -31,8 +31,8 @@ struct LimitSuggestion {
   std::string toml(const RunSpec& spec) const;
 };
 
-/// Each recording is judged beside all others; what it leaves them by, and a fifth more, is the
-/// limit. `sessions`: at least three, made with linksToJudge(spec).
+/// Each recording is judged beside all others; what it leaves them by, and as much again, is
+/// the limit. `sessions`: at least three, made with linksToJudge(spec).
 LimitSuggestion suggestLimits(const RunSpec& spec,
                               const std::vector<const SessionTrack*>& sessions);
 

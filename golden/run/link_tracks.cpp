@@ -36,7 +36,8 @@ std::vector<std::string> linksToJudge(const RunSpec& spec, const Cell& cell) {
     const auto itemOfLink = [&](std::size_t link) {
       return device.name + "/" + model->links[link].name;
     };
-    if (spec.limitsOf(device.name).judges_links) {
+    const RunLimits limits = spec.limitsOf(device.name);
+    if (limits.link_positions || limits.link_turns) {
       for (const std::size_t tip : tipLinks(*model)) links.push_back(itemOfLink(tip));
     }
     for (std::size_t link = 0; link < model->links.size(); ++link) {

@@ -42,7 +42,8 @@ RunLimits RunSpec::limitsOf(std::string_view item) const {
     found.position_mm = own->second.position_mm.value_or(found.position_mm);
     found.turn_deg = own->second.turn_deg.value_or(found.turn_deg);
     found.event_ms = own->second.event_ms.value_or(found.event_ms);
-    found.judges_links = found.judges_links || own->second.position_mm || own->second.turn_deg;
+    found.link_positions = found.link_positions || own->second.position_mm;
+    found.link_turns = found.link_turns || own->second.turn_deg;
   };
   apply(item.substr(0, item.find('/')));
   if (item.find('/') != std::string_view::npos) apply(item);

@@ -26,8 +26,8 @@ struct RunLimits {
   double position_mm = 0.5;  ///< positions of links and drawings, joints that slide
   double turn_deg = 0.05;    ///< orientations of links
   double event_ms = 20;      ///< events, and how much earlier or later a value may come
-  /// A position or a turn is limited by somebody: then links are judged, too.
-  bool judges_links = false;
+  /// `position_mm` and `turn_deg` are written: links are judged by them.
+  bool link_positions = false, link_turns = false;
 };
 /// No limit may be smaller: recordings of one motion differ by so much.
 inline constexpr RunLimits kRunFloors{};

@@ -45,7 +45,8 @@ void readRunLimits(SuiteTable& table, RunSpec& spec) {
   spec.limits.position_mm = own.position_mm.value_or(spec.limits.position_mm);
   spec.limits.turn_deg = own.turn_deg.value_or(spec.limits.turn_deg);
   spec.limits.event_ms = own.event_ms.value_or(spec.limits.event_ms);
-  spec.limits.judges_links = own.position_mm || own.turn_deg;
+  spec.limits.link_positions = own.position_mm.has_value();
+  spec.limits.link_turns = own.turn_deg.has_value();
   for (const TomlNode::Entry& entry : node->entries) {
     if (entry.key == "joint_deg" || entry.key == "position_mm" || entry.key == "turn_deg" ||
         entry.key == "event_ms" || entry.key.starts_with("x-")) {
