@@ -52,7 +52,7 @@ std::string madeOf(const std::string& input, bool more) {
   const std::size_t palette = std::min<std::size_t>(at(5), input.size() - 8);
   const std::size_t behind = std::min<std::size_t>(at(6) % 4, input.size() - 8 - palette);
   std::string file = "\x89PNG\r\n\x1A\n" + chunk("IHDR", header);
-  if (more) file += chunk("tEXt", std::string("a\0b", 3));
+  if (more) file += chunk("tEXt", std::string("a\0b", 3)) + chunk("eXIf", input.substr(8, 64));
   const unsigned choice = at(7);
   if ((choice & 1U) != 0) file += chunk("PLTE", input.substr(8, palette));
   if ((choice & 2U) != 0) file += chunk("tRNS", input.substr(8, std::min<std::size_t>(palette, 6)));
@@ -73,6 +73,7 @@ void decodeBothWays(const std::string& file) {
   require(judged->picture.rgba.size() == std::size_t{4} *
                                              static_cast<std::size_t>(judged->picture.width) *
                                              static_cast<std::size_t>(judged->picture.height));
+  require(judged->orientation >= 1 && judged->orientation <= 8);
   require(textOf(bytesOf(file).last(8)).starts_with("IEND"));
 }
 
@@ -87,6 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const std::string file = madeOf(input, false);
   decodeBothWays(file);
+  decodeBothWays(madeOf(input, true));
   const auto width = static_cast<std::uint32_t>(data[1]), height = std::uint32_t{data[2]};
   for (const int components : {3, 4}) {
     // Only what the header says is asked of it.
