@@ -184,6 +184,17 @@ Apart ColumnSamples::corner(std::size_t i, bool& is_jump) const {
   return most;
 }
 
+double ColumnSamples::cornerOf(std::size_t i) const {
+  if (corners_.empty()) corners_.assign(size(), std::numeric_limits<float>::quiet_NaN());
+  float& known = corners_[i];
+  if (std::isnan(known)) {
+    bool is_jump = false;
+    const Apart its = corner(i, is_jump);
+    known = is_jump ? -1 : static_cast<float>(its[0]);
+  }
+  return known;
+}
+
 ApartRange ColumnSamples::wideRange(std::int64_t from, std::int64_t until,
                                     const double* reference) const {
   ApartRange found = range(from, until, reference);
@@ -193,7 +204,13 @@ ApartRange ColumnSamples::wideRange(std::int64_t from, std::int64_t until,
   for (i = i == size() ? 0 : i; i + 1 < size() && time(i) <= until; ++i) {
     if (!isSmooth(i)) continue;
     bool is_jump = false;
-    const Apart corner = this->corner(i, is_jump);
+    Apart corner{};
+    if (width_ == 1) {
+      corner[0] = cornerOf(i);
+      is_jump = corner[0] < 0;
+    } else {
+      corner = this->corner(i, is_jump);
+    }
     if (is_jump) {
       const double turns = turnsTo(reference, value(i));
       found.add(apart(reference, value(i), turns));

@@ -54,6 +54,8 @@ class ColumnSamples {
   /// Whole turns between the two.
   double turnsTo(const double* reference, const double* value) const;
   Apart corner(std::size_t i, bool& is_jump) const;
+  /// corner() of a column of one number, computed once; negative: a jump.
+  double cornerOf(std::size_t i) const;
 
   TrackColumn column_;
   std::size_t width_ = 1;
@@ -62,6 +64,7 @@ class ColumnSamples {
   std::vector<double> values_;
   std::int64_t usual_ = 0;  ///< between packets
   mutable std::size_t last_ = 0;
+  mutable std::vector<float> corners_;  ///< NaN: not computed yet
 };
 
 /// Times of a series on the time line of the first accepted session, since its `start`.

@@ -56,7 +56,7 @@ TEST_F(LimitSuggestionTest, FurtherRecordingsAreTheSameWithWhatIsSuggested) {
     const LimitSuggestion found = suggestLimits({}, sessions);
     EXPECT_EQ(found.recordings, 5U);
     EXPECT_TRUE(found.beyond.empty()) << *found.beyond.begin();
-    EXPECT_LE(alarms(found.appliedTo({}), sessions, noise_deg, pause_s, 20), 1U) << found.toml({});
+    EXPECT_LE(alarms(found.appliedTo({}), sessions, noise_deg, pause_s, 8), 1U) << found.toml({});
     // It widens no more than it must.
     for (const auto& [item, limits] : found.own_limits) {
       EXPECT_LE(limits.joint_deg.value_or(0), 0.15) << item;
