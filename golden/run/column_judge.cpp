@@ -4,28 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
-#include "golden/run/motion_words.h"
-#include "golden/run/run_curve.h"
+#include "golden/run/column_finding.h"
 #include "golden/run/track_columns.h"
 
 namespace rocinante {
 namespace {
 
 constexpr std::int64_t kAbsent = 1'000'000'000;
-
-/// The deviation of one measure of a column over time.
-struct Measure {
-  const char* unit = "°";
-  const char* key = "joint_deg";  ///< of limits
-  double limit = 0;
-  std::size_t first_component = 0, components = 1;
-  std::optional<std::int64_t> first;
-  std::int64_t at = 0, last = 0;
-  double largest = 0;
-};
 
 class ColumnJudge {
  public:
@@ -73,7 +60,8 @@ class ColumnJudge {
   FastMotion fastest() const {
     FastMotion fastest{item_, measures_.front().unit, 0, 0, 0};
     if (column_.width() != 1) return fastest;
-    fastest.figure = accepted_.front().farthestWithin(reach_, fastest.at) * scale();
+    fastest.figure = accepted_.front().farthestWithin(reach_, fastest.at) *
+                     (column_.kind == TrackColumn::Kind::length ? kMillimetres : kDegrees);
     fastest.times_limit = fastest.figure / measures_.front().limit;
     return fastest;
   }
@@ -106,9 +94,13 @@ class ColumnJudge {
   void judgeOwn(std::int64_t time, const double* own) {
     if (isOutside(time)) return;
     ++values_;
+    apparent_ = 0;
     for (const ColumnSamples& its : accepted_) {
-      if (isNear(its, time, own)) return;
+      if (!isNear(its, time, own)) continue;
+      failing_ = 0;
+      return;
     }
+    if (!isWeighed(time)) return;
     ApartRange band;
     for (const ColumnSamples& its : accepted_) {
       // What came before its first packet is unknown.
@@ -129,10 +121,13 @@ class ColumnJudge {
     }
     ++values_;
     const double* const value = its.value(i);
+    apparent_ = 0;
     if (isNear(run_, time, value)) {
       absent_.reset();
+      failing_ = 0;
       return;
     }
+    if (!isWeighed(time)) return;
     const ApartRange around = run_.size() > 0 && time < run_.time(0)
                                   ? ApartRange{}
                                   : run_.wideRange(time - reach_, time + reach_, value);
@@ -146,21 +141,34 @@ class ColumnJudge {
     note(fromAll(session, around, time, value), time, lostAt(its, time, value));
   }
 
+  /// False for some packets in a long stretch that is not as accepted, where it has begun, how far
+  /// it goes and how it ends are what counts. Many windows of many packets would take minutes.
+  bool isWeighed(std::int64_t time) {
+    constexpr std::size_t kStretch = 64;
+    const bool is_long = column_.width() == 1 && ++failing_ > kStretch;
+    const bool is_soon = std::abs(time - weighed_) < reach_ / 2;
+    if (is_long && is_soon && apparent_ <= 2 * measures_.front().largest) return false;
+    weighed_ = time;
+    return true;
+  }
+
   /// True when a packet within `event_ms` is near enough: most are.
-  bool isNear(const ColumnSamples& samples, std::int64_t time, const double* value) const {
+  bool isNear(const ColumnSamples& samples, std::int64_t time, const double* value) {
     const std::size_t i = samples.at(time);
     if (i == samples.size()) return false;
     return isNearSample(samples, i, time, value) ||
            (i + 1 < samples.size() && isNearSample(samples, i + 1, time, value));
   }
   bool isNearSample(const ColumnSamples& samples, std::size_t i, std::int64_t time,
-                    const double* value) const {
+                    const double* value) {
     if (std::abs(samples.time(i) - time) > reach_ || !samples.isStated(i)) return false;
     if (column_.width() == 1) {
-      return std::abs(apartOf(column_.kind, value, samples.value(i))[0]) <= measures_.front().limit;
+      const double its = std::abs(apartOf(column_.kind, value, samples.value(i))[0]);
+      apparent_ = std::max(apparent_, its);
+      return its <= measures_.front().limit;
     }
     const Apart apart = apartOf(column_.kind, value, samples.value(i));
-    return std::ranges::all_of(measures_, [&](const Measure& measure) {
+    return std::ranges::all_of(measures_, [&](const ColumnMeasure& measure) {
       double square = 0;
       for (std::size_t c = 0; c < measure.components; ++c) {
         square += apart[measure.first_component + c] * apart[measure.first_component + c];
@@ -176,7 +184,8 @@ class ColumnJudge {
   }
 
   /// How far 0, which is the value itself, is from a range.
-  static double beyond(const ApartRange& range, const Measure& measure, const Apart& allowed) {
+  static double beyond(const ApartRange& range, const ColumnMeasure& measure,
+                       const Apart& allowed) {
     double square = 0;
     for (std::size_t c = measure.first_component; c < measure.first_component + measure.components;
          ++c) {
@@ -187,14 +196,14 @@ class ColumnJudge {
   }
   double largestBeyond(const ApartRange& range) const {
     double most = 0;
-    for (const Measure& measure : measures_) {
+    for (const ColumnMeasure& measure : measures_) {
       most = std::max(most, beyond(range, measure, {}) - measure.limit);
     }
     return most;
   }
 
   /// True when all accepted sessions have the value about its time, or do not tell.
-  bool isCommon(std::size_t session, std::int64_t time, const double* value) const {
+  bool isCommon(std::size_t session, std::int64_t time, const double* value) {
     for (std::size_t k = 0; k < accepted_.size(); ++k) {
       const ColumnSamples& its = accepted_[k];
       if (k == session || its.size() == 0 || time < its.time(0)) continue;
@@ -266,7 +275,7 @@ class ColumnJudge {
   }
 
   void note(const ApartRange& range, std::int64_t time, const Apart& allowed) {
-    for (Measure& measure : measures_) {
+    for (ColumnMeasure& measure : measures_) {
       const double its = beyond(range, measure, allowed);
       if (!(its > measure.limit)) continue;
       if (!measure.first || time < *measure.first) measure.first = time;
@@ -278,95 +287,16 @@ class ColumnJudge {
   }
 
   void addFindings(std::vector<RunFinding>& findings) {
+    const JudgedColumn judged{times_, item_, column_, accepted_, run_};
     if (absent_since_) {
-      RunFinding finding = findingAt(*absent_since_);
+      RunFinding finding = findingAt(judged, *absent_since_);
       finding.what = fmt::format("{}: no value from {}", item_, times_.bothTimes(*absent_since_));
       findings.push_back(std::move(finding));
       return;
     }
-    for (const Measure& measure : measures_) {
-      if (!measure.first) continue;
-      RunFinding finding = findingAt(*measure.first);
-      finding.unit = measure.unit;
-      finding.limit = measure.limit;
-      finding.largest = measure.largest;
-      finding.at_accepted = times_.sinceOrigin(measure.at);
-      finding.at_run = times_.sinceRunOrigin(measure.at);
-      finding.until_accepted = times_.sinceOrigin(measure.last);
-      finding.what = sentence(measure);
-      finding.accept = acceptingLimit(measure);
-      if (column_.width() == 1) {
-        finding.curve = runCurve(times_, accepted_, run_, scale(), reach_, measure.limit);
-      }
-      findings.push_back(std::move(finding));
+    for (const ColumnMeasure& measure : measures_) {
+      if (measure.first) findings.push_back(findingOf(judged, measure, reach_));
     }
-  }
-
-  /// The entry of `limits` with which the run were the same, in two digits.
-  std::string acceptingLimit(const Measure& measure) const {
-    const double digit = std::pow(10, std::floor(std::log10(measure.largest)) - 1);
-    const double limit = std::ceil(measure.largest * 1.02 / digit) * digit;
-    return fmt::format("\"{}\" = {{ {} = {:.4g} }}", item_, measure.key, limit);
-  }
-
-  double scale() const {
-    return column_.kind == TrackColumn::Kind::length ? kMillimetres : kDegrees;
-  }
-
-  std::string sentence(const Measure& measure) const {
-    std::string text =
-        fmt::format("{}: {} beyond what was accepted, since {}", item_,
-                    figureText(measure.largest, measure.unit), times_.bothTimes(*measure.first));
-    if (times_.sinceOrigin(measure.at) - times_.sinceOrigin(*measure.first) >=
-        std::chrono::milliseconds(1)) {
-      text += fmt::format("; largest at {}", times_.bothTimes(measure.at));
-    }
-    if (column_.width() != 1) return text;
-    const std::string how = howColumnsDiffer(measure);
-    return how.empty() ? text : text + "; " + how;
-  }
-
-  /// In the words of motion_words.h, from values at equal times.
-  std::string howColumnsDiffer(const Measure& measure) const {
-    constexpr std::int64_t kMargin = 1'100'000'000;  // what is late or early by a second
-    constexpr std::int64_t kMostMoments = 4'000;
-    constexpr std::int64_t kFinest = 1'000'000;
-    const std::int64_t from = std::max<std::int64_t>(0, *measure.first - kMargin);
-    const std::int64_t until = std::min(times_.end(), measure.last + kMargin);
-    const std::int64_t step = std::max(kFinest, (until - from) / kMostMoments);
-    std::vector<double> run, accepted;
-    for (std::int64_t time = from; time <= until; time += step) {
-      for (auto [samples, values] :
-           {std::pair(&run_, &run), std::pair(&accepted_.front(), &accepted)}) {
-        double value = std::numeric_limits<double>::quiet_NaN();
-        static_cast<void>(samples->valueAt(time, &value));
-        values->push_back(value);
-      }
-    }
-    if (run.size() < 2) return {};
-    const auto placeOf = [&](std::int64_t time) {
-      return std::min(static_cast<std::size_t>(std::max<std::int64_t>(0, time - from) / step),
-                      run.size() - 1);
-    };
-    const MotionShape shape{run,
-                            accepted,
-                            placeOf(*measure.first),
-                            placeOf(measure.last),
-                            static_cast<double>(step) * 1e-9,
-                            scale(),
-                            measure.limit,
-                            measure.unit};
-    return howItDiffers(shape);
-  }
-
-  RunFinding findingAt(std::int64_t time) const {
-    RunFinding finding;
-    finding.kind = column_.width() == 7 ? RunFinding::Kind::pose : RunFinding::Kind::joint;
-    finding.item = item_;
-    finding.first_accepted = finding.at_accepted = finding.until_accepted =
-        times_.sinceOrigin(time);
-    finding.first_run = finding.at_run = times_.sinceRunOrigin(time);
-    return finding;
   }
 
   const RunTimes& times_;
@@ -374,10 +304,13 @@ class ColumnJudge {
   const TrackColumn& column_;
   const std::vector<ColumnSamples>& accepted_;
   const ColumnSamples& run_;
-  std::vector<Measure> measures_;
+  std::vector<ColumnMeasure> measures_;
   std::int64_t reach_ = 0, from_ = 0, until_ = 0;
   bool has_masks_ = false;
   std::uint64_t values_ = 0;
+  std::size_t failing_ = 0;   ///< packets in a row that no packet of the others is near to
+  std::int64_t weighed_ = 0;  ///< the last of them that was
+  double apparent_ = 0;       ///< how far the value is from the packets next to it
   std::optional<std::int64_t> absent_, absent_since_;
 };
 
