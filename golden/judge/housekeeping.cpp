@@ -123,7 +123,9 @@ void addRunFaults(const Manifest& manifest, const GoldenFolder& folder,
                   std::vector<std::string>& faults) {
   std::error_code ignored;
   for (const auto& [name, logs] : manifest.runs) {
-    const auto isNamed = [&](const SuiteRun& run) { return run.name == name; };
+    const auto isNamed = [&, &run_name = name](const SuiteRun& run) {
+      return run.name == run_name;
+    };
     const bool is_run = std::ranges::any_of(runs, isNamed) ||
                         std::ranges::any_of(neighbours, [&](const Suite& other) {
                           return std::ranges::any_of(other.runs, isNamed);
@@ -152,10 +154,10 @@ std::vector<std::string> folderFaults(const Manifest& manifest, const GoldenFold
   for (const SuiteFrame& frame : frames) names.insert(frame.name);
   std::vector<std::string> faults;
   for (const auto& [name, pictures] : manifest.cases) {
-    const bool is_frame =
-        names.contains(name) || std::ranges::any_of(neighbours, [&](const Suite& other) {
-          return mayHaveFrame(other, name);
-        });
+    const bool is_frame = names.contains(name) ||
+                          std::ranges::any_of(neighbours, [&, &frame = name](const Suite& other) {
+                            return mayHaveFrame(other, frame);
+                          });
     for (const AcceptedPicture& accepted : pictures) {
       const std::string file = folder.fileOf(accepted.picture, accepted.pixels).string();
       if (!is_frame) {

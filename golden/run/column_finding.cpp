@@ -74,8 +74,7 @@ RunFinding findingAt(const JudgedColumn& judged, std::int64_t time) {
   return finding;
 }
 
-RunFinding findingOf(const JudgedColumn& judged, const ColumnMeasure& measure,
-                     std::int64_t reach) {
+RunFinding findingOf(const JudgedColumn& judged, const ColumnMeasure& measure, std::int64_t reach) {
   RunFinding finding = findingAt(judged, *measure.first);
   finding.unit = measure.unit;
   finding.limit = measure.limit;

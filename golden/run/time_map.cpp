@@ -39,9 +39,9 @@ LogTime TimeMap::inAccepted(LogTime run_time) const {
 }
 
 LogTime TimeMap::Walk::inAccepted(LogTime run_time) {
-  const std::vector<Knot>& knots = map_.knots;
-  while (after_ < knots.size() && knots[after_].run <= run_time) ++after_;
-  return mapped(knots, knots.begin() + static_cast<std::ptrdiff_t>(after_), 1 / map_.rate, run_time,
+  const std::vector<Knot>& all = map_.knots;
+  while (after_ < all.size() && all[after_].run <= run_time) ++after_;
+  return mapped(all, all.begin() + static_cast<std::ptrdiff_t>(after_), 1 / map_.rate, run_time,
                 &Knot::run, &Knot::accepted);
 }
 
