@@ -50,7 +50,7 @@ rocinante_web_sources(core/kinematics model joint_values kinematics mesh_scale)
 rocinante_web_sources(core/cell cell cell_names device_appearance layer_index posed_scene view_path)
 rocinante_web_sources(core/bundle baked_file)
 rocinante_web_sources(viewer/bake bake_cell baked_guard)
-rocinante_web_sources(viewer/picture mipmaps picture picture_encoding plain_png png whole_png stored_png lfs_pointer)
+rocinante_web_sources(viewer/picture exif_orientation mipmaps picture picture_encoding plain_png png whole_png stored_png lfs_pointer)
 rocinante_web_sources(viewer/detail detail_builder detail_cache detail_file detail_level governor mesh_detail)
 rocinante_web_sources(viewer/gl frame_buffer gl_table renderer_key shader_program)
 rocinante_web_sources(viewer/view camera camera_choice depth_reach hand_joints inset_layout known_names
