@@ -137,7 +137,10 @@ class ColumnJudge {
     }
     absent_.reset();
     const bool is_at_edge = time < run_.time(0) + reach_ || isAtEndOfBoth(time);
-    if (is_at_edge || largestBeyond(around) <= 0 || !isCommon(session, time, value)) return;
+    if (is_at_edge || largestBeyond(around) <= 0 || !isCommon(session, time, value)) {
+      failing_ = 0;
+      return;
+    }
     note(fromAll(session, around, time, value), time, lostAt(its, time, value));
   }
 
@@ -145,7 +148,7 @@ class ColumnJudge {
   /// it goes and how it ends are what counts. Many windows of many packets would take minutes.
   bool isWeighed(std::int64_t time) {
     constexpr std::size_t kStretch = 64;
-    const bool is_long = column_.width() == 1 && ++failing_ > kStretch;
+    const bool is_long = column_.width() == 1 && failing_ > kStretch;
     const bool is_soon = std::abs(time - weighed_) < reach_ / 2;
     if (is_long && is_soon && apparent_ <= 2 * measures_.front().largest) return false;
     weighed_ = time;
@@ -275,15 +278,18 @@ class ColumnJudge {
   }
 
   void note(const ApartRange& range, std::int64_t time, const Apart& allowed) {
+    bool is_beyond = false;
     for (ColumnMeasure& measure : measures_) {
       const double its = beyond(range, measure, allowed);
       if (!(its > measure.limit)) continue;
+      is_beyond = true;
       if (!measure.first || time < *measure.first) measure.first = time;
       measure.last = std::max(measure.last, time);
       if (its <= measure.largest) continue;
       measure.largest = its;
       measure.at = time;
     }
+    failing_ = is_beyond ? failing_ + 1 : 0;
   }
 
   void addFindings(std::vector<RunFinding>& findings) {
@@ -308,8 +314,8 @@ class ColumnJudge {
   std::int64_t reach_ = 0, from_ = 0, until_ = 0;
   bool has_masks_ = false;
   std::uint64_t values_ = 0;
-  std::size_t failing_ = 0;   ///< packets in a row that no packet of the others is near to
-  std::int64_t weighed_ = 0;  ///< the last of them that was
+  std::size_t failing_ = 0;   ///< packets in a row that are beyond a limit
+  std::int64_t weighed_ = 0;  ///< the last packet that was weighed
   double apparent_ = 0;       ///< how far the value is from the packets next to it
   std::optional<std::int64_t> absent_, absent_since_;
 };
