@@ -29,7 +29,7 @@ function(rocinante_web_sources folder)
 endfunction()
 
 add_executable(rocinante-viewer)
-rocinante_web_sources(core/base hash duration_text plain_text name_hint count_text pattern number_list
+rocinante_web_sources(core/base reader_notice hash duration_text plain_text name_hint count_text pattern number_list
   angle_text size_text version json_parse)
 rocinante_web_sources(core/math angle_reduction srgb trigonometry transform)
 rocinante_web_sources(core/packet packet text_name text_number header_reader statement_reader
