@@ -122,11 +122,9 @@ Result<cli::Exit> approveOneRun(const ApproveArguments& arguments, const std::st
   if (!options.ok()) return options.error();
   const auto session = SuiteSession::open(arguments.suite.suite, *options);
   if (!session.ok()) return session.error();
-  const auto& runs = session->suite().runs;
-  const auto run = std::ranges::find(runs, arguments.run, &SuiteRun::name);
-  if (run == runs.end()) {
-    return Error{ErrorKind::bad_argument, "the suite has no such run", "--run " + arguments.run};
-  }
+  const auto named = runNamed(*session, arguments.run);
+  if (!named.ok()) return named.error();
+  const SuiteRun* const run = *named;
   const OpenedRecording* const log = session->logOf(*run);
   if (log == nullptr) {
     return Error{ErrorKind::bad_argument, "a log to accept is needed",

@@ -60,11 +60,9 @@ Result<cli::Exit> runSuggestCommand(const SuggestArguments& arguments) {
   if (!options.ok()) return options.error();
   const auto session = SuiteSession::open(arguments.suite.suite, *options);
   if (!session.ok()) return session.error();
-  const auto& runs = session->suite().runs;
-  const auto run = std::ranges::find(runs, arguments.run, &SuiteRun::name);
-  if (run == runs.end()) {
-    return Error{ErrorKind::bad_argument, "the suite has no such run", "--run " + arguments.run};
-  }
+  const auto named = runNamed(*session, arguments.run);
+  if (!named.ok()) return named.error();
+  const SuiteRun* const run = *named;
   const std::vector<std::string> links = linksToJudge(run->spec, session->cell());
   std::vector<SessionTrack> tracks;
   for (const std::filesystem::path& recording : arguments.recordings) {

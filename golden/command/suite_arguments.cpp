@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <tuple>
@@ -56,6 +57,13 @@ Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {
   options.parallel = cli::workerThreads();
   options.now_ms = steadyMs;
   return options;
+}
+
+Result<const SuiteRun*> runNamed(const SuiteSession& session, const std::string& name) {
+  const auto& runs = session.suite().runs;
+  const auto run = std::ranges::find(runs, name, &SuiteRun::name);
+  if (run != runs.end()) return &*run;
+  return Error{ErrorKind::bad_argument, "the suite has no such run", "--run " + name};
 }
 
 std::string commandText(const char* verb, const SuiteArguments& arguments) {

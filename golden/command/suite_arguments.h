@@ -27,6 +27,8 @@ void addSuiteOptions(CLI::App& app, SuiteArguments& arguments);
 void addIncompleteOption(CLI::App& app, SuiteArguments& arguments);
 /// bad_argument for an invalid shard.
 Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments);
+/// bad_argument when the suite has no run of that name.
+Result<const SuiteRun*> runNamed(const SuiteSession& session, const std::string& name);
 /// "rocinante golden VERB SUITE ..." with these arguments, quoted for a shell.
 std::string commandText(const char* verb, const SuiteArguments& arguments);
 

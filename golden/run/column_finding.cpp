@@ -18,8 +18,9 @@ double scaleOf(const TrackColumn& column) {
 
 /// The entry of `limits` with which the run were the same, in two digits.
 std::string acceptingLimit(const std::string& item, const ColumnMeasure& measure) {
-  const double digit = std::pow(10, std::floor(std::log10(measure.largest)) - 1);
-  const double limit = std::ceil(measure.largest * 1.02 / digit) * digit;
+  const double needed = std::max(measure.largest, measure.missing);
+  const double digit = std::pow(10, std::floor(std::log10(needed)) - 1);
+  const double limit = std::ceil(needed * 1.02 / digit) * digit;
   return fmt::format("\"{}\" = {{ {} = {:.4g} }}", item, measure.key, limit);
 }
 

@@ -19,6 +19,8 @@ struct ColumnMeasure {
   std::optional<std::int64_t> first{};              ///< beyond its limit; empty: never
   std::int64_t at = 0, last = 0;                    ///< where it is largest, and beyond at last
   double largest = 0;
+  double missing = 0;  ///< of values that the run lacks; the limit must be wider than both
+  std::int64_t missing_at = 0;
 };
 
 /// A column of all sessions that are compared. Borrows all but the name.

@@ -141,7 +141,14 @@ class ColumnJudge {
       failing_ = 0;
       return;
     }
-    note(fromAll(session, around, time, value), time, lostAt(its, time, value));
+    const ApartRange nearest = fromAll(session, around, time, value);
+    const Apart lost = lostAt(its, time, value);
+    // As near as the nearest session is, the value of this one is missing all the same.
+    if (largestBeyond(nearest) > 0) {
+      note(nearest, time, lost);
+    } else {
+      noteMissing(around, time, lost);
+    }
   }
 
   /// False for some packets in a long stretch that is not as accepted, where it has begun, how far
@@ -233,7 +240,7 @@ class ColumnJudge {
       nearest.least[c] -= points.most[c];
       nearest.most[c] -= points.least[c];
     }
-    return largestBeyond(nearest) > 0 ? nearest : around;
+    return nearest;
   }
 
   /// Both sessions end here; what the run would have had a little later is unknown.
@@ -292,6 +299,23 @@ class ColumnJudge {
     failing_ = is_beyond ? failing_ + 1 : 0;
   }
 
+  /// The same of a value that all accepted sessions have and the run misses, though it is as near
+  /// as the nearest of them: it counts for the limit, and as the figure where there is no other.
+  void noteMissing(const ApartRange& range, std::int64_t time, const Apart& allowed) {
+    bool is_beyond = false;
+    for (ColumnMeasure& measure : measures_) {
+      const double its = beyond(range, measure, allowed);
+      if (!(its > measure.limit)) continue;
+      is_beyond = true;
+      if (!measure.first || time < *measure.first) measure.first = time;
+      measure.last = std::max(measure.last, time);
+      if (its <= measure.missing) continue;
+      measure.missing = its;
+      measure.missing_at = time;
+    }
+    failing_ = is_beyond ? failing_ + 1 : 0;
+  }
+
   void addFindings(std::vector<RunFinding>& findings) {
     const JudgedColumn judged{times_, item_, column_, accepted_, run_};
     if (absent_since_) {
@@ -300,7 +324,11 @@ class ColumnJudge {
       findings.push_back(std::move(finding));
       return;
     }
-    for (const ColumnMeasure& measure : measures_) {
+    for (ColumnMeasure& measure : measures_) {
+      if (measure.largest == 0) {
+        measure.largest = measure.missing;
+        measure.at = measure.missing_at;
+      }
       if (measure.first) findings.push_back(findingOf(judged, measure, reach_));
     }
   }

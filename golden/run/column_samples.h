@@ -29,7 +29,7 @@ class ColumnSamples {
   /// What it has at a time, interpolated, with room for width() numbers. False: nothing is stated.
   bool valueAt(std::int64_t time, double* out) const;
 
-  /// How `reference` differs from what there is in [from, until], ends interpolated.
+  /// How `reference` differs from the values in [from, until], ends interpolated.
   ApartRange range(std::int64_t from, std::int64_t until, const double* reference) const;
   /// The same with what may lie between the packets (docs/decisions/041).
   ApartRange wideRange(std::int64_t from, std::int64_t until, const double* reference) const;

@@ -19,7 +19,7 @@ namespace {
 
 /// Less than this beyond the accepted end is not worth a note.
 constexpr Nanoseconds kTellsOfMore = std::chrono::milliseconds(500);
-/// So many limits may hide before it is worth a note.
+/// Motion within `event_ms` of this many limits is worth a note.
 constexpr double kTellsOfFast = 10;
 /// A session that has less of the accepted time is another one.
 constexpr double kLeastShare = 0.5;

@@ -182,7 +182,7 @@ class TrackReader {
   bool sound_ = true;
 };
 
-/// Blocks of a series, within so many bytes of samples.
+/// True when the blocks of a series lie within `bytes` of samples.
 bool isSound(const TrackSeries& series, std::uint64_t bytes) {
   constexpr std::uint64_t kMostWidth = std::uint64_t{1} << 32;
   if (series.width > kMostWidth || series.rows > bytes) return false;
