@@ -13,4 +13,4 @@ check --preset ci --quiet
 check --preset ci --rule joint.jump=warning --quiet
 check --preset ci --rule joint.jump=off --quiet
 # A job's own name for a purpose that does not exist.
-check --preset CI 2>&1 | head -n 1
+check --preset CI 2>&1 | sed -n 1p

@@ -4,7 +4,7 @@ if [ "$(uname -m)" != x86_64 ]; then echo "skipped: only on x86-64 is there a cl
 draw() { rocinante render "$SRC/examples/demo/demo.cell.toml" "$SRC/examples/demo/session.mcap" --at 7.88 --size 320x240 "$@"; }
 mesa=$(draw --hash --json | sed -n 's/^ *"renderer": ".*-mesa\([0-9]*\.[0-9]*\).*/\1/p')
 bits=different
-[ "$(printf '%s\n25.1\n' "$mesa" | sort -V | head -n 1)" = "$mesa" ] || bits=same
+[ "$(printf '%s\n25.1\n' "$mesa" | sort -V | sed -n 1p)" = "$mesa" ] || bits=same
 for camera in overview arm gantry top; do
   draw --camera "$camera" -o "$camera.here.png"
   draw --camera "$camera" --caps sse2 -o "$camera.there.png"

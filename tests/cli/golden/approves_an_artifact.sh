@@ -1,7 +1,7 @@
 # The block of docs/ci.md that takes the pictures that CI drew, as a folder and as a ZIP file: what it accepts is what
 # drawing here accepts, without the log. Nothing that was not seen, or has changed since, is accepted.
 # Skipped without libzip: a folder is taken by the same code then.
-rocinante --version --parts 2>/dev/null | grep -q "^  zip *on" || { echo "skipped: no libzip"; exit 77; }
+grep -q "^  zip *on" <(rocinante --version --parts 2>/dev/null) || { echo "skipped: no libzip"; exit 77; }
 cat >box.urdf <<'URDF'
 <robot name="box"><link name="body"><visual><geometry><box size="1 1 1"/></geometry></visual></link></robot>
 URDF

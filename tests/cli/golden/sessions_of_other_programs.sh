@@ -46,7 +46,7 @@ for form in mcap csv bag.mcap pcap; do
     label="$form $1 $2: log diff:" code rocinante log diff --by state $x $y
   done
   rocinante log table a.$form --cell arm.urdf 2>/dev/null | tail -n 1
-  rocinante log state a.$form --at 4s 2>/dev/null | grep -o 'shoulder=[0-9.]*' | head -n 1 || echo "state: none"
+  rocinante log state a.$form --at 4s 2>/dev/null | grep -o 'shoulder=[0-9.]*' | sed -n 1p || echo "state: none"
   rocinante log export a.$form arm.urdf --foxglove -o $form.fox.mcap --force >/dev/null 2>&1 && echo "exported" || echo "export: exit $?"
   # The page and the server carry the log that was made.
   rocinante page arm.urdf a.$form -o $form.html --viewer viewer >/dev/null 2>&1 || echo "page: exit $?"
@@ -56,5 +56,5 @@ for form in mcap csv bag.mcap pcap; do
   for log in $form.page.mcap $form.served.mcap; do
     (rocinante log table $log --cell arm.urdf 2>/dev/null || true) | cmp - table.csv && echo "${log#$form.} has its values"
   done
-  rocinante model fk arm.urdf --log a.$form --at 4s 2>/dev/null | grep upper | head -n 1 || echo "fk: exit $?"
+  rocinante model fk arm.urdf --log a.$form --at 4s 2>/dev/null | grep upper | sed -n 1p || echo "fk: exit $?"
 done

@@ -1,6 +1,6 @@
 # What an ABB controller sends by protobuf becomes packets; the log carries the descriptor too, and
 # what it carries decodes anew. A descriptor that is not the declared one is a fault with its place.
-rocinante --version --parts | grep -q '^  protobuf *on ' || { echo "skipped: built without protobuf"; exit 77; }
+grep -q '^  protobuf *on ' <(rocinante --version --parts) || { echo "skipped: built without protobuf"; exit 77; }
 cat >traffic.py <<'PY'
 import sys
 sys.path.insert(0, sys.argv[1])

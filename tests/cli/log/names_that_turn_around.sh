@@ -21,7 +21,7 @@ cp log.mcap "$turned"
   rocinante log state log.mcap --at 0s
   rocinante log doctor log.mcap || true
   rocinante log diff log.mcap log.mcap
-  rocinante log info "$turned" | head -n 1
+  rocinante log info "$turned" | sed -n 1p
   rocinante log cut "$turned" -o "$(printf 'o\342\200\256ut.mcap')" --from 0s
   rocinante log info "$(printf 'no\342\200\256ne.mcap')" || true
   rocinante log diff --replay log.mcap log.mcap

@@ -1,10 +1,10 @@
 # Joint values and poses as columns; what is not known is empty and told.
 cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
-rocinante log table session.mcap | head -n 4
+rocinante log table session.mcap | sed -n 1,4p
 rocinante log table "$SRC/examples/demo/session.mcap" --cell "$SRC/examples/demo/demo.cell.toml" \
   --every 5s -o demo.csv
 cat demo.csv
-rocinante log table "$SRC/examples/demo/session.mcap" --device canister --from 4s | head -n 2 ||
+rocinante log table "$SRC/examples/demo/session.mcap" --device canister --from 4s | sed -n 1,2p ||
   echo "exit $?"
 rocinante log table "$SRC/examples/demo/session.mcap" --cell "$SRC/examples/demo/demo.cell.toml" \
   --device 'ga*' --changes -o gantry.npy --json

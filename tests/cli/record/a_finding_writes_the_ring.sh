@@ -10,7 +10,7 @@ URDF
 python3 "$SRC/tests/support/joint_capture.py" session.pcap
 rocinante record pcap://./session.pcap -o 'error-%n.mcap' --ring 1s --ring-after 500ms --watch arm.urdf --json 2>&1 |
   grep -v sha256 | grep -E 'arm/turn|"(why|triggers|packets|log)"|written' | sed 's/, [0-9.]* [kM]*B//'
-rocinante log info error-001.mcap --json | grep -E '"(messages|start|end)":' | head -n 3
+rocinante log info error-001.mcap --json | grep -E '"(messages|start|end)":' | sed -n 1,3p
 echo "== warnings too: the silence"
 rocinante record pcap://./session.pcap -o 'warning-%n.mcap' --ring 1s --watch arm.urdf --watch-severity warning --quiet
 ls

@@ -52,7 +52,7 @@ rocinante record pcap://./all.pcap --cell kuka.cell.toml -o cell.mcap --json 2>/
 rocinante log info cell.mcap --json | grep -c "$(rocinante log info live.mcap --json | grep decoded_sha256)"
 rocinante record pcap://./all.pcap --cell cell.mcap -o from_log.mcap 2>/dev/null | grep decoded
 rocinante record pcap://./all.pcap --decoders kuka.decoders.toml --start-on 'event=1 answers*' --stop-on device=lamp \
-  --split-time 200ms -o 'piece-%n.mcap' 2>/dev/null | head -1 | sed 's/([0-9.]* [kM]*B)/(SIZE)/'
+  --split-time 200ms -o 'piece-%n.mcap' 2>/dev/null | sed -n 1p | sed 's/([0-9.]* [kM]*B)/(SIZE)/'
 echo "# refusals"
 sed -i 's/at = "AIPos@A1"//' kuka.decoders.toml
 rocinante record pcap://./all.pcap --decoders kuka.decoders.toml -o no.mcap || echo "exit $?"

@@ -1,6 +1,6 @@
 # Datagrams that arrive cut are losses to --max-loss: here three of a capture with a short snap length.
 # Skipped without libpcap.
-rocinante --version --parts 2>/dev/null | grep -q "^  pcap *on" || { echo "skipped: no libpcap"; exit 77; }
+grep -q "^  pcap *on" <(rocinante --version --parts 2>/dev/null) || { echo "skipped: no libpcap"; exit 77; }
 python3 - <<'PY'
 import struct
 with open("cut.pcap", "wb") as out:

@@ -9,12 +9,12 @@ printf 't,a,b\n0,0,0\n0.01,1,1\n0.02,2,2\n' >table.csv
 rocinante record 127.0.0.1:0 --trust both.toml -o out.mcap --json >summary.json 2>recorder &
 recorder=$!
 until grep -qs '^recording' recorder; do kill -0 $recorder; sleep 0.05; done
-to=$(grep -o '127.0.0.1:[1-9][0-9]*' recorder | head -n 1)
+to=$(grep -o '127.0.0.1:[1-9][0-9]*' recorder | sed -n 1p)
 rocinante relay --from 127.0.0.1:0 --to "$to" --max-rate 1000 --restate 200ms --name hub --trust arm.toml --key hub.key \
   --json >report 2>relay &
 relay=$!
 until grep -qs '^sending' relay; do kill -0 $relay; sleep 0.05; done
-from=$(grep -o '127.0.0.1:[1-9][0-9]*' relay | head -n 1)
+from=$(grep -o '127.0.0.1:[1-9][0-9]*' relay | sed -n 1p)
 send() { rocinante source --csv table.csv --run r --restate 0 --to "$from" --quiet --device "$@"; }
 send arm --key arm.key
 send thief

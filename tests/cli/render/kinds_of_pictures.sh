@@ -1,5 +1,5 @@
 # A picture is written as its ending says; what can hold the values holds them.
-rocinante --version --parts | grep -q '^  openimageio *on ' || { echo "skipped: built without OpenImageIO"; exit 77; }
+grep -q '^  openimageio *on ' <(rocinante --version --parts) || { echo "skipped: built without OpenImageIO"; exit 77; }
 cat > box.urdf <<'URDF'
 <robot name="box"><link name="body"><visual><geometry><box size="1 1 1"/></geometry>
 <material name="m"><color rgba="0.8 0.3 0.1 1"/></material></visual></link></robot>

@@ -1,7 +1,7 @@
 # What zsh offers for the word that is being typed; one whole run of it in a terminal of its own.
 command -v zsh >/dev/null || { echo "skipped: there is no zsh here"; exit 77; }
 offer() {
-  echo "$*: $(zsh -f -c 'source $SRC/completions/_rocinante; _rocinante_offers "$@"' zsh "$@" | grep "^${*: -1}" | sort | head -n 4 | tr '\n' ';')"
+  echo "$*: $(zsh -f -c 'source $SRC/completions/_rocinante; _rocinante_offers "$@"' zsh "$@" | grep "^${*: -1}" | sort | sed -n 1,4p | tr '\n' ';')"
 }
 offer rocinante re
 offer rocinante log s

@@ -22,7 +22,7 @@ case $said in *"has no pcap://"*) same pcap off ;; *) same pcap on ;; esac
 
 # Built, and its module is in another package.
 if [ "$(state sdf)" = on ]; then
-  ROCINANTE_MODULES=$PWD rocinante --version --parts | grep -q '^  sdf *absent .*: librocinante_sdformat.so is not installed here$' ||
+  grep -q '^  sdf *absent .*: librocinante_sdformat.so is not installed here$' <(ROCINANTE_MODULES=$PWD rocinante --version --parts) ||
     echo "a module that is not there is not told"
 fi
 said=$(ROCINANTE_MODULES=$PWD rocinante record nats://127.0.0.1:1/cell1 -o x.mcap 2>&1) || exit_code=$?

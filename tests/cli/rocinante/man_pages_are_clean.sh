@@ -22,7 +22,7 @@ if [ -x "$bin/rocinante-self-test-draw" ]; then
 fi
 for page in $pages; do
   LC_ALL=C.UTF-8 man -E UTF-8 --warnings -l "pages/$page.1.gz" 2>&1 >/dev/null
-  lexgrog "pages/$page.1.gz" | grep -q "\"$page - [A-Za-z]" || echo "$page has no name line"
+  grep -q "\"$page - [A-Za-z]" <(lexgrog "pages/$page.1.gz") || echo "$page has no name line"
   zcat "pages/$page.1.gz" >page
   for section in "EXIT STATUS" FILES "SEE ALSO"; do
     grep -qx ".SH \"\?$section\"\?" page || echo "$page says nothing of $section"

@@ -1,6 +1,6 @@
 # While somebody writes a decoder: what it makes, the last values, what no line uses, and what the
 # datagrams have besides; for XML and for protobuf.
-rocinante --version --parts | grep -q '^  protobuf *on ' || { echo "skipped: built without protobuf"; exit 77; }
+grep -q '^  protobuf *on ' <(rocinante --version --parts) || { echo "skipped: built without protobuf"; exit 77; }
 cat >traffic.py <<'PY'
 import sys
 sys.path.insert(0, sys.argv[1])

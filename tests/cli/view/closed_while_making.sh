@@ -31,7 +31,7 @@ ls evidence-*.png
 view --live "127.0.0.1:$port"
 rocinante source --demo arm --duration 300s --to "127.0.0.1:$port" >/dev/null 2>&1 &
 source=$!
-until rocinante log info cache/rocinante/live/*/live-000001.mcap --json 2>/dev/null | grep -q '"messages": [1-9]'; do
+until grep -q '"messages": [1-9]' <(rocinante log info cache/rocinante/live/*/live-000001.mcap --json 2>/dev/null); do
   kill -0 $viewer || { cat view.txt; exit 1; }
   sleep 0.05
 done

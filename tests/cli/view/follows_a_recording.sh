@@ -6,7 +6,7 @@ rocinante record "127.0.0.1:$port" -o piece.mcap --split-time 1s --quiet >/dev/n
 record=$!
 rocinante source --demo all --duration 300s --to "127.0.0.1:$port" >/dev/null 2>&1 &
 source=$!
-until [ -s piece-001.mcap ] && rocinante log info piece-001.mcap --json 2>/dev/null | grep -q '"messages": [1-9]'; do sleep 0.05; done
+until [ -s piece-001.mcap ] && grep -q '"messages": [1-9]' <(rocinante log info piece-001.mcap --json 2>/dev/null); do sleep 0.05; done
 cat >script.txt <<'SCRIPT'
 await 2.5s
 pause
