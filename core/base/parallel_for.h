@@ -12,6 +12,13 @@ namespace rocinante {
 using ParallelFor =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
+/// One after another where `parallel` is empty.
+inline void forEachIndex(const ParallelFor& parallel, std::size_t count,
+                         const std::function<void(std::size_t)>& task) {
+  if (parallel && count > 1) return parallel(count, task);
+  for (std::size_t i = 0; i < count; ++i) task(i);
+}
+
 /// Progress of loading files.
 struct LoadProgress {
   std::size_t files_done = 0, files_total = 0;

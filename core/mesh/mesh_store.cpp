@@ -110,11 +110,7 @@ void MeshStore::readAhead(const std::vector<MeshWanted>& wanted) {
     progress_.bytes_done += jobs[i].bytes;
     if (tell_) tell_(progress_);
   };
-  if (parallel_) {
-    parallel_(jobs.size(), readOne);
-  } else {
-    for (std::size_t i = 0; i < jobs.size(); ++i) readOne(i);
-  }
+  forEachIndex(parallel_, jobs.size(), readOne);
   meshes_.merge(fresh);
 }
 

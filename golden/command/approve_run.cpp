@@ -10,6 +10,7 @@
 #include "core/base/plain_text.h"
 #include "core/bundle/private_folder.h"
 #include "core/check/check.h"
+#include "core/cli/worker_threads.h"
 #include "golden/approval/run_approval.h"
 #include "golden/judge/suite_runs.h"
 #include "golden/report/report.h"
@@ -56,7 +57,8 @@ class Objections {
   Status judge(bool replace) {
     AcceptedCells cells(session_, options_);
     const RunOptions options{cli::stopRequested, steadyMs, TrackCache::ofUser(),
-                             [&](const AcceptedRun& accepted) { return cells.of(accepted); }};
+                             [&](const AcceptedRun& accepted) { return cells.of(accepted); },
+                             cli::workerThreads()};
     const auto alone = judgeAlone(session_, run_);
     if (!alone.ok()) return alone.error();
     if (!alone->empty()) found_.push_back(*alone);

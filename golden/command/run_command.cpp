@@ -12,6 +12,7 @@
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
 #include "core/base/shell_word.h"
+#include "core/cli/worker_threads.h"
 #include "golden/command/compare_command.h"
 #include "golden/command/report_output.h"
 #include "golden/command/report_sessions.h"
@@ -220,9 +221,9 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   if (!explained) return explained.error();
   if (!quiet && arguments.verbose) printWhy(report.frames);
   AcceptedCells cells(*session, *options);
-  auto runs =
-      judgeRuns(*session, {cli::stopRequested, steadyMs, TrackCache::ofUser(),
-                           [&](const AcceptedRun& accepted) { return cells.of(accepted); }});
+  auto runs = judgeRuns(*session, {cli::stopRequested, steadyMs, TrackCache::ofUser(),
+                                   [&](const AcceptedRun& accepted) { return cells.of(accepted); },
+                                   cli::workerThreads()});
   if (!runs.ok()) return runs.error();
   if (!cells.unknown().empty()) {
     cli::warn("the cell has changed since a log was accepted, which is judged with today's: " +

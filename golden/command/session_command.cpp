@@ -9,6 +9,7 @@
 
 #include "core/cli/opened_session.h"
 #include "core/cli/search_options.h"
+#include "core/cli/worker_threads.h"
 #include "core/foreign/recordings/cell_and_log.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/report/report_folder.h"
@@ -114,6 +115,7 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& given) {
   if (!question.ok()) return question.error();
   CellOptions options;
   static_cast<ModelSearch&>(options) = arguments;
+  options.parallel = cli::workerThreads();
   const bool shows_progress = ::isatty(STDERR_FILENO) == 1;
   const auto progress = [&](const std::string& what) {
     if (shows_progress) fmt::print(stderr, "\r\033[K{} ", what);

@@ -8,6 +8,7 @@
 #include "core/base/count_text.h"
 #include "core/base/plain_text.h"
 #include "core/cli/opened_session.h"
+#include "core/cli/worker_threads.h"
 #include "golden/run/limit_suggestion.h"
 #include "golden/run/link_tracks.h"
 #include "golden/run/run_judge.h"
@@ -80,7 +81,7 @@ Result<cli::Exit> runSuggestCommand(const SuggestArguments& arguments) {
     if (judged.comparable) continue;
     return Error{ErrorKind::bad_argument, judged.rule, arguments.recordings[i].string()};
   }
-  print(run->name, run->spec, suggestLimits(run->spec, sessions));
+  print(run->name, run->spec, suggestLimits(run->spec, sessions, cli::workerThreads()));
   return cli::Exit::done;
 }
 

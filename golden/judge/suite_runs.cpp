@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 
 #include "core/check/drift/model_drift.h"
@@ -47,38 +48,33 @@ class SuiteRunJudge {
       judged.rule = "no log was accepted yet";
       return {};
     }
-    std::vector<std::filesystem::path> logs{log->log};
-    for (const AcceptedRun& one : accepted) {
-      logs.push_back(session_.folder().fileOf(one));
-      judged.accepted.push_back(one.log);
-      if (Status there = session_.folder().verify(one); !there) {
-        judged.rule = there.error().text();
-        return {};
-      }
-    }
-    const std::vector<std::string> links = linksToJudge(run.spec, session_.cell());
-    std::vector<SessionTrack> tracks;
     const Cell* newest_cell = nullptr;  // where all were accepted with other kinematics
     bool is_accepted_today = false;
-    for (std::size_t i = 0; i < logs.size(); ++i) {
-      if (options_.stop && options_.stop()) {
+    std::vector<const Cell*> cells{&session_.cell()};  // of the log under test, then the accepted
+    for (const AcceptedRun& one : accepted) {
+      judged.accepted.push_back(one.log);
+      newest_cell = options_.cell_of ? options_.cell_of(one) : nullptr;
+      is_accepted_today = is_accepted_today || newest_cell == nullptr;
+      cells.push_back(newest_cell == nullptr ? &session_.cell() : newest_cell);
+    }
+    const std::vector<std::string> links = linksToJudge(run.spec, session_.cell());
+    std::vector<std::optional<Result<SessionTrack>>> made(cells.size());
+    forEachIndex(options_.parallel, cells.size(), [&](std::size_t i) {
+      if (options_.stop && options_.stop()) return;
+      made[i] = i == 0 ? trackSession(*cells[i], log->log, links)
+                       : trackAccepted(*cells[i], accepted[i - 1], links);
+    });
+    std::vector<SessionTrack> tracks;
+    for (auto& track : made) {
+      if (!track) {
         return Error{ErrorKind::refused, "interrupted: nothing was judged",
                      session_.suite().file.string()};
       }
-      const Cell* const own =
-          i > 0 && options_.cell_of ? options_.cell_of(accepted[i - 1]) : nullptr;
-      const Cell& cell = own == nullptr ? session_.cell() : *own;
-      if (i > 0) {
-        newest_cell = own;
-        is_accepted_today = is_accepted_today || own == nullptr;
-      }
-      auto track = i == 0 ? trackSession(cell, logs[i], links)
-                          : options_.cache.track(cell, logs[i], accepted[i - 1].bytes, links);
-      if (!track.ok()) {
-        judged.rule = log->named(track.error()).text();
+      if (!track->ok()) {
+        judged.rule = log->named(track->error()).text();
         return {};
       }
-      tracks.push_back(std::move(*track));
+      tracks.push_back(std::move(**track));
     }
     std::vector<const SessionTrack*> others;
     for (std::size_t i = 1; i < tracks.size(); ++i) others.push_back(&tracks[i]);
@@ -86,7 +82,8 @@ class SuiteRunJudge {
       judged.rule = named.error().what;
       return {};
     }
-    RunJudgement& judgement = judged.judgement = judgeRun(run.spec, others, tracks.front());
+    RunJudgement& judgement = judged.judgement =
+        judgeRun(run.spec, others, tracks.front(), options_.parallel);
     addMaskNotes(run, accepted.back(), judgement);
     if (!is_accepted_today) addModelFindings(*newest_cell, judgement);
     judged.rule = judgement.rule;
@@ -94,6 +91,12 @@ class SuiteRunJudge {
     judged.verdict =
         judged.judgement.findings.empty() ? FrameVerdict::same : FrameVerdict::different;
     return {};
+  }
+
+  Result<SessionTrack> trackAccepted(const Cell& cell, const AcceptedRun& accepted,
+                                     const std::vector<std::string>& links) const {
+    if (Status there = session_.folder().verify(accepted); !there) return there.error();
+    return options_.cache.track(cell, session_.folder().fileOf(accepted), accepted.bytes, links);
   }
 
   /// Masks and limits of names that nothing has switch nothing off, or the wrong thing.

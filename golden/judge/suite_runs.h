@@ -10,12 +10,14 @@
 namespace rocinante {
 
 struct RunOptions {
-  /// Called between logs; true ends the run with an error. May be empty.
+  /// Called before each log by the threads of `parallel`; true ends the run with an error. May be
+  /// empty.
   std::function<bool()> stop;
   std::function<double()> now_ms;  ///< a steady clock
   TrackCache cache{};              ///< of accepted logs
   /// The cell that a log was accepted with; null: the session's. May be empty.
   std::function<const Cell*(const AcceptedRun&)> cell_of{};
+  ParallelFor parallel{};  ///< may be empty
 };
 
 /// Judges one run of the session's suite, as judgeRuns() does.

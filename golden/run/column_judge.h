@@ -8,12 +8,6 @@
 
 namespace rocinante {
 
-struct ColumnOutcome {
-  std::size_t measures = 0;  ///< position and turn of a pose are two
-  std::uint64_t values = 0;  ///< that were compared
-  FastMotion fastest;
-};
-
 /// Judges a joint's value, or position and turn of a pose, by the two rules of docs/decisions/041.
 /// Appends to `findings` the measures that are beyond their limit.
 ColumnOutcome judgeColumn(const RunTimes& times, const std::string& item, const TrackColumn& column,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 
@@ -138,16 +139,20 @@ std::string LimitSuggestion::toml(const RunSpec& spec) const {
   return text.empty() ? text : fmt::format("limits = {{ {} }}", text);
 }
 
-LimitSuggestion suggestLimits(const RunSpec& spec, const Sessions& sessions) {
+LimitSuggestion suggestLimits(const RunSpec& spec, const Sessions& sessions,
+                              const ParallelFor& parallel) {
   LimitSuggestion found = limitsOf(spec, sessions);
   found.recordings = sessions.size();
-  for (std::size_t i = 0; i < sessions.size(); ++i) {
-    if (!isAlarm(spec, sessions, i)) continue;
-    ++found.alarms_before;
+  std::atomic<std::size_t> before = 0, after = 0;
+  forEachIndex(parallel, sessions.size(), [&](std::size_t i) {
+    if (!isAlarm(spec, sessions, i)) return;
+    ++before;
     // What is within the run's own limits is within wider ones.
     const LimitSuggestion of_others = limitsOf(spec, without(sessions, i));
-    if (isAlarm(of_others.appliedTo(spec), sessions, i)) ++found.alarms;
-  }
+    if (isAlarm(of_others.appliedTo(spec), sessions, i)) ++after;
+  });
+  found.alarms_before = before;
+  found.alarms = after;
   return found;
 }
 

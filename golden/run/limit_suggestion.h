@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/parallel_for.h"
 #include "golden/run/run_spec.h"
 #include "golden/run/session_track.h"
 
@@ -32,8 +33,8 @@ struct LimitSuggestion {
 };
 
 /// Each recording is judged beside all others; what it leaves them by, and as much again, is
-/// the limit. `sessions`: at least three, made with linksToJudge(spec).
-LimitSuggestion suggestLimits(const RunSpec& spec,
-                              const std::vector<const SessionTrack*>& sessions);
+/// the limit. `sessions`: at least three, made with linksToJudge(spec). `parallel` may be empty.
+LimitSuggestion suggestLimits(const RunSpec& spec, const std::vector<const SessionTrack*>& sessions,
+                              const ParallelFor& parallel = {});
 
 }  // namespace rocinante

@@ -25,6 +25,16 @@ std::string RunTimes::bothTimes(std::int64_t time) const {
                      secondsOf(sinceOrigin(time)));
 }
 
+RunFinding RunTimes::findingOfAll(RunFinding::Kind kind, std::string item) const {
+  RunFinding finding;
+  finding.kind = kind;
+  finding.item = std::move(item);
+  finding.first_accepted = finding.at_accepted = sinceOrigin(0);
+  finding.until_accepted = sinceOrigin(end());
+  finding.first_run = finding.at_run = sinceRunOrigin(0);
+  return finding;
+}
+
 DeviceMotion::DeviceMotion(const RunTimes& times, std::string device)
     : times_(times), device_(std::move(device)) {
   const auto add = [&](const SessionTrack& track, const TimeMap& map) {
@@ -41,7 +51,8 @@ DeviceMotion::DeviceMotion(const RunTimes& times, std::string device)
   add(times.run, times.run_map);
 }
 
-std::size_t DeviceMotion::judge(const TrackColumn& column, std::vector<RunFinding>& findings) {
+ColumnOutcome DeviceMotion::judge(const TrackColumn& column,
+                                  std::vector<RunFinding>& findings) const {
   static const std::vector<std::int64_t> kNone;
   const bool is_link = column.kind == TrackColumn::Kind::link_pose;
   const auto samplesOf = [&](const SessionTrack& track, std::size_t session) {
@@ -58,11 +69,7 @@ std::size_t DeviceMotion::judge(const TrackColumn& column, std::vector<RunFindin
     accepted.push_back(samplesOf(*times_.accepted[i], i));
   }
   const ColumnSamples run = samplesOf(times_.run, times_.accepted.size());
-  ColumnOutcome judged =
-      judgeColumn(times_, itemOf(device_, column), column, accepted, run, findings);
-  values_ += judged.values;
-  if (judged.fastest.times_limit > fastest_.times_limit) fastest_ = std::move(judged.fastest);
-  return judged.measures;
+  return judgeColumn(times_, itemOf(device_, column), column, accepted, run, findings);
 }
 
 }  // namespace rocinante

@@ -43,6 +43,8 @@ struct RunTimes {
   Nanoseconds sinceRunOrigin(std::int64_t time) const;
   /// "4.120 s (accepted 4.118 s)"
   std::string bothTimes(std::int64_t time) const;
+  /// A finding that holds throughout.
+  RunFinding findingOfAll(RunFinding::Kind kind, std::string item) const;
 };
 
 /// How far a joint moves within `event_ms`: what is smaller than that may hide there.
@@ -53,25 +55,27 @@ struct FastMotion {
   std::int64_t at = 0;
 };
 
-/// Judges all of a device that the accepted sessions have, by columns. Appends to `findings` those
-/// beyond their limits.
+struct ColumnOutcome {
+  std::size_t measures = 0;  ///< position and turn of a pose are two
+  std::uint64_t values = 0;  ///< that were compared
+  FastMotion fastest;
+};
+
+/// Judges what the accepted sessions have of a device, by columns. Holds the times of all its
+/// packets, eight bytes each. Columns may be judged by several threads.
 class DeviceMotion {
  public:
   DeviceMotion(const RunTimes& times, std::string device);
 
-  /// A joint's value, or position and turn of a pose: returns how many measures were judged.
-  std::size_t judge(const TrackColumn& column, std::vector<RunFinding>& findings);
-
-  std::uint64_t values() const { return values_; }  ///< that were compared
-  const FastMotion& fastest() const { return fastest_; }
+  /// A joint's value, or position and turn of a pose. Appends to `findings` what is beyond its
+  /// limit.
+  ColumnOutcome judge(const TrackColumn& column, std::vector<RunFinding>& findings) const;
 
  private:
   const RunTimes& times_;
   std::string device_;
   /// By session, the run last, and by series.
   std::vector<std::vector<std::vector<std::int64_t>>> series_times_;
-  std::uint64_t values_ = 0;
-  FastMotion fastest_;
 };
 
 }  // namespace rocinante

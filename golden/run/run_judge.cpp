@@ -7,10 +7,10 @@
 #include <string>
 
 #include "core/base/count_text.h"
+#include "golden/run/device_motions.h"
 #include "golden/run/fact_judge.h"
 #include "golden/run/motion_judge.h"
 #include "golden/run/motion_warp.h"
-#include "golden/run/rate_judge.h"
 #include "golden/run/run_coverage.h"
 #include "golden/run/run_events.h"
 
@@ -23,21 +23,6 @@ constexpr Nanoseconds kTellsOfMore = std::chrono::milliseconds(500);
 constexpr double kTellsOfFast = 10;
 /// A session that has less of the accepted time is another one.
 constexpr double kLeastShare = 0.5;
-
-std::set<std::string> namesOf(const std::vector<const SessionTrack*>& accepted,
-                              const SessionTrack& run, bool of_devices) {
-  std::set<std::string> names;
-  const auto add = [&](const SessionTrack& track) {
-    if (of_devices) {
-      for (const auto& [name, device] : track.devices) names.insert(name);
-    } else {
-      for (const auto& [name, changes] : track.facts) names.insert(name);
-    }
-  };
-  for (const SessionTrack* track : accepted) add(*track);
-  add(run);
-  return names;
-}
 
 void addNotes(const RunTimes& times, RunJudgement& judged) {
   const Nanoseconds after_end(times.runEnd() - times.end());
@@ -70,108 +55,15 @@ void addFastest(const RunTimes& times, const FastMotion& fastest, RunJudgement& 
       secondsOf(times.sinceOrigin(fastest.at))));
 }
 
-/// When packets first state a device.
-std::int64_t firstUpdate(const RunTimes& times, const DeviceTrack& device) {
-  const auto found = std::ranges::find_if(device.updates, [](auto count) { return count > 0; });
-  return times.onLine(times.run.start + kCountBin * (found - device.updates.begin()));
-}
-
-const DeviceTrack* statedDevice(const SessionTrack& track, const std::string& name) {
-  const auto found = track.devices.find(name);
-  return found != track.devices.end() && isStated(found->second) ? &found->second : nullptr;
-}
-
-RunFinding findingOfAll(const RunTimes& times, RunFinding::Kind kind, std::string item) {
-  RunFinding finding;
-  finding.kind = kind;
-  finding.item = std::move(item);
-  finding.first_accepted = finding.at_accepted = times.sinceOrigin(0);
-  finding.until_accepted = times.sinceOrigin(times.end());
-  finding.first_run = finding.at_run = times.sinceRunOrigin(0);
-  return finding;
-}
-
-void judgeNewDevice(const RunTimes& times, const std::string& name, const DeviceTrack& device,
-                    RunJudgement& judged) {
-  const std::int64_t time = firstUpdate(times, device);
-  RunFinding finding = findingOfAll(times, RunFinding::Kind::fact, name);
-  finding.first_accepted = finding.at_accepted = times.sinceOrigin(time);
-  finding.first_run = finding.at_run = times.sinceRunOrigin(time);
-  finding.what = fmt::format("{}: no accepted session has this device; here since {}", name,
-                             times.bothTimes(time));
-  judged.findings.push_back(std::move(finding));
-}
-
-/// Everything of a device that was accepted is judged no more.
-void judgeLostDevice(const RunTimes& times, const std::string& name, RunJudgement& judged) {
-  const auto items = std::ranges::count_if(judged.coverage.lost, [&](const std::string& item) {
-    return item == name || item.starts_with(name + "/");
-  });
-  if (items == 0) return;
-  const std::string why = whyLeftOut(judged.coverage.left_out, name);
-  RunFinding finding = findingOfAll(times, RunFinding::Kind::coverage, name);
-  finding.what =
-      fmt::format("{}: not judged, since {}; {} of it {} accepted", name,
-                  why.empty() ? "the session states nothing of it" : why,
-                  countText(static_cast<std::size_t>(items), "item"), items == 1 ? "was" : "were");
-  judged.findings.push_back(std::move(finding));
-}
-
-/// The columns that the accepted sessions have of a device, each once.
-std::vector<TrackColumn> acceptedColumns(const RunTimes& times, const std::string& name) {
-  std::vector<TrackColumn> columns;
-  for (const SessionTrack* track : times.accepted) {
-    const DeviceTrack* device = statedDevice(*track, name);
-    if (device == nullptr) continue;
-    for (const TrackColumn& column : device->columns) {
-      const auto isIt = [&](const TrackColumn& other) {
-        return other.part == column.part && other.kind == column.kind;
-      };
-      if (column.is_stated && std::ranges::none_of(columns, isIt)) {
-        columns.push_back(column);
-      }
-    }
-  }
-  return columns;
-}
-
-void judgeDevice(const RunTimes& times, const std::string& name, FastMotion& fastest,
-                 RunJudgement& judged) {
-  const DeviceTrack* own = statedDevice(times.run, name);
-  const std::vector<TrackColumn> columns = acceptedColumns(times, name);
-  if (columns.empty()) {
-    if (own != nullptr && !times.spec.isMaskedThroughout(name)) {
-      judgeNewDevice(times, name, *own, judged);
-    }
-    return;
-  }
-  if (own == nullptr) {
-    judgeLostDevice(times, name, judged);
-    return;
-  }
-  DeviceMotion judge(times, name);
-  for (const TrackColumn& column : columns) {
-    const std::string item = itemOf(name, column);
-    if (times.spec.isMaskedThroughout(item)) continue;
-    const bool is_link = column.kind == TrackColumn::Kind::link_pose;
-    const TrackColumn* its = own->find(column.part, is_link);
-    if (its == nullptr || its->kind != column.kind) {
-      RunFinding finding = findingOfAll(times, RunFinding::Kind::coverage, item);
-      finding.what = fmt::format("{}: not judged, since the model has no such {}", item,
-                                 is_link ? "link that moves" : "joint");
-      if (its != nullptr) {
-        finding.what = fmt::format("{}: not judged, since it is another kind of joint now", item);
-      }
-      judged.findings.push_back(std::move(finding));
-      continue;
-    }
-    judged.items += judge.judge(column, judged.findings);
-  }
-  judged.values += judge.values();
-  if (judge.fastest().times_limit > fastest.times_limit) fastest = judge.fastest();
-  if (times.spec.isMaskedThroughout(name)) return;
-  judgeRate(times, name, judged.findings);
-  ++judged.items;
+/// Everything that some session has facts of.
+std::set<std::string> factsOf(const RunTimes& times) {
+  std::set<std::string> names;
+  const auto add = [&](const SessionTrack& track) {
+    for (const auto& [name, changes] : track.facts) names.insert(name);
+  };
+  for (const SessionTrack* track : times.accepted) add(*track);
+  add(times.run);
+  return names;
 }
 
 /// A session that has little of the accepted time says little of it.
@@ -180,20 +72,16 @@ void judgeShare(const RunTimes& times, RunJudgement& judged) {
   const std::int64_t from = std::max<std::int64_t>(0, times.runBegin());
   const double share = static_cast<double>(std::min(times.runEnd(), times.end()) - from) * 1e-9;
   if (share >= kLeastShare * whole || whole - share < secondsOf(kTellsOfMore)) return;
-  RunFinding finding = findingOfAll(times, RunFinding::Kind::coverage, "session");
+  RunFinding finding = times.findingOfAll(RunFinding::Kind::coverage, "session");
   finding.what = fmt::format("the log has {:.1f} s of the {:.1f} s that were accepted",
                              std::max(share, 0.0), whole);
   judged.findings.push_back(std::move(finding));
 }
 
-void judgeMotion(const RunTimes& times, RunJudgement& judged) {
+void judgeMotion(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged) {
   judgeShare(times, judged);
-  FastMotion fastest;
-  for (const std::string& name : namesOf(times.accepted, times.run, true)) {
-    judgeDevice(times, name, fastest, judged);
-  }
-  addFastest(times, fastest, judged);
-  for (const std::string& fact : namesOf(times.accepted, times.run, false)) {
+  addFastest(times, judgeDevices(times, parallel, judged), judged);
+  for (const std::string& fact : factsOf(times)) {
     if (times.spec.isMaskedThroughout(itemOfFact(fact))) continue;
     judgeFact(times, fact, judged.findings);
     ++judged.items;
@@ -244,7 +132,7 @@ std::string runRule(const RunJudgement& judged) {
 }
 
 RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*>& accepted,
-                      const SessionTrack& run) {
+                      const SessionTrack& run, const ParallelFor& parallel) {
   RunJudgement judged;
   const SessionTrack& first = *accepted.front();
   judged.accepted = accepted.size();
@@ -276,7 +164,7 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
   const RunTimes times{spec, accepted, run, std::move(events.accepted_maps), events.run_map};
   judged.times = std::move(events.run_map);
   judged.findings = std::move(events.findings);
-  judgeMotion(times, judged);
+  judgeMotion(times, parallel, judged);
   if (judged.items == 0 && judged.events == 0 && judged.findings.empty()) {
     judged.comparable = false;
     judged.rule = nothingJudged(judged);

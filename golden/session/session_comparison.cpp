@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <set>
 
 #include "core/base/plain_text.h"
@@ -211,7 +212,7 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
 
 /// b as a run that accepted a and `more_accepted`.
 JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
-                         SessionComparison& comparison) {
+                         const ParallelFor& parallel, SessionComparison& comparison) {
   JudgedRun run;
   run.name = "session";
   run.log = question.b.string();
@@ -226,9 +227,12 @@ JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
   }
   run.align = nameOf(spec.align);
   const std::vector<std::string> links = linksToJudge(spec, cell);
+  std::vector<std::optional<Result<SessionTrack>>> made(logs.size());
+  forEachIndex(parallel, logs.size(),
+               [&](std::size_t i) { made[i] = trackSession(cell, logs[i], links); });
   std::vector<SessionTrack> tracks;
-  for (const std::filesystem::path& log : logs) {
-    auto track = trackSession(cell, log, links);
+  for (auto& one : made) {
+    Result<SessionTrack>& track = *one;
     if (!track.ok()) {
       run.rule = track.error().text();
       return run;
@@ -237,7 +241,7 @@ JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
   }
   std::vector<const SessionTrack*> accepted;
   for (std::size_t i = 0; i + 1 < tracks.size(); ++i) accepted.push_back(&tracks[i]);
-  RunJudgement judged = judgeRun(spec, accepted, tracks.back());
+  RunJudgement judged = judgeRun(spec, accepted, tracks.back(), parallel);
   std::ranges::move(judged.notes, std::back_inserter(run.judgement.notes));
   judged.notes = std::move(run.judgement.notes);
   run.judgement = std::move(judged);
@@ -323,7 +327,7 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
   report.cell = cell.string();
   report.log = question.b.string();
   tell("behaviour");
-  report.runs.push_back(judgeBehaviour(*loaded, question, comparison));
+  report.runs.push_back(judgeBehaviour(*loaded, question, options.parallel, comparison));
   const RunJudgement& judged = comparison.run().judgement;
   if (!question.pictures || !judged.comparable) return comparison;
   if (!question.more_accepted.empty() && judged.findings.empty()) {

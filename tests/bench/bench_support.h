@@ -23,6 +23,9 @@ inline double secondsOf(clockid_t clock) {
 inline double threadSeconds() { return secondsOf(CLOCK_THREAD_CPUTIME_ID); }
 inline double processSeconds() { return secondsOf(CLOCK_PROCESS_CPUTIME_ID); }
 
+/// Time on the wall in seconds, since some moment.
+inline double wallSeconds() { return secondsOf(CLOCK_MONOTONIC); }
+
 /// The value; an error ends the bench.
 template <class T>
 T need(Result<T> result) {

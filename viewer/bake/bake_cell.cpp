@@ -77,11 +77,7 @@ void decodeAll(std::vector<NamedPicture>& pictures, const Cell& cell, const Bake
     }
     each.png = options.compressed ? encodePng(*picture) : storedPng(*picture);
   };
-  if (options.parallel) {
-    options.parallel(pictures.size(), decodeOne);
-  } else {
-    for (std::size_t i = 0; i < pictures.size(); ++i) decodeOne(i);
-  }
+  forEachIndex(options.parallel, pictures.size(), decodeOne);
   std::erase_if(pictures, [](const NamedPicture& each) { return each.png.empty(); });
 }
 

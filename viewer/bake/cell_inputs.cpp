@@ -167,11 +167,7 @@ bool areUnchanged(const CellInputs& inputs, const ParallelFor& parallel) {
       same = false;
     }
   };
-  if (parallel) {
-    parallel(inputs.files.size(), compare);
-  } else {
-    for (std::size_t i = 0; i < inputs.files.size(); ++i) compare(i);
-  }
+  forEachIndex(parallel, inputs.files.size(), compare);
   return same;
 }
 
