@@ -158,7 +158,7 @@ void judgeTogether(const RunTimes& times, const ParallelFor& parallel,
                    std::span<DeviceToJudge> devices) {
   std::vector<std::optional<DeviceMotion>> motions(devices.size());
   forEachIndex(parallel, devices.size(),
-          [&](std::size_t i) { motions[i].emplace(times, devices[i].name); });
+               [&](std::size_t i) { motions[i].emplace(times, devices[i].name); });
   std::vector<std::pair<const DeviceMotion*, DeviceToJudge::Item*>> all;
   for (std::size_t i = 0; i < devices.size(); ++i) {
     for (DeviceToJudge::Item& item : devices[i].items) {

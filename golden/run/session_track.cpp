@@ -1,5 +1,7 @@
 #include "golden/run/session_track.h"
 
+#include <fmt/format.h>
+
 #include "core/log/log_reader.h"
 #include "core/session/message_folder.h"
 #include "core/session/timeline.h"
@@ -47,8 +49,14 @@ Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path&
     if (!message.ok()) return message.error();
     if (!*message || (*message)->log_time > track.end) break;
     if (!(*message)->channel->folded()) continue;
-    if (const Packet* packet = folder.decode(**message))
+    if (const Packet* packet = folder.decode(**message)) {
       recorder.add((*message)->log_time, *packet);
+    } else {
+      track.left_out.leaveOut(
+          {"datagram", (*message)->channel->topic, "it is no packet",
+           fmt::format("{:.3f} s", secondsOf((*message)->log_time - track.origin)), 1,
+           Severity::warning});
+    }
   }
   if (!reader->unreadable().empty() && !reader->damage().empty()) {
     const DamageSpan& span = reader->damage().front();

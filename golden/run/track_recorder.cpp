@@ -33,6 +33,7 @@ TrackRecorder::TrackRecorder(const Cell& cell, SessionTrack& track,
 
 void TrackRecorder::begin(SessionState state) {
   state_ = std::move(state);
+  counts_before_ = state_.counts();
   std::vector<std::string> names;
   for (const auto& [name, said] : state_.devices()) names.push_back(name);
   for (const std::string& name : names) addDevice(name, track_.start);
@@ -62,8 +63,31 @@ void TrackRecorder::add(LogTime time, const Packet& packet) {
   if (!facts_due_) facts_due_ = time;
 }
 
+/// Lines with a fault, and packets that came behind newer ones.
+void TrackRecorder::leaveOutUnread() {
+  const auto leaveOut = [&](const char* kind, std::string_view name, std::string reason,
+                            std::uint64_t count, Severity severity) {
+    if (count == 0) return;
+    track_.left_out.leaveOut({kind, std::string(name), std::move(reason), {}, count, severity});
+  };
+  for (const auto& [source, counts] : state_.counts()) {
+    const auto found = counts_before_.find(source);
+    const SourceCounts before = found == counts_before_.end() ? SourceCounts{} : found->second;
+    for (std::size_t i = 0; i < kPacketFaultCount; ++i) {
+      const auto fault = static_cast<PacketFault>(i);
+      if (fault == PacketFault::unnormalised_quaternion) continue;  // it is applied
+      leaveOut("line", nameOf(fault), "source " + source + " sent what packets cannot state",
+               counts.faults[i] - before.faults[i], Severity::warning);
+    }
+    const std::uint64_t late = counts.late - counts.duplicates;
+    leaveOut("packet", "late", "of source " + source + ", behind newer ones",
+             late - (before.late - before.duplicates), Severity::note);
+  }
+}
+
 Status TrackRecorder::finish() {
   if (facts_due_) noteFacts(*facts_due_);
+  leaveOutUnread();
   for (auto& [name, device] : recordings_) {
     for (const std::size_t series : {kJoints, kPose}) store(device, series);
   }

@@ -70,11 +70,13 @@ class TrackRecorder {
   double* nextRow(Recording& device, std::size_t series, LogTime time);
   void store(Recording& device, std::size_t series);
   void noteFacts(LogTime time);
+  void leaveOutUnread();
 
   const Cell& cell_;
   SessionTrack& track_;
   const std::vector<std::string>& links_;
   SessionState state_;
+  std::map<std::string, SourceCounts, std::less<>> counts_before_;  ///< before the first packet
   std::map<std::string, Recording, std::less<>> recordings_;
   std::vector<Recording*> touched_;
   Recording* last_touched_ = nullptr;
