@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <set>
+#include <string>
+
+#include "core/log/log_profile.h"
 #include "core/log/log_reader.h"
 #include "core/session/message_folder.h"
 #include "core/session/timeline.h"
@@ -43,6 +48,16 @@ Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path&
   auto reader = LogReader::open(log);
   if (!reader.ok()) return reader.error();
   if (Status found = reader->seek(track.start); !found) return found.error();
+  // Octets that a decoder or an import reads have their packets beside them, or an account of
+  // theirs.
+  std::set<std::string, std::less<>> octets;
+  for (const LogChannel& channel : reader->channels()) {
+    if (channel.decoded()) octets.emplace(profile::capturedTopic(channel.topic));
+  }
+  const auto shouldBePacket = [&](const LogChannel& channel) {
+    return channel.captured() && !channel.imported() &&
+           (channel.encoding == "rk1" || !octets.contains(channel.topic));
+  };
   MessageFolder folder;
   for (;;) {
     const auto message = reader->next();
@@ -51,7 +66,7 @@ Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path&
     if (!(*message)->channel->folded()) continue;
     if (const Packet* packet = folder.decode(**message)) {
       recorder.add((*message)->log_time, *packet);
-    } else {
+    } else if (shouldBePacket(*(*message)->channel)) {
       track.left_out.leaveOut(
           {"datagram", (*message)->channel->topic, "it is no packet",
            fmt::format("{:.3f} s", secondsOf((*message)->log_time - track.origin)), 1,

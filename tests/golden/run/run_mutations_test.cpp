@@ -1,4 +1,5 @@
-// Whatever is inserted into a session, or taken out of it, changes its judgement or the account in it.
+// Whatever is inserted into a session, or taken out of it, changes its judgement or the account in
+// it.
 #include <gtest/gtest.h>
 
 #include "golden/run/run_coverage.h"
@@ -50,13 +51,27 @@ class RunMutations : public test::RunTest {
 
 TEST_F(RunMutations, AStatementTooManyIsFoundOrNamed) {
   std::mt19937 random(1996);
-  for (const char* statement :
-       {"joints nowhere 1 2", "joint arm elbow=1", "joint arm joint1=2", "joints arm 1 2", "joints arm nan",
-        "pose nowhere 0 0 1 0 0 0 1", "pose arm 0 0 1 0 0 0 1", "pose arm 0 0 1 0 0 0 0", "add arm nothing",
-        "remove gantry", "hide arm/link3", "hide arm/elbow", "color arm/link2 #00ff00",
-        "color arm/elbow #00ff00", "colour arm/link2 #00ff00", "line path #ff0000 0 0 0 1 1 1",
-        "points cloud #ff0000 0 0 0", "label note 0 0 1 \"x\"", "event \"inserted\"", "wobble arm",
-        "order arm joint1 joint2\njoints arm 1 2"}) {
+  for (const char* statement : {"joints nowhere 1 2",
+                                "joint arm elbow=1",
+                                "joint arm joint1=2",
+                                "joints arm 1 2",
+                                "joints arm nan",
+                                "pose nowhere 0 0 1 0 0 0 1",
+                                "pose arm 0 0 1 0 0 0 1",
+                                "pose arm 0 0 1 0 0 0 0",
+                                "add arm nothing",
+                                "remove gantry",
+                                "hide arm/link3",
+                                "hide arm/elbow",
+                                "color arm/link2 #00ff00",
+                                "color arm/elbow #00ff00",
+                                "colour arm/link2 #00ff00",
+                                "line path #ff0000 0 0 0 1 1 1",
+                                "points cloud #ff0000 0 0 0",
+                                "label note 0 0 1 \"x\"",
+                                "event \"inserted\"",
+                                "wobble arm",
+                                "order arm joint1 joint2\njoints arm 1 2"}) {
     for (int i = 0; i < 3; ++i) {
       SaidSession changed = session_;
       auto& said = changed.packets[random() % changed.packets.size()];
