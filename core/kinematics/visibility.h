@@ -6,7 +6,7 @@
 namespace rocinante {
 
 /// Warns, at `place`, of a model that has collision geometry and no visual: nothing of it is drawn
-/// (docs/rules/model.no-visual.md).
+/// (docs/rules/model.md, "model.no-visual").
 void judgeVisibility(const Model& model, Place place, FaultList& faults);
 
 }  // namespace rocinante

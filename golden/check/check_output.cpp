@@ -104,7 +104,7 @@ Status explainRule(const std::string& rule) {
   if (page == nullptr) {
     return Error{ErrorKind::not_found, "unknown rule (see --list-rules)", rule};
   }
-  std::fwrite(page->markdown.data(), 1, page->markdown.size(), stdout);
+  std::fputs(explanationOf(*page).c_str(), stdout);
   return {};
 }
 

@@ -29,11 +29,11 @@ Json ruleJson(const Rule& rule, const std::string& pages) {
   json["fullDescription"]["text"] =
       textOf(page != nullptr ? meaningOf(*page) : std::string_view(), rule.title);
   if (page != nullptr) {
-    json["help"]["text"] = textOf(sectionOf(*page, "Mend"), rule.title);
-    json["help"]["markdown"] = std::string(page->markdown);
+    json["help"]["text"] = textOf(mendOf(*page), rule.title);
+    json["help"]["markdown"] = explanationOf(*page);
   }
   if (!pages.empty()) {
-    json["helpUri"] = pages + (pages.ends_with('/') ? "" : "/") + std::string(rule.id) + ".md";
+    json["helpUri"] = pages + (pages.ends_with('/') ? "" : "/") + placeOf(rule.id);
   }
   json["defaultConfiguration"]["level"] = levelOf(rule.severity);
   return json;

@@ -21,7 +21,7 @@ struct Rule {
   RuleThreshold threshold{};  ///< an empty key: none
 };
 
-/// Every rule that a finding can carry, sorted by id. Each has its page: docs/rules/ID.md.
+/// Every rule that a finding can carry, sorted by id. docs/rules/FAMILY.md explains it.
 std::span<const Rule> allRules();
 
 /// Null when there is no rule of that id.

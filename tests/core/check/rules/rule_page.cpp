@@ -64,22 +64,62 @@ Result<std::string> bytesOfHex(const std::string& text) {
   return bytes;
 }
 
-/// Adds a fenced block to an example. `info` is the text after the opening fence.
-Status addBlock(RuleExample& example, const std::string& info, const std::string& text) {
+/// `base` with the changes of a diff: lines of "+" come in at the place that lines of "-" and " "
+/// give.
+Result<std::string> changed(const std::string& base, const std::string& diff) {
+  std::istringstream from(base), changes(diff);
+  std::string all;
+  for (std::string change, line; std::getline(changes, change);) {
+    if (change == "@@") continue;
+    const std::string text = change.substr(change.empty() ? 0 : 1);
+    if (change.starts_with('+')) {
+      all += text + "\n";
+      continue;
+    }
+    if (!change.starts_with('-') && !change.starts_with(' ')) {
+      return Error{ErrorKind::damaged, "a line of a diff begins with +, - or a blank: " + change,
+                   ""};
+    }
+    bool is_found = false;
+    while (!is_found && std::getline(from, line)) {
+      is_found = line == text;
+      if (!is_found || change[0] == ' ') all += line + "\n";
+    }
+    if (!is_found) return Error{ErrorKind::damaged, "nothing to change has this line: " + text, ""};
+  }
+  for (std::string line; std::getline(from, line);) all += line + "\n";
+  return all;
+}
+
+/// Adds a fenced block to an example. `info` is the text after the opening fence; `shared` is what
+/// every example of the page has.
+Status addBlock(RuleExample& example, const RuleExample& shared, const std::string& info,
+                const std::string& text) {
   std::istringstream words(info);
   std::string kind, name, role;
   words >> kind >> name >> role;
   if (kind == "text") return {};
-  const Result<std::string> plain = expanded(text);
-  if (!plain) return plain.error();
-  if (kind == "session") {
-    example.session = *plain;
+  const bool is_session = kind == "session" || (kind == "diff" && name == "session");
+  if (!is_session && name.empty()) {
+    return Error{ErrorKind::damaged, "the block names no file", ""};
+  }
+  Result<std::string> bytes = expanded(text);
+  if (!bytes) return bytes.error();
+  if (kind == "hex") bytes = bytesOfHex(*bytes);
+  if (kind == "diff") bytes = changed(is_session ? example.session : example.files[name], *bytes);
+  if (!bytes) return bytes.error();
+  if (is_session) {
+    example.session = *bytes;
     example.has_session = true;
     return {};
   }
-  if (name.empty()) return Error{ErrorKind::damaged, "the block names no file", ""};
-  const Result<std::string> bytes = kind == "hex" ? bytesOfHex(*plain) : plain;
-  if (!bytes) return bytes.error();
+  if (role == "added") {
+    const auto begin = shared.files.find(name);
+    if (begin == shared.files.end()) {
+      return Error{ErrorKind::damaged, "the examples share no file of this name: " + name, ""};
+    }
+    *bytes = begin->second + "\n" + *bytes;
+  }
   example.files[name] = *bytes;
   if (role == "cell") example.cell = name;
   return {};
@@ -96,21 +136,22 @@ std::vector<std::string> quotedWords(const std::string& line) {
   return words;
 }
 
-/// Walks over a page's lines: blocks go to the example of their section.
+/// Walks over a page's lines: blocks go to the example that the last bold words name.
 struct PageReader {
-  RulePage page;
-  RuleExample preamble;  ///< blocks before the first section
-  std::string section;
+  std::vector<RuleText> rules;
+  RuleExample shared;              ///< blocks before the first rule
+  RuleExample* example = &shared;  ///< null: blocks are for the reader only
+  bool in_summary = false;
   std::string block, info;
   bool in_block = false;
 
-  RuleExample* example() {
-    if (section == "Fires") return &page.fires;
-    if (section == "Does not fire") return &page.silent;
-    return section.empty() ? &preamble : nullptr;
-  }
-
   Status take(const std::string& line) {
+    if (!in_block && line.starts_with("## ")) {
+      rules.emplace_back().rule = line.substr(3);
+      rules.back().fires = shared;
+      example = nullptr;
+    }
+    if (!rules.empty()) rules.back().text += line + "\n";
     if (line.starts_with("```")) {
       in_block = !in_block;
       if (in_block) {
@@ -118,28 +159,38 @@ struct PageReader {
         block.clear();
         return {};
       }
-      RuleExample* const to = example();
-      return to != nullptr ? addBlock(*to, info, block) : Status{};
+      return example != nullptr ? addBlock(*example, shared, info, block) : Status{};
     }
     if (in_block) {
       block += line + "\n";
-    } else if (line.starts_with("# ")) {
-      page.rule = line.substr(2);
-    } else if (line.starts_with("## ")) {
-      section = line.substr(3);
-      // Blocks that the second example lacks are those of the first.
-      if (section == "Does not fire") {
-        page.silent = page.fires;
-        page.silent.also.clear();
-      }
-    } else if (line.starts_with("**") && page.severity.empty()) {
-      page.severity = line.substr(2, line.find("**", 2) - 2);
-    } else if (line.starts_with("Fires too: ") && example() != nullptr) {
-      example()->also = quotedWords(line);
-    } else if (line.starts_with("Not shown: ") && example() != nullptr) {
-      example()->cannot_show = line;
+    } else if (line.starts_with("**Not shown:** ")) {
+      (rules.empty() ? shared : rules.back().fires).cannot_show = line;
+    } else if (!rules.empty()) {
+      takeWords(line);
     }
     return {};
+  }
+
+  void takeWords(const std::string& line) {
+    RuleText& rule = rules.back();
+    if (line.starts_with("**Fires")) {
+      rule.fires.also = quotedWords(line.substr(0, line.find(":**")));
+      example = &rule.fires;
+    } else if (line.starts_with("**Does not fire:**")) {
+      rule.silent = line.ends_with(" the shared files as they are.") ? shared : rule.fires;
+      rule.silent.also.clear();
+      example = &rule.silent;
+    } else if (line.starts_with("**") && rule.severity.empty()) {
+      const std::size_t end = line.find("**: ");
+      if (end == line.npos) return;
+      rule.severity = line.substr(2, end - 2);
+      rule.summary = line.substr(end + 4);
+      in_summary = !rule.summary.ends_with('.');
+    } else if (in_summary) {
+      rule.summary += " " + line;
+      in_summary = !line.ends_with('.') && !line.empty();
+    }
+    if (!in_summary && rule.summary.ends_with('.')) rule.summary.pop_back();
   }
 };
 
@@ -147,8 +198,7 @@ Result<PageReader> readLines(const std::filesystem::path& path, const RuleExampl
   const Result<std::string> text = readFile(path);
   if (!text) return text.error();
   PageReader reader;
-  reader.page.text = *text;
-  reader.page.fires = defaults;
+  reader.shared = defaults;
   std::istringstream lines(*text);
   std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -165,16 +215,17 @@ Result<PageReader> readLines(const std::filesystem::path& path, const RuleExampl
 
 }  // namespace
 
-Result<RulePage> readRulePage(const std::filesystem::path& path, const RuleExample& defaults) {
+Result<std::vector<RuleText>> readRulePage(const std::filesystem::path& path,
+                                           const RuleExample& defaults) {
   Result<PageReader> reader = readLines(path, defaults);
   if (!reader) return reader.error();
-  return std::move(reader->page);
+  return std::move(reader->rules);
 }
 
 Result<RuleExample> readRuleDefaults(const std::filesystem::path& readme) {
   Result<PageReader> reader = readLines(readme, {});
   if (!reader) return reader.error();
-  return std::move(reader->preamble);
+  return std::move(reader->shared);
 }
 
 }  // namespace rocinante::test

@@ -9,8 +9,8 @@
 
 namespace rocinante::test {
 
-/// One example of a rule's page: a cell and a session. docs/rules/README.md, section "How a page is
-/// written", defines the notation.
+/// One example of a rule: a cell and a session. docs/rules/README.md, "How a page is written",
+/// defines the notation.
 struct RuleExample {
   std::map<std::string, std::string> files;  ///< by name, as bytes
   std::string cell = "cell.toml";            ///< which of them is the cell
@@ -20,17 +20,19 @@ struct RuleExample {
   std::string cannot_show;        ///< why there is no example; empty where there is one
 };
 
-/// docs/rules/ID.md.
-struct RulePage {
+/// What a page has below the heading of one rule.
+struct RuleText {
   std::string rule;      ///< the heading
-  std::string severity;  ///< "error", as the page's second paragraph begins
-  std::string text;      ///< the whole page
+  std::string severity;  ///< "error", as the first paragraph begins
+  std::string summary;   ///< the rest of that paragraph, without its period
+  std::string text;      ///< all of it
   RuleExample fires, silent;
 };
 
-/// Reads a page. `defaults` are the blocks that a page does not have itself: those of
-/// docs/rules/README.md. An error names the page and line.
-Result<RulePage> readRulePage(const std::filesystem::path& path, const RuleExample& defaults);
+/// Reads docs/rules/FAMILY.md, in its order. `defaults` are the blocks that neither the rule nor
+/// the head of the page has: those of docs/rules/README.md. An error names the page and line.
+Result<std::vector<RuleText>> readRulePage(const std::filesystem::path& path,
+                                           const RuleExample& defaults);
 
 /// The blocks of docs/rules/README.md before its first section.
 Result<RuleExample> readRuleDefaults(const std::filesystem::path& readme);
