@@ -113,7 +113,7 @@ std::vector<Command> inspectCommands() {
        .shortcuts = {{"V", "", ""}}},
       {.name = "packet-behind",
        .arguments = "[JOINT|off]",
-       .means = "the packet that said the shown value of the selection",
+       .means = "the packet that set the shown value of the selection",
        .run = showPacket,
        .needs_log = true},
   };

@@ -236,7 +236,7 @@ std::vector<Command> scriptCommands() {
        .run = awaitLength},
       {.name = "await-line",
        .arguments = "[TEXT...]",
-       .means = "wait until a line over the picture says this, or until there is none",
+       .means = "wait until a line over the picture has this text, or until there is none",
        .run = awaitLine},
   };
   for (Command& command : commands) command.group = CommandGroup::script;
