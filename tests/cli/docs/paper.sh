@@ -1,7 +1,7 @@
 # docs/paper.md: each command of its tables runs, in the page's order, beside the programs that it starts, and prints
 # what the page says that it prints. Ports are free ones; nobody reads what is sent to 19963.
 export ASAN_OPTIONS=detect_leaks=0
-cp -r "$SRC"/examples/demo/. . && rm -f session.mcap
+cp -r "$SRC"/examples/demo/. .
 printf 'frame 10\nquit\n' >script.txt
 python3 - <<'PY'
 import os, re, shutil, signal, socket, subprocess, time
