@@ -55,8 +55,7 @@ TEST_F(RunThreads, ManyJudgeAsOneDoes) {
   RunSpec spec;
   spec.limits.link_positions = true;
   const RunJudgement alone = judgeRun(spec, {&one_by_one[0], &one_by_one[1]}, one_by_one[2]);
-  const RunJudgement many =
-      judgeRun(spec, {&together[0], &together[1]}, together[2], byThreads);
+  const RunJudgement many = judgeRun(spec, {&together[0], &together[1]}, together[2], byThreads);
   EXPECT_GE(alone.findings.size(), 3U);
   EXPECT_EQ(textOfFindings(many), textOfFindings(alone));
   EXPECT_EQ(many.notes, alone.notes);
