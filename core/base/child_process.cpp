@@ -1,11 +1,18 @@
 #include "core/base/child_process.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
+
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 
@@ -41,6 +48,81 @@ Result<pid_t> startChild(const std::vector<std::string>& words, const ChildStrea
   if (fault == 0) return child;
   return Error{fault == ENOENT ? ErrorKind::not_found : ErrorKind::refused, std::strerror(fault),
                words.front()};
+}
+
+std::string ChildProcess::End::text() const {
+  return fmt::format("{} {}", by_signal ? "signal" : "exit", code);
+}
+
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& words,
+                                         const Options& options) {
+  ChildProcess made;
+  made.last_signal_ = options.last_signal;
+  made.said_ = ::memfd_create("said", MFD_CLOEXEC);
+  if (made.said_ < 0) return Error{ErrorKind::refused, std::strerror(errno), words.front()};
+  const Result<pid_t> process =
+      startChild(words, {options.in, options.out, made.said_}, options.own_group);
+  if (!process) return process.error();
+  made.process_ = *process;
+  return made;
+}
+
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+    : process_(std::exchange(other.process_, -1)),
+      said_(std::exchange(other.said_, -1)),
+      last_signal_(other.last_signal_),
+      end_(other.end_) {}
+
+ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
+  if (this == &other) return *this;
+  end();
+  process_ = std::exchange(other.process_, -1);
+  said_ = std::exchange(other.said_, -1);
+  last_signal_ = other.last_signal_;
+  end_ = other.end_;
+  return *this;
+}
+
+ChildProcess::~ChildProcess() { end(); }
+
+void ChildProcess::end() {
+  if (process_ > 0) {
+    ::kill(process_, last_signal_);
+    look(true);
+  }
+  if (said_ >= 0) ::close(std::exchange(said_, -1));
+}
+
+std::optional<ChildProcess::End> ChildProcess::look(bool wait) {
+  if (process_ <= 0) return end_;
+  int outcome = 0;
+  pid_t ended = 0;
+  do {
+    ended = ::waitpid(process_, &outcome, wait ? 0 : WNOHANG);
+  } while (ended < 0 && errno == EINTR);
+  if (ended == 0) return std::nullopt;
+  process_ = -1;
+  const bool is_known = ended > 0;  // else somebody else has waited for it
+  end_.by_signal = is_known && WIFSIGNALED(outcome);
+  end_.code = !is_known ? 255 : end_.by_signal ? WTERMSIG(outcome) : WEXITSTATUS(outcome);
+  return end_;
+}
+
+std::string ChildProcess::said(std::size_t most_bytes) const {
+  const off_t size = said_ < 0 ? 0 : std::max<off_t>(0, ::lseek(said_, 0, SEEK_END));
+  std::string text(std::min(most_bytes, static_cast<std::size_t>(size)), '\0');
+  const ssize_t got =
+      ::pread(said_, text.data(), text.size(), size - static_cast<off_t>(text.size()));
+  text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}
+
+std::string onOneLine(std::string text) {
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
+    text.replace(at, 1, "; ");
+  }
+  return plainText(text);
 }
 
 }  // namespace rocinante

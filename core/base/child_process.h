@@ -1,7 +1,9 @@
 #pragma once
 
+#include <signal.h>
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,5 +24,49 @@ struct ChildStreams {
 /// (waitpid). not_found when there is no such program, else refused; the sentence is the system's.
 Result<pid_t> startChild(const std::vector<std::string>& words, const ChildStreams& streams,
                          bool own_group = false);
+
+/// A program that runs beside us. Its standard error is kept in memory, so that nobody has to read
+/// it for the program to go on. One thread.
+class ChildProcess {
+ public:
+  struct Options {
+    int in = -1, out = -1;  ///< as in ChildStreams
+    bool own_group = false;
+    int last_signal = SIGTERM;  ///< sent when this is destroyed before the program ended
+  };
+  struct End {
+    bool by_signal = false;
+    int code = 0;  ///< the exit code, or the signal
+
+    bool ok() const { return !by_signal && code == 0; }
+    std::string text() const;  ///< "exit 2", "signal 9"
+  };
+
+  /// Errors as startChild(); refused when there is no memory for what it says.
+  static Result<ChildProcess> start(const std::vector<std::string>& words, const Options& options);
+  /// Waits until the program has ended.
+  ~ChildProcess();
+  ChildProcess(ChildProcess&& other) noexcept;
+  ChildProcess& operator=(ChildProcess&& other) noexcept;
+
+  /// Empty while it runs. Does not wait.
+  std::optional<End> poll() { return look(false); }
+  End wait() { return *look(true); }
+  /// The end of what it wrote to its standard error, at most so much, without trailing blanks.
+  std::string said(std::size_t most_bytes = 65536) const;
+
+ private:
+  ChildProcess() = default;
+  std::optional<End> look(bool wait);
+  void end();
+
+  pid_t process_ = -1;
+  int said_ = -1;  ///< a file in memory
+  int last_signal_ = SIGTERM;
+  End end_;
+};
+
+/// Several lines as one, "; " between them, safe to print.
+std::string onOneLine(std::string text);
 
 }  // namespace rocinante

@@ -1,11 +1,7 @@
 #include "viewer/backdrop/child_pipe.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <poll.h>
-#include <signal.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -13,71 +9,47 @@
 #include <cstring>
 #include <utility>
 
-#include "core/base/child_process.h"
-#include "core/base/plain_text.h"
-
 namespace rocinante {
 namespace {
 
 constexpr int kLookEvery_ms = 100;
 constexpr int kLongestSilence_ms = 30'000;
-constexpr std::size_t kMaxWords = 1000;
-
-std::string lineOf(int words) {
-  std::array<char, kMaxWords> buffer{};
-  const ssize_t got = ::pread(words, buffer.data(), buffer.size(), 0);
-  std::string text(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
-    text.replace(at, 1, "; ");
-  }
-  return plainText(text);
-}
+constexpr std::size_t kMaxSaid = 1000;
 
 }  // namespace
 
 Result<ChildPipe> ChildPipe::start(const std::vector<std::string>& words) {
-  ChildPipe pipe;
   std::array<int, 2> ends{-1, -1};
-  pipe.words_ = ::memfd_create("words", MFD_CLOEXEC);
-  if (pipe.words_ < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) {
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
     return Error{
         ErrorKind::refused, std::string("cannot create a pipe: ") + std::strerror(errno), {}};
   }
-  pipe.output_ = ends[0];
   // Its own process group, so that only we handle Ctrl-C.
-  const Result<pid_t> child = startChild(words, {-1, ends[1], pipe.words_}, true);
+  Result<ChildProcess> child =
+      ChildProcess::start(words, {.out = ends[1], .own_group = true, .last_signal = SIGKILL});
   ::close(ends[1]);
-  if (!child) return child.error();
-  pipe.child_ = *child;
-  return pipe;
+  if (!child) {
+    ::close(ends[0]);
+    return child.error();
+  }
+  return ChildPipe(std::move(*child), ends[0]);
 }
 
 ChildPipe::ChildPipe(ChildPipe&& other) noexcept
-    : child_(std::exchange(other.child_, -1)),
-      output_(std::exchange(other.output_, -1)),
-      words_(std::exchange(other.words_, -1)) {}
+    : child_(std::move(other.child_)), output_(std::exchange(other.output_, -1)) {}
 
 ChildPipe& ChildPipe::operator=(ChildPipe&& other) noexcept {
   if (this == &other) return *this;
-  stop();
-  child_ = std::exchange(other.child_, -1);
+  closeOutput();
+  child_ = std::move(other.child_);
   output_ = std::exchange(other.output_, -1);
-  words_ = std::exchange(other.words_, -1);
   return *this;
 }
 
-ChildPipe::~ChildPipe() { stop(); }
+ChildPipe::~ChildPipe() { closeOutput(); }
 
-void ChildPipe::stop() {
+void ChildPipe::closeOutput() {
   if (output_ >= 0) ::close(std::exchange(output_, -1));
-  if (child_ > 0) {
-    ::kill(child_, SIGKILL);
-    while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
-    }
-    child_ = -1;
-  }
-  if (words_ >= 0) ::close(std::exchange(words_, -1));
 }
 
 Result<std::size_t> ChildPipe::read(std::span<std::uint8_t> into,
@@ -103,16 +75,11 @@ Result<std::size_t> ChildPipe::read(std::span<std::uint8_t> into,
 }
 
 Status ChildPipe::ended() {
-  if (output_ >= 0) ::close(std::exchange(output_, -1));
-  int status = 0;
-  while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-  }
-  child_ = -1;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-  const std::string why = lineOf(words_);
-  const std::string how = WIFEXITED(status) ? fmt::format("exit {}", WEXITSTATUS(status))
-                                            : fmt::format("signal {}", WTERMSIG(status));
-  return Error{ErrorKind::refused, why.empty() ? how : how + ": " + why, {}};
+  closeOutput();
+  const ChildProcess::End end = child_.wait();
+  if (end.ok()) return {};
+  const std::string why = onOneLine(child_.said(kMaxSaid));
+  return Error{ErrorKind::refused, why.empty() ? end.text() : end.text() + ": " + why, {}};
 }
 
 }  // namespace rocinante

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/base/child_process.h"
 #include "core/base/result.h"
 
 namespace rocinante {
@@ -29,12 +29,11 @@ class ChildPipe {
   Status ended();
 
  private:
-  ChildPipe() = default;
-  void stop();
+  ChildPipe(ChildProcess child, int output) : child_(std::move(child)), output_(output) {}
+  void closeOutput();
 
-  pid_t child_ = -1;
+  ChildProcess child_;
   int output_ = -1;
-  int words_ = -1;  ///< a file in memory: its standard error
 };
 
 }  // namespace rocinante

@@ -2,28 +2,24 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/base/child_process.h"
 #include "core/base/part_file.h"
-#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMaxWords = 2000;
+constexpr std::size_t kMaxSaid = 2000;
 
 Error videoError(std::string what, const std::filesystem::path& path) {
   return {ErrorKind::refused, std::move(what), path.string()};
@@ -36,19 +32,10 @@ struct VideoFile::Impl {
   std::unique_ptr<PartFile> part;
   bool overwrite = false;
   std::size_t picture_bytes = 0;
-  pid_t child = -1;
+  std::optional<ChildProcess> child;
   int pictures = -1;  ///< ffmpeg's standard input
-  int words = -1;     ///< a file in memory: its standard error
 
-  ~Impl() {
-    closePictures();
-    if (child > 0) {
-      ::kill(child, SIGKILL);
-      while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
-      }
-    }
-    if (words >= 0) ::close(words);
-  }
+  ~Impl() { closePictures(); }
 
   void closePictures() {
     if (pictures >= 0) ::close(std::exchange(pictures, -1));
@@ -56,35 +43,22 @@ struct VideoFile::Impl {
 
   /// ffmpeg's last message, on one line.
   std::string said() const {
-    std::array<char, kMaxWords> buffer{};
-    const off_t end = ::lseek(words, 0, SEEK_END);
-    const off_t begin = std::max<off_t>(0, end - static_cast<off_t>(buffer.size()));
-    const ssize_t got = ::pread(words, buffer.data(), buffer.size(), begin);
-    std::string text(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+    std::string text = child->said(kMaxSaid);
     // Replace the temporary file's name in the message.
     const std::string beside = part->beside().string();
     for (std::size_t at = 0; (at = text.find(beside, at)) != std::string::npos;) {
       text.replace(at, beside.size(), path.string());
       at += path.string().size();
     }
-    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
-      text.replace(at, 1, "; ");
-    }
-    return plainText(text);
+    return onOneLine(std::move(text));
   }
 
   Status ended() {
     closePictures();
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    child = -1;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-    const std::string how = WIFEXITED(status) ? fmt::format("exit {}", WEXITSTATUS(status))
-                                              : fmt::format("signal {}", WTERMSIG(status));
+    const ChildProcess::End end = child->wait();
+    if (end.ok()) return {};
     const std::string why = said();
-    return videoError("ffmpeg failed (" + how + ")" + (why.empty() ? "" : ": " + why), path);
+    return videoError("ffmpeg failed (" + end.text() + ")" + (why.empty() ? "" : ": " + why), path);
   }
 };
 
@@ -107,10 +81,9 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
   Result<PartFile> part = PartFile::make(path);
   if (!part) return part.error();
   impl->part = std::make_unique<PartFile>(std::move(*part));
-  impl->words = ::memfd_create("ffmpeg", MFD_CLOEXEC);
   std::array<int, 2> ends{-1, -1};
   // A socket, not a pipe: it can write without SIGPIPE after the reader has died.
-  if (impl->words < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     return videoError(std::string("cannot write to ffmpeg: ") + std::strerror(errno), path);
   }
   impl->pictures = ends[0];
@@ -151,7 +124,8 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
       {"-f", path.extension() == ".mkv" ? "matroska" : path.extension().string().substr(1)});
   arguments.push_back("file:" + impl->part->beside().string());
   // Its own process group, so that only we handle Ctrl-C.
-  const Result<pid_t> child = startChild(arguments, {ends[1], -1, impl->words}, true);
+  Result<ChildProcess> child =
+      ChildProcess::start(arguments, {.in = ends[1], .own_group = true, .last_signal = SIGKILL});
   ::close(ends[1]);
   if (!child) {
     return videoError(child.error().kind == ErrorKind::not_found
@@ -160,7 +134,7 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
                           : "cannot run ffmpeg: " + child.error().what,
                       path);
   }
-  impl->child = *child;
+  impl->child.emplace(std::move(*child));
   return VideoFile(std::move(impl));
 }
 

@@ -18,7 +18,6 @@
 #include "viewer/view/clearance_lines.h"
 #include "viewer/view/inset_layout.h"
 #include "viewer/view/known_names.h"
-#include "viewer/view/limit_levels.h"
 #include "viewer/view/trail_finder.h"
 
 namespace rocinante {
@@ -233,11 +232,7 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
     found.state = &by_hand;
   }
   found.scene = poses.pose(*found.state);
-  if (request.style.limits) found.extras.limits = limitLevels(found.scene, *found.state);
-  if (request.style.clearance) {
-    if (!clearances) clearances.emplace(cell);
-    found.extras.clearances = clearanceLines(cell, *clearances, *found.state);
-  }
+  prepareExtras(request.style, cell, found.scene, *found.state, clearances, found.extras);
   if (beside) {
     Status added = beside->addGhosts(found.scene, request.time, damage);
     if (!added) return added.error();

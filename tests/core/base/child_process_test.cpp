@@ -7,6 +7,11 @@
 
 #include <array>
 #include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "tests/support/temporary_folder.h"
 
 namespace rocinante {
 namespace {
@@ -49,6 +54,39 @@ TEST(StartChild, SaysThatThereIsNoSuchProgram) {
   ASSERT_FALSE(child.ok());
   EXPECT_EQ(child.error().kind, ErrorKind::not_found);
   EXPECT_EQ(child.error().where, "rocinante-no-such-program");
+}
+
+TEST(ChildProcess, MayWriteWithoutAReader) {
+  auto child = ChildProcess::start({"sh", "-c",
+                                    "i=0; while [ $i -lt 3000 ]; do echo 'a line of two and thirty "
+                                    "bytes..'; i=$((i+1)); done >&2; "
+                                    "echo last >&2; exit 3"},
+                                   {});
+  ASSERT_TRUE(child.ok()) << child.error().text();
+  const ChildProcess::End end = child->wait();
+  EXPECT_FALSE(end.ok());
+  EXPECT_EQ(end.text(), "exit 3");
+  EXPECT_EQ(child->poll()->code, 3) << "known ever after";
+  EXPECT_TRUE(child->said().ends_with("\nlast")) << child->said(100);
+  EXPECT_EQ(child->said().size(), 65535U) << "its end, without the line feed";
+  EXPECT_EQ(onOneLine(child->said(10)), "es..; last");
+}
+
+TEST(ChildProcess, IsEndedWithItsOwner) {
+  test::TemporaryFolder folder;
+  const auto script = "trap 'echo ended > " + (folder / "said").string() + "; exit' TERM; echo > " +
+                      (folder / "up").string() + "; while :; do sleep 0.01; done";
+  {
+    auto child = ChildProcess::start({"sh", "-c", script}, {});
+    ASSERT_TRUE(child.ok()) << child.error().text();
+    EXPECT_FALSE(child->poll());
+    while (!std::filesystem::exists(folder / "up")) std::this_thread::yield();
+    const ChildProcess moved = std::move(*child);
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "said"));
+  auto killed = ChildProcess::start({"sh", "-c", "kill -9 $$"}, {.last_signal = SIGKILL});
+  ASSERT_TRUE(killed.ok());
+  EXPECT_EQ(killed->wait().text(), "signal 9");
 }
 
 }  // namespace

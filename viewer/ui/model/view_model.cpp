@@ -8,7 +8,6 @@
 #include "core/session/marks.h"
 #include "core/session/moment_name.h"
 #include "viewer/view/camera_choice.h"
-#include "viewer/view/limit_levels.h"
 
 namespace rocinante {
 
@@ -141,13 +140,6 @@ Result<bool> ViewModel::update(SteadyTime now) {
   if (changed) {
     if (auto posed = pose(moment); !posed) return posed.error();
     follow();
-    extras_.limits =
-        style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
-    extras_.clearances.clear();
-    if (style_.clearance) {
-      if (!clearances_) clearances_.emplace(*cell_);
-      extras_.clearances = clearanceLines(*cell_, *clearances_, *state_);
-    }
     // Checking thousands of devices for each frame would cost as much as posing them.
     if (!feed_ || !misfits_at_ || now - *misfits_at_ >= std::chrono::milliseconds(500)) {
       misfits_ = rocinante::misfits(*cell_, scene_, *state_);
@@ -189,6 +181,7 @@ bool ViewModel::lookForNearest() {
 
 Status ViewModel::pose(LogTime moment) {
   scene_ = poses_->pose(*state_);
+  prepareExtras(style_, *cell_, scene_, *state_, clearances_, extras_);
   publishing.addTo(scene_);
   if (feed_ && showsNow()) {
     // Nobody points there any more.

@@ -1,18 +1,10 @@
 #include "viewer/ui/program/evidence.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
-#include "core/base/child_process.h"
 #include "core/cli/search_options.h"
 #include "viewer/view/camera_choice.h"
 
@@ -37,11 +29,8 @@ std::string firstSentence(const std::string& text, const std::string& program) {
   return sentenceOf(text.substr(0, text.find('\n')), program);
 }
 
-std::string lastSentence(std::string text, const std::string& program) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  const std::size_t line = text.rfind('\n');
-  if (line != std::string::npos) text.erase(0, line + 1);
-  return sentenceOf(std::move(text), program);
+std::string lastSentence(const std::string& text, const std::string& program) {
+  return sentenceOf(text.substr(text.rfind('\n') + 1), program);
 }
 
 }  // namespace
@@ -119,56 +108,29 @@ Result<EvidenceRun> EvidenceRun::startProgram(const std::string& name,
                                               std::vector<std::string> words, fs::path output) {
   const fs::path program = programBeside(name);
   words.insert(words.begin(), program.string());
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    return Error{
-        ErrorKind::refused, std::string("cannot create a pipe: ") + std::strerror(errno), {}};
-  }
-  const Result<pid_t> process = startChild(words, {-1, -1, ends[1]});
-  ::close(ends[1]);
+  Result<ChildProcess> process = ChildProcess::start(words, {});
   if (!process) {
-    ::close(ends[0]);
     return Error{ErrorKind::refused, "cannot start " + name + ": " + process.error().what,
                  program.string()};
   }
-  EvidenceRun run;
-  run.process_ = *process;
-  run.said_ = ends[0];
-  run.output_ = std::move(output);
-  run.name_ = name;
-  return run;
+  return EvidenceRun(std::move(*process), std::move(output), name);
 }
 
-EvidenceRun::EvidenceRun(EvidenceRun&& other) noexcept
-    : process_(std::exchange(other.process_, -1)),
-      said_(std::exchange(other.said_, -1)),
-      output_(std::move(other.output_)),
-      name_(std::move(other.name_)) {}
-
-EvidenceRun::~EvidenceRun() {
-  if (process_ > 0) {
-    ::kill(process_, SIGTERM);
-    ::waitpid(process_, nullptr, 0);
-  }
-  if (said_ >= 0) ::close(said_);
-}
-
-std::optional<Result<EvidenceMade>> EvidenceRun::look(bool wait) {
-  int outcome = 0;
-  const pid_t ended = ::waitpid(process_, &outcome, wait ? 0 : WNOHANG);
-  if (ended == 0) return std::nullopt;
-  process_ = -1;
-  const int code = ended > 0 && WIFEXITED(outcome) ? WEXITSTATUS(outcome) : -1;
-  if (code == 0) return Result<EvidenceMade>(EvidenceMade{output_, {}});
-  // One or two sentences, which fit in the pipe's buffer.
-  std::array<char, 4096> buffer{};
-  const ssize_t got = ::read(said_, buffer.data(), buffer.size());
-  const std::string said(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
-  // The picture exists; the first message says what may be wrong with it.
-  std::string why = code == 1 ? firstSentence(said, name_) : lastSentence(said, name_);
+Result<EvidenceMade> EvidenceRun::made(const ChildProcess::End& end) const {
+  if (end.ok()) return EvidenceMade{output_, {}};
+  // With exit 1 the picture exists, and the first message says what may be wrong with it.
+  const bool is_doubt = !end.by_signal && end.code == 1;
+  const std::string said = process_.said();
+  std::string why = is_doubt ? firstSentence(said, name_) : lastSentence(said, name_);
   if (why.empty()) why = name_ + " failed without a message";
-  if (code == 1) return Result<EvidenceMade>(EvidenceMade{output_, std::move(why)});
-  return Result<EvidenceMade>(Error{ErrorKind::refused, std::move(why), {}});
+  if (is_doubt) return EvidenceMade{output_, std::move(why)};
+  return Error{ErrorKind::refused, std::move(why), {}};
+}
+
+std::optional<Result<EvidenceMade>> EvidenceRun::poll() {
+  const auto end = process_.poll();
+  if (!end) return std::nullopt;
+  return made(*end);
 }
 
 fs::path freeEvidenceName(const fs::path& folder, const std::string& stem,

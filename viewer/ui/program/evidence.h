@@ -1,13 +1,12 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/base/child_process.h"
 #include "core/base/model_search.h"
 #include "core/base/result.h"
 #include "viewer/view/camera.h"
@@ -51,8 +50,8 @@ struct EvidenceMade {
   std::string doubt;  ///< why it may be wrong, as a sentence; empty: no doubt
 };
 
-/// A running rocinante-render process, so that the window stays responsive; its messages are kept.
-/// Not thread-safe.
+/// A running rocinante-render process, so that the window stays responsive. It is ended with this,
+/// and leaves no partial file. Not thread-safe.
 class EvidenceRun {
  public:
   /// Starts the program beside this one, else the one in PATH. refused when it cannot be started.
@@ -60,21 +59,17 @@ class EvidenceRun {
   /// The same with another program of ours: `output` is what it makes.
   static Result<EvidenceRun> startProgram(const std::string& name, std::vector<std::string> words,
                                           std::filesystem::path output);
-  /// Ends the process if it still runs; it leaves no partial file.
-  ~EvidenceRun();
-  EvidenceRun(EvidenceRun&& other) noexcept;
-  EvidenceRun& operator=(EvidenceRun&&) = delete;
 
   /// Empty while it runs; then the file or its error. Does not wait.
-  std::optional<Result<EvidenceMade>> poll() { return look(false); }
-  Result<EvidenceMade> wait() { return *look(true); }
+  std::optional<Result<EvidenceMade>> poll();
+  Result<EvidenceMade> wait() { return made(process_.wait()); }
 
  private:
-  EvidenceRun() = default;
-  std::optional<Result<EvidenceMade>> look(bool wait);
+  EvidenceRun(ChildProcess process, std::filesystem::path output, std::string name)
+      : process_(std::move(process)), output_(std::move(output)), name_(std::move(name)) {}
+  Result<EvidenceMade> made(const ChildProcess::End& end) const;
 
-  pid_t process_ = -1;
-  int said_ = -1;  ///< its standard error
+  ChildProcess process_;
   std::filesystem::path output_;
   std::string name_;  ///< of the program
 };

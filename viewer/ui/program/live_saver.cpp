@@ -1,17 +1,9 @@
 #include "viewer/ui/program/live_saver.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
-#include "core/base/child_process.h"
 #include "core/cli/search_options.h"
 #include "core/recording/record_path.h"
 
@@ -28,26 +20,15 @@ fs::path logProgram() {
 }
 
 /// The last line that the program said, without its name.
-std::string lastLine(int said) {
-  std::array<char, 4096> buffer{};
-  const ssize_t got = ::read(said, buffer.data(), buffer.size());
-  std::string text(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  if (const std::size_t line = text.rfind('\n'); line != std::string::npos) text.erase(0, line + 1);
+std::string lastLine(const ChildProcess& process) {
+  std::string text = process.said();
+  text.erase(0, text.rfind('\n') + 1);
   constexpr std::string_view kName = "rocinante-log: ";
   if (text.starts_with(kName)) text.erase(0, kName.size());
   return text;
 }
 
 }  // namespace
-
-LiveSaver::~LiveSaver() {
-  if (process_ > 0) {
-    ::kill(process_, SIGTERM);
-    ::waitpid(process_, nullptr, 0);
-  }
-  if (said_ >= 0) ::close(said_);
-}
 
 Status LiveSaver::start(LiveKeeper& keeper, Request request) {
   if (active()) return Error{ErrorKind::refused, "the session is already being saved", {}};
@@ -68,22 +49,12 @@ Status LiveSaver::start(LiveKeeper& keeper, Request request) {
 Status LiveSaver::run(const std::vector<std::string>& words) {
   std::vector<std::string> all{logProgram().string()};
   all.insert(all.end(), words.begin(), words.end());
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    return Error{
-        ErrorKind::refused, std::string("cannot create a pipe: ") + std::strerror(errno), {}};
-  }
-  // What it says beyond the pipe's buffer must not stop it.
-  ::fcntl(ends[1], F_SETFL, O_NONBLOCK);
-  const Result<pid_t> process = startChild(all, {-1, -1, ends[1]});
-  ::close(ends[1]);
+  Result<ChildProcess> process = ChildProcess::start(all, {});
   if (!process) {
-    ::close(ends[0]);
     return Error{ErrorKind::refused, "cannot start rocinante-log: " + process.error().what,
                  all.front()};
   }
-  process_ = *process;
-  said_ = ends[0];
+  process_.emplace(std::move(*process));
   return {};
 }
 
@@ -108,14 +79,6 @@ Status LiveSaver::attach(const fs::path& log) {
   return run(words);
 }
 
-std::optional<int> LiveSaver::ended() {
-  int outcome = 0;
-  const pid_t gone = ::waitpid(process_, &outcome, WNOHANG);
-  if (gone == 0) return std::nullopt;
-  process_ = -1;
-  return gone > 0 && WIFEXITED(outcome) ? WEXITSTATUS(outcome) : 2;
-}
-
 Result<LiveSaver::Saved> LiveSaver::end(LiveKeeper& keeper, std::optional<Error> fault) {
   step_ = Step::none;
   keeper.hold(false);
@@ -133,16 +96,16 @@ std::optional<Result<LiveSaver::Saved>> LiveSaver::look(LiveKeeper& keeper) {
     if (Status begun = merge(kept); !begun) return end(keeper, begun.error());
     return std::nullopt;
   }
-  const std::optional<int> code = ended();
-  if (!code) return std::nullopt;
-  const std::string said = lastLine(said_);
-  ::close(std::exchange(said_, -1));
-  if (*code > 1) {
+  const auto ended = process_->poll();
+  if (!ended) return std::nullopt;
+  const std::string said = lastLine(*process_);
+  process_.reset();
+  if (ended->by_signal || ended->code > 1) {
     return end(keeper, Error{ErrorKind::refused,
                              said.empty() ? "rocinante-log failed without a message" : said,
                              {}});
   }
-  if (*code == 1) doubt_ = said;
+  if (ended->code == 1) doubt_ = said;
   if (step_ == Step::merging) {
     if (Status begun = attach(merged_); !begun) return end(keeper, begun.error());
     return std::nullopt;

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/child_process.h"
 #include "core/base/model_search.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
@@ -19,12 +18,6 @@ namespace rocinante {
 /// One at a time; main thread. The file appears whole or not at all.
 class LiveSaver {
  public:
-  LiveSaver() = default;
-  /// Ends a program that still runs; it leaves no partial file.
-  ~LiveSaver();
-  LiveSaver(const LiveSaver&) = delete;
-  LiveSaver& operator=(const LiveSaver&) = delete;
-
   struct Request {
     std::filesystem::path cell;
     ModelSearch where;
@@ -49,16 +42,13 @@ class LiveSaver {
   Status run(const std::vector<std::string>& words);
   Status merge(const KeptProgress& kept);
   Status attach(const std::filesystem::path& log);
-  /// The exit code of the program that runs; empty while it runs.
-  std::optional<int> ended();
   Result<Saved> end(LiveKeeper& keeper, std::optional<Error> fault);
 
   Step step_ = Step::none;
   Request request_;
   std::filesystem::path merged_;  ///< in the folder of the kept log
   std::string doubt_;
-  pid_t process_ = -1;
-  int said_ = -1;  ///< its standard error
+  std::optional<ChildProcess> process_;  ///< ended with this; it leaves no partial file
 };
 
 /// "live-20261123T150405.mcap" in `folder`, or with -2, -3 appended if that exists.
