@@ -36,6 +36,9 @@ struct Finding {
   std::optional<std::uint64_t> packet{};   ///< of the first: captured datagrams of the log from 1
   std::string subject{};                   ///< device, source or endpoint; may be empty
   std::string example{};  ///< the first offending line of packet text; may be empty
+  /// How bad it is, where the sentence states an angle, a distance or a speed: larger is worse, in
+  /// the unit of the sentence and as rounded there. Never a count or a time.
+  std::optional<double> worst{};
   bool accepted = false;  ///< by a baseline: shown, but not a reason to fail
 
   /// "cell.toml:12:3", as compilers write it; empty without a file.

@@ -189,7 +189,7 @@ void fields(Fields& io, Taken<Fields, CellScene>& scene) {
 template <class Fields>
 void fields(Fields& io, Taken<Fields, Finding>& fault) {
   auto& [rule, severity, text, hint, left_out, file, line, column, byte, count, first, last, when,
-         packet, subject, example, accepted] = fault;
+         packet, subject, example, worst, accepted] = fault;
   io(rule, severity, text, hint, left_out, file, line, column, byte, count, subject, example,
      accepted);
 }

@@ -45,6 +45,8 @@ Finding findingOf(const ClearanceOutcome& outcome) {
                                       fmt::format("{} comes within {} of {}, where {} are required",
                                                   least.link_a, millimetres(least.distance_m),
                                                   least.link_b, millimetres(outcome.min_m)));
+  // In hundredths of a millimetre, as the sentence has it: the nearer, the worse.
+  if (!penetrates) finding.worst = -std::round(roundedClearance(least.distance_m) * 1e5) / 100;
   finding.count = outcome.violations;
   finding.first = outcome.spans.front().from;
   finding.last = outcome.last_violation;

@@ -112,6 +112,7 @@ bool DeviceJudge::reportDegrees(Findings& findings) const {
                   "degrees",
                   name_, largest)));
   findings.back().hint = "packets give angles in radians";
+  findings.back().worst = statedValue(largest);
   for (const Value& value : values_) {
     if (!value.judge.isAngle()) value.judge.report(name_, findings);
   }
@@ -143,6 +144,7 @@ bool DeviceJudge::reportPercent(Findings& findings) const {
                   name_, largest)));
   findings.back().hint =
       "packets give radians and metres: lower + value / 100 * (upper - lower) of each joint";
+  findings.back().worst = statedValue(largest);
   for (const Value& value : values_) {
     if (!value.judge.isLimited()) value.judge.report(name_, findings);
   }

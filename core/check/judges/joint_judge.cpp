@@ -122,14 +122,18 @@ void JointJudge::collect(Tally& all) const {
 }
 
 void JointJudge::report(const std::string& device, Findings& findings) const {
-  const auto add = [&](const Tally& tally, const char* rule, std::string text) {
-    if (tally.count > 0) findings.push_back(tally.finding(rule, device, std::move(text)));
+  const auto add = [&](const Tally& tally, const char* rule, std::string text,
+                       std::optional<double> worst) {
+    if (tally.count == 0) return;
+    findings.push_back(tally.finding(rule, device, std::move(text)));
+    findings.back().worst = worst;
   };
   const std::string beyond =
       is_angle_ ? fmt::format("[{}, {}]; the worst is {}", angleText(lower_), angleText(upper_),
                               angleText(worst_))
                 : fmt::format("[{:.6g}, {:.6g}] m; the worst is {:.6g}", lower_, upper_, worst_);
-  add(beyond_, "joint.limit", fmt::format("{}/{} is outside its limits {}", device, name_, beyond));
+  add(beyond_, "joint.limit", fmt::format("{}/{} is outside its limits {}", device, name_, beyond),
+      statedExcess());
   if (beyond_.count > 0) findings.back().hint = unitHint();
   if (beyond_.count > 0 && findings.back().hint.empty() &&
       worst_excess_ < kNoisePart * (upper_ - lower_)) {
@@ -147,14 +151,17 @@ void JointJudge::report(const std::string& device, Findings& findings) const {
   add(jump_, "joint.jump",
       jump_twins_.empty() ? fmt::format("{}/{} jumps by {} within {:.3g} s; {}", device, name_,
                                         valueText(jump_distance_), jump_s_, speed)
-                          : twins(jump_twins_));
+                          : twins(jump_twins_),
+      jump_twins_.empty() ? statedOf(jump_distance_) : std::nullopt);
   add(velocity_, "joint.velocity",
       velocity_twins_.empty() ? fmt::format("{}/{} moves at {}/s for {:.3g} s; {}", device, name_,
                                             valueText(worst_velocity_), velocity_s_, speed)
-                              : twins(velocity_twins_));
+                              : twins(velocity_twins_),
+      velocity_twins_.empty() ? statedOf(worst_velocity_) : std::nullopt);
   add(acceleration_, "joint.acceleration",
       fmt::format("{}/{} speeds up or slows down by {}/s^2, above {}/s^2", device, name_,
-                  valueText(worst_acceleration_), valueText(acceleration_limit_)));
+                  valueText(worst_acceleration_), valueText(acceleration_limit_)),
+      statedOf(worst_acceleration_));
 }
 
 std::string JointJudge::unitHint() const {
@@ -176,6 +183,16 @@ std::string JointJudge::twinsText() const {
 std::string JointJudge::valueText(double value) const {
   if (is_angle_) return angleText(value);
   return fmt::format("{:.6g} m", value);
+}
+
+std::optional<double> JointJudge::statedOf(double value) const {
+  return statedValue(is_angle_ ? value * (180 / std::numbers::pi) : value);
+}
+
+std::optional<double> JointJudge::statedExcess() const {
+  const auto lower = statedOf(lower_), upper = statedOf(upper_), worst = statedOf(worst_);
+  if (!lower || !upper || !worst) return std::nullopt;
+  return std::max(*lower - *worst, *worst - *upper);
 }
 
 }  // namespace rocinante

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,10 @@ class JointJudge {
   std::string twinsText() const;
   /// A value as text: "12.5°", "0.3 m".
   std::string valueText(double value) const;
+  /// In the unit of valueText().
+  std::optional<double> statedOf(double value) const;
+  /// How far the worst value is beyond the limits, as the sentence states them.
+  std::optional<double> statedExcess() const;
 
   std::string name_;
   /// What unit the values of a sliding joint seem to have; empty: none.

@@ -1,7 +1,11 @@
 #include "core/check/judges/tally.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
+#include <charconv>
+#include <cmath>
 
 #include "core/base/plain_text.h"
 #include "core/check/rules/rule_list.h"
@@ -17,6 +21,13 @@ Finding makeFinding(std::string_view rule, std::string subject, std::string text
   finding.subject = std::move(subject);
   finding.text = std::move(text);
   return finding;
+}
+
+std::optional<double> statedValue(double value) {
+  if (!std::isfinite(value)) return std::nullopt;
+  const std::string text = fmt::format("{:.6g}", value);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 bool Tally::hit(const PacketPlace& place) {

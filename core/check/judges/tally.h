@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,10 @@ namespace rocinante {
 
 /// A finding of a rule, with its default severity.
 Finding makeFinding(std::string_view rule, std::string subject, std::string text);
+
+/// A value as sentences state it, with six significant digits, for Finding::worst; empty when it is
+/// not finite.
+std::optional<double> statedValue(double value);
 
 /// How often something happened, when, and its first example. Only the first hit allocates: a
 /// session in which every packet is wrong is judged as fast as a valid one.

@@ -12,7 +12,6 @@
 #include "core/base/count_text.h"
 #include "core/base/json_parse.h"
 #include "core/base/plain_text.h"
-#include "core/check/reports/worst_value.h"
 
 namespace rocinante {
 namespace {
@@ -189,10 +188,9 @@ Baseline Baseline::of(const CheckReport& report) {
     const bool counts =
         finding.accepted || report.isFailure(finding) || finding.severity >= Severity::warning;
     if (counts && finding.rule != kStale && finding.rule != kUnvalued) {
-      const auto worst = worstValue(finding);
-      auto& kept =
-          baseline.accepted_.try_emplace(baselineKeyOf(report, finding), worst).first->second;
-      if (kept && worst) kept = std::max(*kept, *worst);
+      auto& kept = baseline.accepted_.try_emplace(baselineKeyOf(report, finding), finding.worst)
+                       .first->second;
+      if (kept && finding.worst) kept = std::max(*kept, *finding.worst);
     }
   }
   return baseline;
@@ -210,7 +208,7 @@ void Baseline::applyTo(CheckReport& report) const {
     if (entry == accepted_.end()) continue;
     met.insert(key);
     if (!finding.accepted) finding.hint = "worse than what the baseline accepts";
-    unvalued += !entry->second && worstValue(finding);
+    unvalued += !entry->second && finding.worst;
   }
   if (unvalued > 0) {
     Finding finding;
@@ -239,9 +237,9 @@ void Baseline::applyTo(CheckReport& report) const {
 bool Baseline::accepts(const BaselineKey& key, const Finding& finding) const {
   const auto entry = accepted_.find(key);
   if (entry == accepted_.end()) return false;
-  const auto worst = worstValue(finding);
   // Sentences give six digits.
-  return !entry->second || !worst || *worst <= *entry->second + 1e-5 * std::abs(*entry->second);
+  return !entry->second || !finding.worst ||
+         *finding.worst <= *entry->second + 1e-5 * std::abs(*entry->second);
 }
 
 std::string Baseline::text() const {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/check/check.h"
+#include "core/check/reports/baseline.h"
 #include "core/check/reports/report_formats.h"
 #include "core/kinematics/kinematics.h"
 #include "core/log/log_writer.h"
@@ -165,6 +166,7 @@ TEST_F(SessionCheckTest, SaysThatTwoPacketsHaveNearlyOneTime) {
   say("me@a 8 100.7005", "joints arm 0.64 0 0");
   const CheckReport found = report();
   ASSERT_THAT(rules(found), ElementsAre("joint.jump"));
+  EXPECT_FALSE(found.findings[0].worst) << "it states a time";
   EXPECT_EQ(found.findings[0].text,
             "SEQUENCE 7 and 8 have nearly the same TIME, 0.5 ms apart; arm/shoulder moved between "
             "them, and its limit is 57.2958°/s");
@@ -197,6 +199,48 @@ TEST_F(SessionCheckTest, NamesTheWorstValueOutsideLimits) {
   EXPECT_EQ(found.findings[0].packet, 2U);
   EXPECT_EQ(found.findings[1].text,
             "arm/slide is outside its limits [0, 0.2] m; the worst is -0.1");
+}
+
+TEST_F(SessionCheckTest, ABaselineHasTheWorstValuesThatSentencesState) {
+  std::ofstream(folder_ / "cell.toml") << kCell << "[rules]\n\"joint.acceleration\".per_s2 = 5\n";
+  Result<Cell> cell = loadCell(folder_ / "cell.toml", {});
+  ASSERT_TRUE(cell.ok()) << cell.error().text();
+  cell_ = std::move(*cell);
+  session_.emplace(cell_);
+  int number = 0;
+  const auto drive = [&](double shoulder, double slide) {
+    now_ += std::chrono::milliseconds(100);
+    say(fmt::format("me@a {} {:.1f}", number, 1000 + 0.1 * number),
+        fmt::format("joints arm {} 0 {}", shoulder, slide));
+    ++number;
+  };
+  drive(0, 0.1);
+  drive(0.05, 0.1);
+  drive(1.4, 0.1);  // in a tenth of a second, at 1 rad/s
+  drive(1.4, 0.1);
+  drive(1.7654321, -0.1234567);
+  drive(1.4, 0.1);
+  for (int i = 0; i < 20; ++i) drive(1.4 - 0.13 * (i < 10 ? i : 20 - i), 0.1);
+  EXPECT_EQ(Baseline::of(report()).text(),
+            R"({
+  "format": 1,
+  "accepted": [
+    {"rule":"joint.acceleration","subject":"arm","text":"arm/shoulder speeds up or slows down by #/s^#, above #/s^#","worst":1489.69},
+    {"rule":"joint.jump","subject":"arm","text":"arm/shoulder jumps by # within # s; its limit is #/s","worst":77.3493},
+    {"rule":"joint.limit","subject":"arm","text":"arm/shoulder is outside its limits [#, #]; the worst is #","worst":15.208299999999994},
+    {"rule":"joint.limit","subject":"arm","text":"arm/slide is outside its limits [#, #] m; the worst is #","worst":0.123457},
+    {"rule":"joint.velocity","subject":"arm","text":"arm/shoulder moves at #/s for # s; its limit is #/s","worst":74.4845}
+  ]
+}
+)");
+}
+
+TEST_F(SessionCheckTest, TheDegreesOfABaselineAreThoseSent) {
+  say("joints arm 40 20 0.1");
+  say("joints arm -50.1234567 20 0.1");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("joint.degrees"));
+  EXPECT_EQ(found.findings[0].worst, 50.1235);
 }
 
 TEST_F(SessionCheckTest, NamesUnknownLinksAndLayers) {
