@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,12 @@
 
 namespace rocinante {
 
+/// A threshold of a rule, named after its unit: "ms".
+struct CellThreshold {
+  std::string key;
+  double value = 0;
+};
+
 /// One entry of a cell's `[rules]`. Only `check` knows which rules exist.
 struct CellRule {
   std::string id;
@@ -16,6 +23,7 @@ struct CellRule {
   std::optional<Severity> severity;  ///< empty: the default, unless it is off
   std::string threshold_key;         ///< "ms"; empty: none is given
   double threshold = 0;
+  std::map<std::string, CellThreshold> own_thresholds;  ///< of a DEVICE or "DEVICE/JOINT"
   std::string file;          ///< with this entry: the cell, or an included file
   int line = 0, column = 0;  ///< of the rule's id in it; 0: not from a file
 };

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "core/base/name_hint.h"
 
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMaxRules = 1000;
+constexpr std::size_t kMaxRules = 1000, kMaxOwnThresholds = 10000;
 
 void readWord(const TomlNode& value, FaultList& faults, CellRule& rule) {
   if (value.kind != TomlNode::Kind::text) {
@@ -23,31 +24,48 @@ void readWord(const TomlNode& value, FaultList& faults, CellRule& rule) {
   }
 }
 
+/// Into `key` and `threshold`; `of` says whose.
+void readThreshold(const TomlNode::Entry& entry, FaultList& faults, const std::string& of,
+                   std::string& key, double& threshold) {
+  const bool is_number =
+      entry.value.kind == TomlNode::Kind::number || entry.value.kind == TomlNode::Kind::integer;
+  if (!is_number) {
+    faults.error("cell.wrong-kind", entry.value.place,
+                 fmt::format("{} of {} is {}, where a number is expected", quotedInFault(entry.key),
+                             quotedInFault(of), nameOf(entry.value.kind)));
+  } else if (!(entry.value.number > 0.0) || !std::isfinite(entry.value.number)) {
+    faults.error(
+        "cell.bad-number", entry.value.place,
+        fmt::format("{} of {} must be above 0", quotedInFault(entry.key), quotedInFault(of)));
+  } else if (!key.empty()) {
+    faults.error("cell.unknown-key", entry.place,
+                 fmt::format("{} has one threshold, and {} is a second", quotedInFault(of),
+                             quotedInFault(entry.key)));
+  } else {
+    key = entry.key;
+    threshold = entry.value.number;
+  }
+}
+
 void readTable(const TomlNode& value, FaultList& faults, CellRule& rule) {
   for (const TomlNode::Entry& entry : value.entries) {
     if (entry.key.starts_with("x-")) continue;
     if (entry.key == "severity") {
       readWord(entry.value, faults, rule);
-      continue;
-    }
-    const bool is_number =
-        entry.value.kind == TomlNode::Kind::number || entry.value.kind == TomlNode::Kind::integer;
-    if (!is_number) {
+    } else if (entry.value.kind != TomlNode::Kind::table) {
+      readThreshold(entry, faults, rule.id, rule.threshold_key, rule.threshold);
+    } else if (rule.own_thresholds.size() == kMaxOwnThresholds) {
       faults.error(
-          "cell.wrong-kind", entry.value.place,
-          fmt::format("{} of {} is {}, where a number is expected", quotedInFault(entry.key),
-                      quotedInFault(rule.id), nameOf(entry.value.kind)));
-    } else if (!(entry.value.number > 0.0) || !std::isfinite(entry.value.number)) {
-      faults.error("cell.bad-number", entry.value.place,
-                   fmt::format("{} of {} must be above 0", quotedInFault(entry.key),
-                               quotedInFault(rule.id)));
-    } else if (!rule.threshold_key.empty()) {
-      faults.error("cell.unknown-key", entry.place,
-                   fmt::format("{} has one threshold, and {} is a second", quotedInFault(rule.id),
-                               quotedInFault(entry.key)));
+          "cell.too-many", entry.place,
+          fmt::format("{} has more than {} tables", quotedInFault(rule.id), kMaxOwnThresholds));
+      return;
     } else {
-      rule.threshold_key = entry.key;
-      rule.threshold = entry.value.number;
+      CellThreshold own;
+      for (const TomlNode::Entry& of_one : entry.value.entries) {
+        if (of_one.key.starts_with("x-")) continue;
+        readThreshold(of_one, faults, entry.key, own.key, own.value);
+      }
+      if (!own.key.empty()) rule.own_thresholds.emplace(entry.key, std::move(own));
     }
   }
 }

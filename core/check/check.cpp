@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/check/judges/model_units.h"
+#include "core/check/rules/rule_names.h"
 #include "core/check/rules/unjudged_rules.h"
 #include "core/check/session_check.h"
 #include "core/log/import_record.h"
@@ -25,6 +26,7 @@ CheckReport reportOfCell(const Cell& cell, bool has_session) {
   report.cell = cell.file;
   report.findings = cell.faults;
   judgeModelUnits(cell, report.findings);
+  judgeRuleNames(cell, report.findings);
   report.rules = RuleSettings(cell.rules);
   const Findings& of_rules = report.rules.faults();
   report.findings.insert(report.findings.end(), of_rules.begin(), of_rules.end());

@@ -18,13 +18,10 @@ constexpr std::size_t kMaxDevices = 10000;
 
 SessionCheck::SessionCheck(const Cell& cell)
     : cell_(cell),
-      stream_(RuleSettings(cell.rules), cell.sources),
+      rules_(cell.rules),
+      stream_(rules_, cell.sources),
       layers_(cell),
       clearance_(cell) {
-  const RuleSettings rules(cell.rules);
-  motion_.velocity_factor = rules.threshold("joint.velocity");
-  motion_.acceleration = rules.threshold("joint.acceleration");
-  motion_.limit_slack = rules.threshold("joint.limit");
   expectDevices();
 }
 
@@ -57,7 +54,7 @@ void SessionCheck::expectDevices() {
 
 DeviceJudge& SessionCheck::newDevice(std::string_view name) {
   DeviceJudge& judge =
-      devices_.emplace(std::string(name), DeviceJudge(std::string(name), motion_)).first->second;
+      devices_.emplace(std::string(name), DeviceJudge(std::string(name), rules_)).first->second;
   DeviceOwners anybody;
   anybody.bound = &bound_sources_;
   judge.setOwners(std::move(anybody));

@@ -24,6 +24,8 @@ class SessionCheck {
  public:
   explicit SessionCheck(const Cell& cell);
   ~SessionCheck();
+  SessionCheck(const SessionCheck&) = delete;
+  SessionCheck& operator=(const SessionCheck&) = delete;
 
   /// The next datagram in time order. `captured`: it came from outside (LogChannel::captured); all
   /// others are restatements by a recorder, judged but not counted.
@@ -82,8 +84,8 @@ class SessionCheck {
   void reportMissing(const SessionRoster& roster, Findings& findings) const;
 
   const Cell& cell_;
+  RuleSettings rules_;
   StreamJudge stream_;
-  MotionThresholds motion_;
   Names bound_sources_;  ///< sources of the cell that list their devices
   ByName<DeviceJudge> devices_;
   NameCache<DeviceJudge*> device_cache_;

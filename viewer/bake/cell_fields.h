@@ -161,9 +161,15 @@ void fields(Fields& io, Taken<Fields, CellSource>& source) {
 }
 
 template <class Fields>
+void fields(Fields& io, Taken<Fields, CellThreshold>& threshold) {
+  auto& [key, value] = threshold;
+  io(key, value);
+}
+
+template <class Fields>
 void fields(Fields& io, Taken<Fields, CellRule>& rule) {
-  auto& [id, is_off, severity, threshold_key, threshold, file, line, column] = rule;
-  io(id, is_off, severity, threshold_key, threshold, file, line, column);
+  auto& [id, is_off, severity, threshold_key, threshold, own_thresholds, file, line, column] = rule;
+  io(id, is_off, severity, threshold_key, threshold, own_thresholds, file, line, column);
 }
 
 template <class Fields>

@@ -105,8 +105,12 @@ void DeviceJudge::listValues(const Model& model) {
     const Joint& joint = model.joints[number];
     if (joint.type == JointType::floating) quaternions_.push_back(values_.size() + 3);
     const std::size_t count = valueCount(joint.type);
+    MotionThresholds thresholds;
+    thresholds.velocity_factor = rules_->threshold("joint.velocity", name_, joint.name);
+    thresholds.acceleration = rules_->threshold("joint.acceleration", name_, joint.name);
+    thresholds.limit_slack = rules_->threshold("joint.limit", name_, joint.name);
     for (std::size_t component = 0; component < count; ++component) {
-      values_.push_back({JointJudge(joint, component, thresholds_)});
+      values_.push_back({JointJudge(joint, component, thresholds)});
       value_by_name_.emplace(values_.back().judge.name(), values_.size() - 1);
     }
   }

@@ -11,6 +11,7 @@
 #include "core/check/judges/presence_judge.h"
 #include "core/check/judges/tally.h"
 #include "core/check/judges/two_sources.h"
+#include "core/check/rules/rule_settings.h"
 #include "core/kinematics/model.h"
 #include "core/packet/packet.h"
 
@@ -37,8 +38,9 @@ struct SessionRoster {
 /// it is known whether the device ever appeared.
 class DeviceJudge {
  public:
-  DeviceJudge(std::string name, const MotionThresholds& thresholds)
-      : name_(std::move(name)), thresholds_(thresholds) {}
+  /// The rules must outlive it.
+  DeviceJudge(std::string name, const RuleSettings& rules)
+      : name_(std::move(name)), rules_(&rules) {}
 
   enum class Standing : std::uint8_t {
     there,     ///< from the start
@@ -124,7 +126,7 @@ class DeviceJudge {
   void reportWriters(const SessionRoster& roster, Findings& findings) const;
 
   std::string name_;
-  MotionThresholds thresholds_;
+  const RuleSettings* rules_;
   DeviceOwners owners_;
   bool in_cell_ = false, is_optional_ = false, is_ghost_ = false, is_known_ = false;
   bool is_driven_ = false;

@@ -138,9 +138,9 @@ void JointJudge::report(const std::string& device, Findings& findings) const {
   if (beyond_.count > 0 && findings.back().hint.empty() &&
       worst_excess_ < kNoisePart * (upper_ - lower_)) {
     findings.back().hint = fmt::format(
-        "if it is the noise of a sensor: [rules] \"joint.limit\" = {{ rad_or_m = {:.1g} }} in a "
-        "cell",
-        2 * worst_excess_);
+        "if it is the noise of a sensor: [rules] \"joint.limit\" = {{ \"{}/{}\" = {{ rad_or_m = "
+        "{:.1g} }} }} in a cell",
+        device, name_, 2 * worst_excess_);
   }
   const std::string speed = velocity_limit_
                                 ? fmt::format("its limit is {}/s", valueText(*velocity_limit_))

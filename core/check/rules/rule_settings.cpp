@@ -22,6 +22,19 @@ std::string thresholdHint(const Rule& rule) {
                                     : fmt::format("it has `{}`", rule.threshold.key);
 }
 
+/// Drops, with a fault, thresholds of devices and joints that the rule does not have.
+void takeOwn(const Rule& rule, FaultList& faults, Place place, CellRule& setting) {
+  const bool judges_joints = setting.id.starts_with("joint.") && !rule.threshold.key.empty();
+  std::erase_if(setting.own_thresholds, [&](const auto& own) {
+    if (judges_joints && own.second.key == rule.threshold.key) return false;
+    faults.error("cell.rule-threshold", place,
+                 fmt::format("{} of {} has no threshold {}", setting.id, quotedInFault(own.first),
+                             quotedInFault(own.second.key)),
+                 judges_joints ? thresholdHint(rule) : "only rules of joints have such tables");
+    return true;
+  });
+}
+
 }  // namespace
 
 RuleSettings::RuleSettings(const std::vector<CellRule>& rules) {
@@ -38,7 +51,9 @@ RuleSettings::RuleSettings(const std::vector<CellRule>& rules) {
       continue;
     }
     CellRule& mine = set_[setting.id];
-    const CellRule before = std::exchange(mine, setting);
+    CellRule before = std::exchange(mine, setting);
+    takeOwn(*rule, faults, place, mine);
+    mine.own_thresholds.merge(before.own_thresholds);
     if (setting.threshold_key.empty()) {
       mine.threshold_key = before.threshold_key;
       mine.threshold = before.threshold;
@@ -57,6 +72,18 @@ double RuleSettings::threshold(std::string_view id) const {
   const Rule* const rule = findRule(id);
   assert(rule != nullptr && !rule->threshold.key.empty());
   return rule->threshold.value;
+}
+
+double RuleSettings::threshold(std::string_view id, std::string_view device,
+                               std::string_view joint) const {
+  const auto found = set_.find(id);
+  if (found != set_.end() && !found->second.own_thresholds.empty()) {
+    const auto& own = found->second.own_thresholds;
+    for (const std::string& of : {fmt::format("{}/{}", device, joint), std::string(device)}) {
+      if (const auto named = own.find(of); named != own.end()) return named->second.value;
+    }
+  }
+  return threshold(id);
 }
 
 bool RuleSettings::hasOwnThreshold(std::string_view id) const {

@@ -25,6 +25,8 @@ class RuleSettings {
 
   /// For a rule that has one.
   double threshold(std::string_view id) const;
+  /// The joint's own, else its device's, else the rule's.
+  double threshold(std::string_view id, std::string_view device, std::string_view joint) const;
   /// Whether the cell sets it.
   bool hasOwnThreshold(std::string_view id) const;
 

@@ -84,6 +84,7 @@ for wrong in ['', 'format = 2', head + 'serach = []', head + '[[device]]\nname =
               head + '[[inset]]\ncamera = "map"\ncorner = "left"',
               head + '[[inset]]\ncamera = "map"\nsize = [2, 2]', head + '[[inset]]\nsize_px = [64, 64]',
               head + '[[source]]\nname = "s"\nrate_hz = [-1, 2]', head + '[rules]\n"packet.bad-name" = "loud"',
+              head + '[rules]\n"joint.limit" = { "arm/a" = { rad_or_m = 0 } }', head + '[rules]\n"joint.limit" = { "arm/a" = [1] }',
               head + '[[layer]]\nname = "l"\nopacity = 2', head + '[[layer]]\nname = "l"\ncollision = "in"', head + '[[light]]\nname = "l"',
               head + '[[light]]\nname = "l"\ndirection = [0, 0, 1]\nstrength = -1']:
     open('wrong.cell.toml', 'w').write(wrong)

@@ -293,9 +293,10 @@ TEST_F(SessionCheckTest, NoiseAtALimitIsAllowedByTheCell) {
   ASSERT_THAT(rules(found), ElementsAre("joint.limit"));
   EXPECT_EQ(
       found.findings[0].hint,
-      "if it is the noise of a sensor: [rules] \"joint.limit\" = { rad_or_m = 0.0004 } in a cell");
+      "if it is the noise of a sensor: [rules] \"joint.limit\" = { \"arm/slide\" = { rad_or_m = "
+      "0.0004 } } in a cell");
   std::ofstream(folder_ / "cell.toml")
-      << kCell << "[rules]\n\"joint.limit\" = { rad_or_m = 0.0004 }\n";
+      << kCell << "[rules]\n\"joint.limit\" = { \"arm/slide\" = { rad_or_m = 0.0004 } }\n";
   Result<Cell> tolerant = loadCell(folder_ / "cell.toml", {});
   ASSERT_TRUE(tolerant.ok()) << tolerant.error().text();
   ASSERT_THAT(tolerant->faults, IsEmpty());
@@ -305,6 +306,34 @@ TEST_F(SessionCheckTest, NoiseAtALimitIsAllowedByTheCell) {
   EXPECT_THAT(rules(report()), IsEmpty());
   say("joints arm 0 0 -0.0005");
   EXPECT_THAT(rules(report()), ElementsAre("joint.limit"));
+}
+
+TEST_F(SessionCheckTest, AJointMayHaveAThresholdOfItsOwn) {
+  const auto judgedWith = [&](std::string_view limit) {
+    std::ofstream(folder_ / "cell.toml") << kCell << "[rules]\n\"joint.limit\" = " << limit << "\n";
+    Result<Cell> cell = loadCell(folder_ / "cell.toml", {});
+    EXPECT_TRUE(cell.ok()) << cell.error().text();
+    cell_ = std::move(*cell);
+    for (const Finding& fault : cell_.faults) ADD_FAILURE() << fault.print();
+    session_.emplace(cell_);
+    say("joints arm 1.52 0 0.21");
+    std::vector<std::string> texts;
+    for (const Finding& finding : report().findings) {
+      EXPECT_EQ(finding.rule, "joint.limit") << finding.text;
+      texts.push_back(finding.text.substr(0, finding.text.find(' ')));
+    }
+    return texts;
+  };
+  EXPECT_THAT(judgedWith("{}"), ElementsAre("arm/shoulder", "arm/slide"));
+  EXPECT_THAT(judgedWith("{ \"arm/slide\" = { rad_or_m = 0.02 } }"), ElementsAre("arm/shoulder"));
+  EXPECT_THAT(judgedWith("{ \"arm\" = { rad_or_m = 0.03 } }"), IsEmpty());
+  EXPECT_THAT(judgedWith("{ \"spare\" = { rad_or_m = 0.03 } }"),
+              ElementsAre("arm/shoulder", "arm/slide"));
+  EXPECT_THAT(
+      judgedWith("{ rad_or_m = 9, \"arm\" = { rad_or_m = 0.03 }, \"arm/slide\" = { rad_or_m = "
+                 "0.001 } }"),
+      ElementsAre("arm/slide"))
+      << "the joint's own outranks its device's, which outranks the rule's";
 }
 
 TEST_F(SessionCheckTest, CountsFaultsOfPacketTextByKind) {

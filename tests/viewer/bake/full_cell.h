@@ -137,7 +137,15 @@ inline Cell fullCell() {
   source.devices = {"left"};
   source.ghost_of = {{"planned", "left"}};
   cell.sources = {source};
-  cell.rules = {{"packet.gap", true, Severity::warning, "ms", 5, "full.cell.toml", 6, 7}};
+  cell.rules = {{"packet.gap",
+                 true,
+                 Severity::warning,
+                 "ms",
+                 5,
+                 {{"arm", {"ms", 6}}},
+                 "full.cell.toml",
+                 6,
+                 7}};
   cell.clearances = {{"apart", {"a/*", "b"}, true, 0.1, {{"a/x", "b/y"}}}};
   cell.scene.background_top = {0.1F, 0.2F, 0.3F};
   cell.scene.background_bottom = {0.4F, 0.5F, 0.6F};
