@@ -31,7 +31,9 @@ void SessionCheck::expectDevices() {
   using Standing = DeviceJudge::Standing;
   for (const CellDevice& device : cell_.devices) {
     const Standing standing = device.optional ? Standing::optional : Standing::there;
-    newDevice(device.name).appearInCell(cell_.modelOf(device), standing);
+    DeviceJudge& judge = newDevice(device.name);
+    judge.appearInCell(cell_.modelOf(device), standing);
+    judge.setPlace(device);
   }
   ByName<DeviceOwners> owners;
   for (const CellSource& source : cell_.sources) {
@@ -125,7 +127,7 @@ void SessionCheck::judgeOfDevice(const Statement& statement, SourceJudge& source
       return device->judgeOrder(statement.names, place);
     case StatementKind::pose:
       device->writtenBy(source.name(), place);
-      return device->judgePose(place);
+      return device->judgePose(statement, place);
     default:
       return;
   }

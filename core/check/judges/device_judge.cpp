@@ -18,6 +18,9 @@ constexpr double kUnitSlack = 1e-3;
 /// Most names that are counted separately per device; only a hostile session has more.
 constexpr std::size_t kMaxDeviceNames = 200;
 constexpr std::size_t kMaxStrangers = 20;
+/// A place of the cell nearer to the origin is met by chance.
+constexpr double kLeastAway_m = 0.1;
+constexpr double kSameThousandfold = 0.01;
 
 template <class Tallies>
 void hitName(Tallies& tallies, std::string_view name, const PacketPlace& place) {
@@ -70,7 +73,8 @@ void DeviceJudge::disappear(const PacketPlace& place) { presence_.remove(place);
 void DeviceJudge::dropFindings() {
   presence_.dropFindings();
   for (Value& value : values_) value.judge.dropFindings();
-  mentioned_ = unknown_model_ = other_kinematics_ = joint_count_ = repeated_joint_ = not_unit_ = {};
+  mentioned_ = unknown_model_ = other_kinematics_ = joint_count_ = repeated_joint_ = not_unit_ =
+      millimetres_ = {};
   unknown_links_.clear();
   unknown_joints_.clear();
   undrivable_joints_.clear();
@@ -248,7 +252,29 @@ void DeviceJudge::judgeUnitQuaternions(const PacketPlace& place) {
   }
 }
 
-void DeviceJudge::judgePose(const PacketPlace& place) { two_posers_.note(pose_writer_, place); }
+void DeviceJudge::judgePose(const Statement& pose, const PacketPlace& place) {
+  two_posers_.note(pose_writer_, place);
+  if (of_cell_ != nullptr && in_millimetres_.value_or(true)) judgeUnitOfPose(pose, place);
+}
+
+// Only the first pose is sure to tell: a vehicle on a map may come past any place.
+void DeviceJudge::judgeUnitOfPose(const Statement& pose, const PacketPlace& place) {
+  const Vec3 here{pose.numbers[0], pose.numbers[1], pose.numbers[2]};
+  const Vec3& meant = of_cell_->pose.position;
+  const double away = lengthOf(meant);
+  if (!in_millimetres_) {
+    const bool on_the_same = pose.carrier.first == of_cell_->on_device &&
+                             pose.carrier.second == of_cell_->on_link && !pose.carrier.is_layer;
+    in_millimetres_ = on_the_same && away >= kLeastAway_m &&
+                      lengthOf(here - meant * 1000.0) <= kSameThousandfold * 1000 * away;
+  }
+  if (!*in_millimetres_ || lengthOf(here) < 500 * away) return;
+  if (millimetres_.hit(place)) {
+    millimetres_text_ =
+        fmt::format("({:.6g}, {:.6g}, {:.6g}) m, a thousand times ({:.6g}, {:.6g}, {:.6g})", here.x,
+                    here.y, here.z, meant.x, meant.y, meant.z);
+  }
+}
 
 void DeviceJudge::writtenBy(std::string_view source_name, const PacketPlace& place) {
   if (writer_ != place.source) {

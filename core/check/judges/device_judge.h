@@ -2,11 +2,13 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/cell/cell.h"
 #include "core/check/judges/joint_judge.h"
 #include "core/check/judges/presence_judge.h"
 #include "core/check/judges/tally.h"
@@ -48,6 +50,8 @@ class DeviceJudge {
     ghost,     ///< from its source's first packet on
   };
   void appearInCell(const Model* model, Standing standing);
+  /// Where the cell puts it; borrowed.
+  void setPlace(const CellDevice& device) { of_cell_ = &device; }
   void setOwners(DeviceOwners owners) { owners_ = std::move(owners); }
 
   /// `add` brought it; null when the cell knows no such model.
@@ -66,7 +70,7 @@ class DeviceJudge {
   void judgeNamed(std::span<const std::string_view> names, std::span<const double> values,
                   const PacketPlace& place);
   void judgeOrder(std::span<const std::string_view> names, const PacketPlace& place);
-  void judgePose(const PacketPlace& place);
+  void judgePose(const Statement& pose, const PacketPlace& place);
   /// A value that was sent before the device had a model.
   void judgeEarlier(std::string_view value_name, double value, const PacketPlace& place);
 
@@ -115,6 +119,7 @@ class DeviceJudge {
   void resolve(Order& order) const;
   void judgeValue(std::size_t value, double number, const PacketPlace& place);
   void judgeUnitQuaternions(const PacketPlace& place);
+  void judgeUnitOfPose(const Statement& pose, const PacketPlace& place);
   /// Index of the value in `values_`; kNoValue, with the fault counted, when there is none.
   std::size_t valueNamed(std::string_view value_name, const PacketPlace& place);
 
@@ -137,12 +142,16 @@ class DeviceJudge {
   std::map<std::string, std::size_t, std::less<>> value_by_name_;
   std::map<std::uint32_t, Order> orders_;
   std::uint32_t pose_writer_ = kNobody, writer_ = kNobody;
+  const CellDevice* of_cell_ = nullptr;
+  std::optional<bool> in_millimetres_;  ///< its first pose looked like it
   std::uint64_t statements_ = 0;
   std::map<std::uint32_t, Stranger> strangers_;
   Stranger* stranger_ = nullptr;  ///< of `writer_`
 
-  Tally mentioned_, unknown_model_, other_kinematics_, joint_count_, repeated_joint_, not_unit_;
-  std::string unknown_model_name_, joint_count_text_, joint_count_hint_, repeated_joint_name_;
+  Tally mentioned_, unknown_model_, other_kinematics_, joint_count_, repeated_joint_, not_unit_,
+      millimetres_;
+  std::string millimetres_text_, unknown_model_name_, joint_count_text_, joint_count_hint_,
+      repeated_joint_name_;
   NameTallies unknown_links_, unknown_joints_, undrivable_joints_;
   NameTallies early_links_, early_joints_;  ///< sent before there was a model to judge them
   TwoSources two_drivers_, two_posers_;

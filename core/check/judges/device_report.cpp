@@ -56,6 +56,9 @@ void DeviceJudge::reportNames(Findings& findings) const {
                   name_),
       "one of the two has another version of the model file");
   presence_.report(name_, findings);
+  add(millimetres_, "device.millimetres",
+      fmt::format("packets put device {} at {}, where the cell has it", name_, millimetres_text_),
+      "did you mean metres? these look like millimetres");
   add(joint_count_, "packet.joint-count",
       fmt::format("device {} gets {}", name_, joint_count_text_), joint_count_hint_);
   add(repeated_joint_, "packet.repeated-joint",

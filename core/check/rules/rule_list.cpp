@@ -70,6 +70,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"collada.bad-index", kError, "a COLLADA primitive uses a value that does not exist"},
     {"collada.bad-reference", kWarning, "a reference of a COLLADA file leads nowhere"},
     {"collada.bad-value", kError, "a value of a COLLADA file is not what it must be"},
+    {"device.millimetres", kWarning, "the pose of a device looks like millimetres"},
     {"device.unadded", kWarning, "an optional device is used but never added"},
     {"device.undriven", kError, "no source drives a movable device of the cell"},
     {"drift.camera", kNote, "a camera of the cell has changed since the recording"},

@@ -243,6 +243,41 @@ TEST_F(SessionCheckTest, TheDegreesOfABaselineAreThoseSent) {
   EXPECT_EQ(found.findings[0].worst, 50.1235);
 }
 
+TEST_F(SessionCheckTest, APoseAThousandTimesTheCellsIsInMillimetres) {
+  const auto judged = [&](std::string_view xyz, std::initializer_list<const char*> poses) {
+    std::ofstream(folder_ / "cell.toml") << kCell
+                                         << fmt::format(
+                                                "[[device]]\nname = \"box\"\nmodel = \"arm.urdf\"\n"
+                                                "optional = true\npose.xyz = {}\n",
+                                                xyz);
+    Result<Cell> cell = loadCell(folder_ / "cell.toml", {});
+    EXPECT_TRUE(cell.ok()) << cell.error().text();
+    cell_ = std::move(*cell);
+    session_.emplace(cell_);
+    say("add box arm.urdf\njoints arm 0 0 0");
+    for (const char* pose : poses) say(fmt::format("pose box {}", pose));
+    return report();
+  };
+  const CheckReport found = judged("[0.62, -0.45, 0.05]",
+                                   {"620 -451 50 0 0 0 1", "900 -800 50 0 0 0 1", "1 1 0 0 0 0 1"});
+  ASSERT_THAT(rules(found), ElementsAre("device.millimetres"));
+  EXPECT_EQ(found.findings[0].severity, Severity::warning);
+  EXPECT_EQ(found.findings[0].count, 2U) << "the last is in metres";
+  EXPECT_EQ(
+      found.findings[0].text,
+      "packets put device box at (620, -451, 50) m, a thousand times (0.62, -0.45, 0.05), where "
+      "the cell has it");
+  EXPECT_EQ(found.findings[0].hint, "did you mean metres? these look like millimetres");
+  for (const char* far : {"634 -450 50 0 0 0 1", "-620 450 -50 0 0 0 1", "62 -45 5 0 0 0 1",
+                          "620 -450 50 0 0 0 1 in arm/base"}) {
+    EXPECT_THAT(rules(judged("[0.62, -0.45, 0.05]", {far})), IsEmpty()) << far;
+  }
+  EXPECT_THAT(rules(judged("[0.62, -0.45, 0.05]", {"1 0 0 0 0 0 1", "620 -450 50 0 0 0 1"})),
+              IsEmpty())
+      << "a vehicle on a map came past";
+  EXPECT_THAT(rules(judged("[0.09, 0, 0]", {"90 0 0 0 0 0 1"})), IsEmpty());
+}
+
 TEST_F(SessionCheckTest, NamesUnknownLinksAndLayers) {
   say("joints arm 0 0 0\nshow arm/elbow\nhide layer/cables\nhide arm/hand");
   say("label a in arm/gripper 0 0 0 \"x\"");
