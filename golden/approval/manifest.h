@@ -26,7 +26,7 @@ struct AcceptedPicture {
   std::string cell{};  ///< key into Manifest::cells; empty: unknown files
   /// decoded_sha256 of the log; empty without decoded packets.
   std::string decoded{};
-  /// Devices that the picture judges (frameCoverage), sorted; empty: unknown, or no log.
+  /// Devices and joints that the picture judges (frameCoverage), sorted; empty: unknown, or no log.
   std::optional<std::vector<std::string>> coverage{};
   bool operator==(const AcceptedPicture&) const = default;
 };

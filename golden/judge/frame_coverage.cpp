@@ -7,6 +7,7 @@
 
 #include "core/base/plain_text.h"
 #include "core/cell/posed_scene.h"
+#include "core/kinematics/joint_values.h"
 #include "golden/judge/case_mask.h"
 #include "golden/run/unfit_values.h"
 #include "viewer/view/layer_choice.h"
@@ -14,6 +15,8 @@
 
 namespace rocinante {
 namespace {
+
+constexpr std::string_view kAllJoints = "/*";
 
 bool movesAnything(const DeviceState& state) {
   return state.pose || state.joints || !state.named_joints.empty();
@@ -77,6 +80,26 @@ std::string whyAbsent(const Cell& cell, const std::string& name, const DeviceSta
                                              : "its model cannot be read";
 }
 
+/// The joint values of a drawn device that the session states.
+void addJoints(const std::string& device, const Model& model, const DeviceState& stated,
+               RunCoverage& coverage) {
+  if (!stated.joints && stated.named_joints.empty()) return;
+  std::vector<std::string> judged, unstated;
+  for (const std::string& value : positionalNames(model)) {
+    const bool is_stated = stated.joints || stated.named_joints.contains(value);
+    (is_stated ? judged : unstated).push_back(device + "/" + value);
+  }
+  if (unstated.empty() && !judged.empty()) judged = {device + std::string(kAllJoints)};
+  coverage.judged.insert(judged.begin(), judged.end());
+  if (!judged.empty()) coverage.unstated.insert(unstated.begin(), unstated.end());
+}
+
+/// Whether the frame judges some joint of it.
+bool judgesJoints(const RunCoverage& coverage, const std::string& device) {
+  const auto first = coverage.judged.lower_bound(device + "/");
+  return first != coverage.judged.end() && first->starts_with(device + "/");
+}
+
 }  // namespace
 
 RunCoverage frameCoverage(const SuiteCase& made, const Cell& cell, const SessionState& state,
@@ -98,28 +121,66 @@ RunCoverage frameCoverage(const SuiteCase& made, const Cell& cell, const Session
     const std::uint64_t before = track.left_out.total();
     unfit.takesValues(name, *device->model, stated);
     const bool fits = track.left_out.total() == before;
-    if (fits) (view.looksAt(*device) ? coverage.judged : coverage.masked).insert(name);
+    if (!view.looksAt(*device)) {
+      if (fits) coverage.masked.insert(name);
+      continue;
+    }
+    if (fits) coverage.judged.insert(name);
+    // Of a wrong number of values none is taken.
+    const bool is_taken =
+        !stated.joints || stated.joints->value.size() == device->model->positionalCount();
+    if (is_taken) addJoints(name, *device->model, stated, coverage);
   }
   coverage.left_out = std::move(track.left_out);
   return coverage;
 }
 
+std::string coveredText(const std::string& item) {
+  if (!item.ends_with(kAllJoints)) return plainText(item);
+  return plainText(item.substr(0, item.size() - kAllJoints.size())) + " (its joints)";
+}
+
 std::set<std::string> lostSince(const AcceptedPicture& accepted, const RunCoverage& now) {
   std::set<std::string> lost;
   if (!accepted.coverage) return lost;
-  for (const std::string& device : *accepted.coverage) {
-    if (!now.judged.contains(device) && !now.masked.contains(device)) lost.insert(device);
+  const std::set<std::string> items(accepted.coverage->begin(), accepted.coverage->end());
+  for (const std::string& item : items) {
+    const std::size_t slash = item.find('/');
+    const std::string device = item.substr(0, slash);
+    if (now.judged.contains(item) || now.masked.contains(device)) continue;
+    const bool judges_joints = judgesJoints(now, device);
+    if (slash == std::string::npos) {
+      // Where values of it are still judged, those that are not are told.
+      const auto first = items.lower_bound(device + "/");
+      const bool had_joints = first != items.end() && first->starts_with(device + "/");
+      if (!judges_joints || !had_joints) lost.insert(item);
+      continue;
+    }
+    if (!judges_joints) {
+      if (now.judged.contains(device)) lost.insert(device + std::string(kAllJoints));
+    } else if (item.ends_with(kAllJoints)) {
+      for (auto its = now.unstated.lower_bound(device + "/");
+           its != now.unstated.end() && its->starts_with(device + "/"); ++its) {
+        lost.insert(*its);
+      }
+    } else if (!now.judged.contains(device + std::string(kAllJoints))) {
+      lost.insert(item);
+    }
   }
   return lost;
 }
 
 std::string lostSentence(const RunCoverage& coverage) {
-  const std::string& device = *coverage.lost.begin();
-  const std::string why = whyLeftOut(coverage.left_out, device);
+  const std::string& item = *coverage.lost.begin();
+  const bool is_device = item.find('/') == std::string::npos;
+  std::string why = is_device ? whyLeftOut(coverage.left_out, item) : "";
+  if (why.empty()) {
+    why = is_device ? "the log states no pose or joint of it by then"
+                    : "the log states no value of it by then";
+  }
   const std::size_t more = coverage.lost.size() - 1;
-  return fmt::format("{}{}: not judged, since {}, though accepted", plainText(device),
-                     more > 0 ? fmt::format(" and {} more", more) : "",
-                     why.empty() ? "the log states no pose or joint of it by then" : why);
+  return fmt::format("{}{}: not judged, since {}, though accepted", coveredText(item),
+                     more > 0 ? fmt::format(" and {} more", more) : "", why);
 }
 
 }  // namespace rocinante

@@ -62,7 +62,8 @@ void addIdleMasks(std::span<const JudgedFrame> judged, std::vector<std::string>&
 }
 
 void addCoverageNotes(std::span<const JudgedFrame> judged, std::vector<std::string>& notes) {
-  std::size_t without = 0;
+  const auto isJoint = [](const std::string& item) { return item.find('/') != item.npos; };
+  std::size_t without = 0, without_joints = 0;
   std::set<std::string> masked;
   Account left_out;
   for (const JudgedFrame& one : judged) {
@@ -79,16 +80,21 @@ void addCoverageNotes(std::span<const JudgedFrame> judged, std::vector<std::stri
       if (!one.coverage->judged.empty()) ++without;
       continue;
     }
+    without_joints += std::ranges::any_of(one.coverage->judged, isJoint) &&
+                      std::ranges::none_of(*one.golden->coverage, isJoint);
     for (const std::string& device : *one.golden->coverage) {
       if (one.coverage->masked.contains(device)) masked.insert(device);
     }
   }
-  if (without > 0) {
-    notes.push_back(
-        fmt::format("{} judged without coverage: that a device is no longer judged is "
-                    "not noticed until they are approved again",
-                    without == 1 ? "1 frame is" : fmt::format("{} frames are", without)));
-  }
+  const auto addUncovered = [&](std::size_t frames, const char* without_what, const char* what) {
+    if (frames == 0) return;
+    notes.push_back(fmt::format(
+        "{} judged without {}: that a {} is no longer judged is not "
+        "noticed until they are approved again",
+        frames == 1 ? "1 frame is" : fmt::format("{} frames are", frames), without_what, what));
+  };
+  addUncovered(without, "coverage", "device");
+  addUncovered(without_joints, "coverage of joints", "joint");
   for (const std::string& device : masked) {
     notes.push_back(fmt::format("all of {} is masked or hidden, which was judged when accepted",
                                 plainText(device)));

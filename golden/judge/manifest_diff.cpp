@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/plain_text.h"
+#include "golden/judge/frame_coverage.h"
 #include "golden/suite/suite_case.h"
 
 namespace rocinante {
@@ -29,7 +30,7 @@ std::multiset<std::string> pixelsOf(const Pictures& pictures) {
   return pixels;
 }
 
-/// Devices that some of the pictures cover.
+/// Devices and joints that some of the pictures cover.
 std::set<std::string> coverageOf(const Pictures& pictures) {
   std::set<std::string> devices;
   for (const AcceptedPicture* accepted : pictures) {
@@ -38,14 +39,22 @@ std::set<std::string> coverageOf(const Pictures& pictures) {
   return devices;
 }
 
-/// "arm and 2 more are no longer judged; ": devices that were covered; empty: all of them still
-/// are.
+/// "arm and 2 more are no longer judged; ": what was covered; empty: all of it still is.
 std::string lostText(const Pictures& then, const Pictures& now) {
   std::set<std::string> lost = coverageOf(then);
-  for (const std::string& device : coverageOf(now)) lost.erase(device);
+  const std::set<std::string> kept = coverageOf(now);
+  std::erase_if(lost, [&](const std::string& item) {
+    // All joints of a device are each of them.
+    return kept.contains(item) || kept.contains(item.substr(0, item.find('/')) + "/*");
+  });
+  const std::set<std::string> all = lost;
+  std::erase_if(lost, [&](const std::string& item) {
+    const std::size_t slash = item.find('/');
+    return slash != item.npos && all.contains(item.substr(0, slash));
+  });
   if (lost.empty()) return {};
-  if (lost.size() == 1) return plainText(*lost.begin()) + " is no longer judged; ";
-  return fmt::format("{} and {} more are no longer judged; ", plainText(*lost.begin()),
+  if (lost.size() == 1) return coveredText(*lost.begin()) + " is no longer judged; ";
+  return fmt::format("{} and {} more are no longer judged; ", coveredText(*lost.begin()),
                      lost.size() - 1);
 }
 

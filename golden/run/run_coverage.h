@@ -18,6 +18,9 @@ struct RunCoverage {
   std::set<std::string> lost;    ///< accepted, and neither judged now nor masked
   std::set<std::string> masked;  ///< for the whole session
   Account left_out{};            ///< statements of the session under test that no item shows
+  /// Of a frame: joints that it does not judge, of devices of which it judges others. Not in
+  /// reports.
+  std::set<std::string> unstated{};
 };
 
 /// "arm" or "arm/elbow".

@@ -143,5 +143,22 @@ TEST(SuiteNotes, TellsOnceWhatIsNotJudged) {
                           "left out: 1 device `arn` (the cell has no such device)"));
 }
 
+TEST(SuiteNotes, TellsOnceThatJointsAreNotCovered) {
+  std::vector<JudgedFrame> judged(3);
+  for (JudgedFrame& one : judged) {
+    one.golden = entry("a.png", smallPicture(1));
+    one.golden->coverage = {"arm"};
+    one.coverage.emplace();
+    one.coverage->judged = {"arm", "arm/*"};
+  }
+  judged[1].coverage->judged = {"arm"};
+  EXPECT_THAT(
+      suiteNotes(judged),
+      ElementsAre("2 frames are judged without coverage of joints: that a joint is no longer "
+                  "judged is not noticed until they are approved again"));
+  for (JudgedFrame& one : judged) one.golden->coverage = {"arm", "arm/*"};
+  EXPECT_THAT(suiteNotes(judged), IsEmpty());
+}
+
 }  // namespace
 }  // namespace rocinante

@@ -64,5 +64,24 @@ TEST(ManifestChanges, APictureThatJudgesFewerDevicesIsDifferent) {
   EXPECT_EQ(changes.back().verdict, FrameVerdict::same);
 }
 
+TEST(ManifestChanges, APictureThatJudgesFewerJointsIsDifferent) {
+  const auto read = [](const AcceptedPicture&) -> Result<Picture> { return greyPicture(1); };
+  const auto ruleOf = [&](std::vector<std::string> before, std::vector<std::string> after) {
+    Manifest then, now;
+    AcceptedPicture accepted = acceptedAs("kept.png", greyPicture(1));
+    accepted.coverage = std::move(before);
+    then.accept("kept", accepted);
+    accepted.coverage = std::move(after);
+    now.accept("kept", accepted);
+    const auto changes = manifestChanges(then, read, now, read, "v1");
+    const std::string& rule = changes.front().rule;
+    return rule.substr(0, rule.find("; "));
+  };
+  EXPECT_EQ(ruleOf({"arm", "arm/a", "arm/b"}, {"arm", "arm/b"}), "arm/a is no longer judged");
+  EXPECT_EQ(ruleOf({"arm", "arm/*"}, {"arm", "arm/b"}), "arm (its joints) is no longer judged");
+  EXPECT_EQ(ruleOf({"arm", "arm/b"}, {"arm", "arm/*"}), "equal pixel hash");
+  EXPECT_EQ(ruleOf({"arm"}, {"arm", "arm/*"}), "equal pixel hash");
+}
+
 }  // namespace
 }  // namespace rocinante
