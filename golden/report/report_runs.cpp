@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/count_text.h"
 #include "core/base/plain_text.h"
@@ -175,10 +176,20 @@ std::string acceptingLimits(const JudgedRun& run) {
   const bool is_of_suite = run.line > 0;
   if (!is_of_suite || findings.size() > kMostEntries || !std::ranges::all_of(findings, isAccepted))
     return {};
-  std::string text;
+  // An item has one table: `"arm" = { pose_mm = 2 }` and `"arm" = { pose_deg = 1 }` are joined.
+  std::vector<std::pair<std::string_view, std::string>> entries;
   for (const RunFinding& finding : findings) {
-    text += (text.empty() ? "" : ", ") + finding.accept;
+    const auto its =
+        std::ranges::find(entries, finding.item, &decltype(entries)::value_type::first);
+    const std::size_t begin = finding.accept.rfind("{ ");
+    if (its == entries.end()) {
+      entries.emplace_back(finding.item, finding.accept);
+    } else if (its->second.ends_with(" }") && begin != std::string::npos) {
+      its->second.replace(its->second.size() - 2, 2, ", " + finding.accept.substr(begin + 2));
+    }
   }
+  std::string text;
+  for (const auto& [item, entry] : entries) text += (text.empty() ? "" : ", ") + entry;
   return text;
 }
 

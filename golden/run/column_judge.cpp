@@ -21,14 +21,14 @@ class ColumnJudge {
       : times_(times), item_(std::move(item)), column_(column), accepted_(accepted), run_(run) {
     const RunLimits limits = times.spec.limitsOf(item_);
     reach_ = times.reachOf(limits);
-    const bool is_link = column.kind == TrackColumn::Kind::link_pose;
-    if (column.width() == 7) {
-      if (!is_link || limits.link_positions) {
+    if (column.kind == TrackColumn::Kind::pose) {
+      measures_.push_back({"mm", "pose_mm", limits.ofPose_mm(), 0, 3, {}});
+      measures_.push_back({"°", "pose_deg", limits.ofPose_deg(), 3, 3, {}});
+    } else if (column.kind == TrackColumn::Kind::link_pose) {
+      if (limits.link_positions) {
         measures_.push_back({"mm", "position_mm", limits.position_mm, 0, 3, {}});
       }
-      if (!is_link || limits.link_turns) {
-        measures_.push_back({"°", "turn_deg", limits.turn_deg, 3, 3, {}});
-      }
+      if (limits.link_turns) measures_.push_back({"°", "turn_deg", limits.turn_deg, 3, 3, {}});
     } else if (column.kind == TrackColumn::Kind::length) {
       measures_.push_back({"mm", "position_mm", limits.position_mm, 0, 1, {}});
     } else {

@@ -47,7 +47,9 @@ void dropWhatHolds(const RunSpec& spec, std::map<std::string, OwnLimits, std::le
     const bool joint = keep(own.joint_deg, known.joint_deg);
     const bool position = keep(own.position_mm, known.position_mm);
     const bool turn = keep(own.turn_deg, known.turn_deg);
-    entry = joint || position || turn ? std::next(entry) : limits.erase(entry);
+    const bool pose = keep(own.pose_mm, known.ofPose_mm());
+    const bool pose_turn = keep(own.pose_deg, known.ofPose_deg());
+    entry = joint || position || turn || pose || pose_turn ? std::next(entry) : limits.erase(entry);
   }
 }
 
@@ -69,6 +71,7 @@ LimitSuggestion limitsOf(const RunSpec& spec, const Sessions& sessions) {
        {&strict.limits.joint_deg, &strict.limits.position_mm, &strict.limits.turn_deg}) {
     *limit *= kSeen;
   }
+  strict.limits.pose_mm = strict.limits.pose_deg = std::nullopt;
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     const Sessions others = without(sessions, i);
     for (const RunFinding& finding : judgeRun(patient, others, *sessions[i]).findings) {
@@ -77,10 +80,13 @@ LimitSuggestion limitsOf(const RunSpec& spec, const Sessions& sessions) {
     for (const RunFinding& finding : judgeRun(strict, others, *sessions[i]).findings) {
       if (finding.accept.empty()) continue;
       OwnLimits& own = found.own_limits[finding.item];
-      const bool is_turn = finding.kind == RunFinding::Kind::pose && finding.unit != "mm";
-      raise(finding.unit == "mm" ? own.position_mm
-            : is_turn            ? own.turn_deg
-                                 : own.joint_deg,
+      const bool is_length = finding.unit == "mm";
+      const bool is_pose = finding.kind == RunFinding::Kind::pose;
+      const bool is_own_pose = is_pose && finding.item.find('/') == std::string::npos;
+      raise(is_own_pose ? (is_length ? own.pose_mm : own.pose_deg)
+            : is_length ? own.position_mm
+            : is_pose   ? own.turn_deg
+                        : own.joint_deg,
             limitFor(*finding.largest));
     }
   }
@@ -101,6 +107,8 @@ std::string entriesOf(const OwnLimits& limits) {
   add("joint_deg", limits.joint_deg);
   add("position_mm", limits.position_mm);
   add("turn_deg", limits.turn_deg);
+  add("pose_mm", limits.pose_mm);
+  add("pose_deg", limits.pose_deg);
   add("event_ms", limits.event_ms);
   return text;
 }
@@ -120,6 +128,8 @@ RunSpec LimitSuggestion::appliedTo(RunSpec spec) const {
     if (limits.joint_deg) own.joint_deg = std::max(known.joint_deg, *limits.joint_deg);
     if (limits.position_mm) own.position_mm = std::max(known.position_mm, *limits.position_mm);
     if (limits.turn_deg) own.turn_deg = std::max(known.turn_deg, *limits.turn_deg);
+    if (limits.pose_mm) own.pose_mm = std::max(known.ofPose_mm(), *limits.pose_mm);
+    if (limits.pose_deg) own.pose_deg = std::max(known.ofPose_deg(), *limits.pose_deg);
   }
   return spec;
 }
@@ -131,6 +141,8 @@ std::string LimitSuggestion::toml(const RunSpec& spec) const {
   if (run.joint_deg > kRunFloors.joint_deg) ofRun.joint_deg = run.joint_deg;
   if (run.link_positions) ofRun.position_mm = run.position_mm;
   if (run.link_turns) ofRun.turn_deg = run.turn_deg;
+  ofRun.pose_mm = run.pose_mm;
+  ofRun.pose_deg = run.pose_deg;
   if (run.event_ms > kRunFloors.event_ms) ofRun.event_ms = run.event_ms;
   std::string text = entriesOf(ofRun);
   for (const auto& [item, limits] : applied.own_limits) {

@@ -41,6 +41,8 @@ RunLimits RunSpec::limitsOf(std::string_view item) const {
     found.joint_deg = own->second.joint_deg.value_or(found.joint_deg);
     found.position_mm = own->second.position_mm.value_or(found.position_mm);
     found.turn_deg = own->second.turn_deg.value_or(found.turn_deg);
+    if (own->second.pose_mm) found.pose_mm = own->second.pose_mm;
+    if (own->second.pose_deg) found.pose_deg = own->second.pose_deg;
     found.event_ms = own->second.event_ms.value_or(found.event_ms);
     found.link_positions = found.link_positions || own->second.position_mm;
     found.link_turns = found.link_turns || own->second.turn_deg;

@@ -25,16 +25,22 @@ struct RunLimits {
   double joint_deg = 0.05;   ///< joint angles
   double position_mm = 0.5;  ///< positions of links and drawings, joints that slide
   double turn_deg = 0.05;    ///< orientations of links
-  double event_ms = 20;      ///< events, and how much earlier or later a value may come
+  /// The stated poses of devices, where `pose_mm` and `pose_deg` are written; else as the two
+  /// above.
+  std::optional<double> pose_mm{}, pose_deg{};
+  double event_ms = 20;  ///< events, and how much earlier or later a value may come
   /// `position_mm` and `turn_deg` are written: links are judged by them.
   bool link_positions = false, link_turns = false;
+
+  double ofPose_mm() const { return pose_mm.value_or(position_mm); }
+  double ofPose_deg() const { return pose_deg.value_or(turn_deg); }
 };
 /// No limit may be smaller: recordings of one motion differ by so much.
 inline constexpr RunLimits kRunFloors{};
 
 /// Limits of a device or an item; empty ones are the run's.
 struct OwnLimits {
-  std::optional<double> joint_deg, position_mm, turn_deg, event_ms;
+  std::optional<double> joint_deg, position_mm, turn_deg, pose_mm, pose_deg, event_ms;
 };
 
 /// What is not judged.

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "core/base/duration_text.h"
 #include "golden/suite/suite_case.h"
@@ -26,11 +29,16 @@ std::optional<double> limitIn(SuiteTable& table, std::string_view key, double fl
   return limit;
 }
 
+constexpr std::array<std::string_view, 6> kLimitKeys = {"joint_deg", "position_mm", "turn_deg",
+                                                        "pose_mm",   "pose_deg",    "event_ms"};
+
 OwnLimits ownLimits(SuiteTable& table) {
   OwnLimits limits;
   limits.joint_deg = limitIn(table, "joint_deg", kRunFloors.joint_deg);
   limits.position_mm = limitIn(table, "position_mm", kRunFloors.position_mm);
   limits.turn_deg = limitIn(table, "turn_deg", kRunFloors.turn_deg);
+  limits.pose_mm = limitIn(table, "pose_mm", kRunFloors.position_mm);
+  limits.pose_deg = limitIn(table, "pose_deg", kRunFloors.turn_deg);
   limits.event_ms = limitIn(table, "event_ms", kRunFloors.event_ms);
   return limits;
 }
@@ -44,14 +52,13 @@ void readRunLimits(SuiteTable& table, RunSpec& spec) {
   spec.limits.joint_deg = own.joint_deg.value_or(spec.limits.joint_deg);
   spec.limits.position_mm = own.position_mm.value_or(spec.limits.position_mm);
   spec.limits.turn_deg = own.turn_deg.value_or(spec.limits.turn_deg);
+  spec.limits.pose_mm = own.pose_mm;
+  spec.limits.pose_deg = own.pose_deg;
   spec.limits.event_ms = own.event_ms.value_or(spec.limits.event_ms);
   spec.limits.link_positions = own.position_mm.has_value();
   spec.limits.link_turns = own.turn_deg.has_value();
   for (const TomlNode::Entry& entry : node->entries) {
-    if (entry.key == "joint_deg" || entry.key == "position_mm" || entry.key == "turn_deg" ||
-        entry.key == "event_ms" || entry.key.starts_with("x-")) {
-      continue;
-    }
+    if (std::ranges::count(kLimitKeys, entry.key) > 0 || entry.key.starts_with("x-")) continue;
     if (entry.value.kind != TomlNode::Kind::table) {
       table.complain(entry.value,
                      fmt::format("`{}` is not a limit; limits of a device or joint are a table: "
@@ -60,7 +67,7 @@ void readRunLimits(SuiteTable& table, RunSpec& spec) {
       continue;
     }
     SuiteTable its(entry.value, table.file(), table.fault());
-    its.onlyKeys({"joint_deg", "position_mm", "turn_deg", "event_ms"});
+    its.onlyKeys({"joint_deg", "position_mm", "turn_deg", "pose_mm", "pose_deg", "event_ms"});
     spec.own_limits[entry.key] = ownLimits(its);
   }
 }

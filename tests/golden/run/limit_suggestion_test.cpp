@@ -86,6 +86,22 @@ TEST_F(LimitSuggestionTest, WhatTheSuiteWritesStays) {
             "\"arm/joint2\" = { joint_deg = 0.3 } }");
 }
 
+TEST_F(LimitSuggestionTest, ThePoseOfADeviceHasItsOwnLimit) {
+  std::vector<SessionTrack> tracks;
+  for (const double x : {2.3, 2.302, 2.304}) {
+    SaidSession session = session_;
+    for (int i = 0; i < 20; ++i) {
+      session.say("placer", i, fmt::format("pose arm {} -1 0.1 0 0 1 0", x));
+    }
+    auto track = trackOf(cell_, session);
+    ASSERT_TRUE(track.ok());
+    tracks.push_back(std::move(*track));
+  }
+  const LimitSuggestion found = suggestLimits({}, {&tracks[0], &tracks[1], &tracks[2]});
+  EXPECT_EQ(found.toml({}), "limits = { \"arm\" = { pose_mm = 4 } }");
+  EXPECT_EQ(found.alarms_before, 2U) << "the middle one is between the others";
+}
+
 TEST_F(LimitSuggestionTest, WhatNoLimitAcceptsIsNamed) {
   const SessionTrack track = recorded(1, 0, 0);
   SaidSession changed = session_;

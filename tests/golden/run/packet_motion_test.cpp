@@ -237,6 +237,32 @@ TEST_F(PacketMotion, TheLimitThatAFindingNamesAcceptsIt) {
   EXPECT_GT(tried, 20U);
 }
 
+TEST_F(PacketMotion, TheLimitOfADevicesOwnPoseJudgesNoLink) {
+  const auto sessionAt = [](double x, double yaw) {
+    SaidSession session = armSession(125, 2, 0, handMotion);
+    for (auto& said : session.packets) {
+      said.body += fmt::format("pose arm {:.4f} -1 0.1 0 0 {:.6f} {:.6f}\n", x, std::sin(yaw / 2),
+                               std::cos(yaw / 2));
+    }
+    return session;
+  };
+  const SaidSession session = sessionAt(2.3, 0), changed = sessionAt(2.305, 1.5 * kDegree);
+  RunSpec spec = byOrigin();
+  const RunJudgement found = judged(session, changed, spec);
+  ASSERT_EQ(found.findings.size(), 2U) << textOfFindings(found);
+  EXPECT_EQ(found.findings[0].accept, "\"arm\" = { pose_mm = 5.2 }");
+  EXPECT_EQ(found.findings[1].accept, "\"arm\" = { pose_deg = 1.6 }");
+  spec.own_limits["arm"].pose_mm = 5.2;
+  spec.own_limits["arm"].pose_deg = 1.6;
+  EXPECT_TRUE(linksToJudge(spec, cell_).empty());
+  EXPECT_EQ(spec.limitsOf("arm/tip").position_mm, kRunFloors.position_mm);
+  expectSilent("a pose within its own limit", judged(session, changed, spec));
+  spec.own_limits["arm"] = {};
+  spec.own_limits["arm"].position_mm = 5.2;
+  spec.own_limits["arm"].turn_deg = 1.6;
+  expectSilent("a pose within the limit of positions", judged(session, changed, spec));
+}
+
 TEST_F(PacketMotion, ALimitOfAJointHoldsForWhatItMoves) {
   const SaidSession session = armSession(125, 2, 0, handMotion);
   SaidSession changed = session;
