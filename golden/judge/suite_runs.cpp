@@ -12,6 +12,7 @@
 #include "golden/run/link_tracks.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
+#include "golden/run/tool_effect.h"
 
 namespace rocinante {
 namespace {
@@ -84,6 +85,7 @@ class SuiteRunJudge {
     }
     RunJudgement& judgement = judged.judgement =
         judgeRun(run.spec, others, tracks.front(), options_.parallel);
+    tellToolEffects(session_.cell(), tracks.front(), judgement);
     addMaskNotes(run, accepted.back(), judgement);
     if (!is_accepted_today) addModelFindings(*newest_cell, judgement);
     judged.rule = judgement.rule;

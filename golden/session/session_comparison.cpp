@@ -13,6 +13,7 @@
 #include "golden/run/link_tracks.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
+#include "golden/run/tool_effect.h"
 #include "golden/session/bisect.h"
 #include "golden/session/nearest_moment.h"
 #include "golden/why/explain_pictures.h"
@@ -242,6 +243,7 @@ JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
   std::vector<const SessionTrack*> accepted;
   for (std::size_t i = 0; i + 1 < tracks.size(); ++i) accepted.push_back(&tracks[i]);
   RunJudgement judged = judgeRun(spec, accepted, tracks.back(), parallel);
+  tellToolEffects(cell, tracks.back(), judged);
   std::ranges::move(judged.notes, std::back_inserter(run.judgement.notes));
   judged.notes = std::move(run.judgement.notes);
   run.judgement = std::move(judged);

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "core/kinematics/kinematics.h"
+#include "core/math/transform.h"
 #include "golden/run/link_tracks.h"
+#include "golden/run/tool_effect.h"
 #include "tests/golden/run/demo_regressions.h"
 #include "tests/golden/run/run_test.h"
 
@@ -286,6 +289,36 @@ TEST_F(PacketMotion, ALimitOfAJointHoldsForWhatItMoves) {
   spec.masks.clear();
   const RunJudgement both = judged(session, changed, spec);
   EXPECT_EQ(both.findings.front().item, "arm/joint3") << "the cause comes first";
+}
+
+TEST_F(PacketMotion, AFindingTellsHowFarTheToolIsOff) {
+  const Motion rest = [](double, std::size_t joint) {
+    return 0.3 + 0.1 * static_cast<double>(joint);
+  };
+  const SaidSession session = armSession(125, 2, 0, rest);
+  SaidSession changed = session;
+  changed.joint("arm", 1, 0.5, 1.5, plus(4 * kDegree)).joint("arm", 5, 0.5, 1.5, plus(kDegree));
+  const SessionTrack accepted = need(session), run = need(changed);
+  RunJudgement found = judgeRun(byOrigin(), {&accepted}, run);
+  ASSERT_EQ(found.findings.size(), 2U) << textOfFindings(found);
+  const std::string untold = found.findings[1].what;
+  tellToolEffects(cell_, run, found);
+
+  const Model& model = *cell_.modelOf(*cell_.findDevice("arm"));
+  const auto tipAt = [&](double joint2) {
+    JointVector joints = zeroJoints(model);
+    for (std::size_t joint = 0; joint < 6; ++joint) joints.values[joint] = rest(0, joint);
+    joints.values[1] += joint2;
+    joints.values[5] += kDegree;
+    return poseOf(linkPoses(model, joints)[*model.findLink("tip")]).position;
+  };
+  const double apart_mm = 1000 * lengthOf(tipAt(4 * kDegree) - tipAt(0));
+  ASSERT_GT(apart_mm, 10);
+  EXPECT_TRUE(found.findings[0].what.starts_with(fmt::format(
+      "arm/joint2: 4.00° ({} at tip) beyond what was accepted", figureText(apart_mm, "mm"))))
+      << found.findings[0].what;
+  EXPECT_TRUE(found.rule.starts_with(found.findings[0].what));
+  EXPECT_EQ(found.findings[1].what, untold) << "the tip lies on the axis of the last joint";
 }
 
 TEST_F(PacketMotion, AnEventComesBeforeWhatItsDelayMoves) {
