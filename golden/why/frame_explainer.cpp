@@ -194,7 +194,12 @@ const ModelChanges& FrameExplainer::changesSince(const AcceptedPicture& golden) 
   place->second = cellFaults(now_.cell());
   const FileHashes* const before = now_.manifest().cellOf(golden);
   if (before != nullptr && bundleToday() != nullptr) {
-    place->second = modelChanges(*before, now_.manifest().texts, *bundleToday(), now_.cell());
+    FileContents at_hand;
+    for (const Candidate& candidate : candidates_) {
+      if (candidate.bundle) at_hand.merge(contentsOf(*candidate.bundle));
+    }
+    place->second =
+        modelChanges(*before, now_.manifest().texts, *bundleToday(), now_.cell(), at_hand);
   }
   return place->second;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "core/bundle/cell_bundle.h"
@@ -8,10 +10,16 @@
 
 namespace rocinante {
 
-/// Replaces the texts of a bundle with the golden's for the lifetime of this object.
+/// Contents of files of a cell that is at hand, by SHA-256. Borrowed.
+using FileContents = std::map<std::string, ByteView>;
+FileContents contentsOf(const CellBundle& bundle);
+
+/// Replaces the texts of a bundle with the golden's for the lifetime of this object, and of its
+/// other files those that are `at_hand`, such as meshes in the cell of an accepted log.
 class GoldenTexts {
  public:
-  GoldenTexts(CellBundle& bundle, const FileHashes& golden, const FileTexts& texts);
+  GoldenTexts(CellBundle& bundle, const FileHashes& golden, const FileTexts& texts,
+              const FileContents& at_hand = {});
   ~GoldenTexts();
   GoldenTexts(const GoldenTexts&) = delete;
   GoldenTexts& operator=(const GoldenTexts&) = delete;

@@ -10,7 +10,6 @@
 #include "core/bundle/cell_folder.h"
 #include "core/check/drift/model_drift.h"
 #include "golden/why/file_change.h"
-#include "golden/why/golden_texts.h"
 
 namespace rocinante {
 namespace {
@@ -89,12 +88,12 @@ ModelChanges modelChanges(const Cell& golden, const Cell& now) {
 }
 
 ModelChanges modelChanges(const FileHashes& golden, const FileTexts& texts, CellBundle& today,
-                          const Cell& now) {
+                          const Cell& now, const FileContents& at_hand) {
   ModelChanges changes;
   const FileHashes files_today = hashesOf(today);
   FileTexts all_texts = toldTexts(today);
   all_texts.insert(texts.begin(), texts.end());
-  const GoldenTexts put_back(today, golden, texts);
+  const GoldenTexts put_back(today, golden, texts, at_hand);
   if (put_back.any()) {
     const auto before = loadBundle(today, "", {});
     if (before.ok()) addTo(changes, driftChanges(*before, now));

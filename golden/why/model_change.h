@@ -7,6 +7,7 @@
 #include "core/bundle/cell_bundle.h"
 #include "core/cell/cell.h"
 #include "golden/approval/manifest.h"
+#include "golden/why/golden_texts.h"
 
 namespace rocinante {
 
@@ -29,11 +30,11 @@ using ModelChanges = std::vector<ModelChange>;
 ModelChanges modelChanges(const Cell& golden, const Cell& now);
 
 /// The same when only hashes of the golden's files and some of their texts are known, followed by
-/// the changed files (fileChanges): the golden's cell is rebuilt from those texts and `today`'s
-/// other files. `today` is `now` with its files; it is modified and restored. A line reports
-/// missing texts.
+/// the changed files (fileChanges): the golden's cell is rebuilt from those texts, from the files
+/// `at_hand` and `today`'s others. `today` is `now` with its files; it is modified and restored. A
+/// line reports missing texts.
 ModelChanges modelChanges(const FileHashes& golden, const FileTexts& texts, CellBundle& today,
-                          const Cell& now);
+                          const Cell& now, const FileContents& at_hand = {});
 /// fileChanges() as changes; `texts` as there.
 ModelChanges changedFiles(const FileHashes& golden, const FileHashes& frame,
                           const FileTexts& texts);
