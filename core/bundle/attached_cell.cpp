@@ -76,6 +76,11 @@ bool isLog(const std::filesystem::path& path) {
          std::ranges::equal(std::as_bytes(std::span(begin)), mcap::magic());
 }
 
+bool carriesCell(const LogReader& log) {
+  return std::ranges::any_of(
+      log.metadata(), [](const LogMetadata& record) { return record.name == profile::kCell; });
+}
+
 Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log) {
   const auto record = std::ranges::find(log.metadata(), profile::kCell, &LogMetadata::name);
   if (record == log.metadata().end()) return std::optional<CellBundle>();

@@ -12,6 +12,9 @@
 
 namespace rocinante {
 
+/// Whether it carries one, whole or not.
+bool carriesCell(const LogReader& log);
+
 /// The cell that a log carries, read whole and checked: every size, checksum and SHA-256. Empty
 /// when the log has none; damaged when it should have one, naming the attachment. Of several cells
 /// the first is used.

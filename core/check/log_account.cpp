@@ -1,8 +1,11 @@
 #include "core/check/log_account.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
+#include "core/base/plain_text.h"
 #include "core/log/import_record.h"
 #include "core/log/log_profile.h"
 
@@ -51,21 +54,48 @@ Account leftOutOf(const LogReader& log) {
   return account;
 }
 
+/// "a, b, c and 4 more"
+std::string namesText(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+    text += plainText(names[i]);
+  }
+  if (names.size() > kMostNamed) {
+    text += " and " + std::to_string(names.size() - kMostNamed) + " more";
+  }
+  return text;
+}
+
+/// Those of the state that nothing can draw.
+std::vector<std::string> devicesBeyond(const Cell& cell, const SessionState& last) {
+  std::set<std::string, std::less<>> ghosts;
+  for (const CellSource& source : cell.sources) {
+    for (const auto& [ghost, original] : source.ghost_of) ghosts.insert(ghost);
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, stated] : last.devices()) {
+    const bool is_moved = stated.pose || stated.joints || !stated.named_joints.empty();
+    if (is_moved && !stated.presence && cell.findDevice(name) == nullptr &&
+        !ghosts.contains(name)) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string LogAccount::sentence(std::size_t most_listed) const {
   std::string text;
+  if (!not_in_cell.empty()) {
+    text = fmt::format("the cell has no device {}, which the log moves", namesText(not_in_cell));
+  }
   if (no_packets) {
     text = "no message of the log is a packet: nothing moves";
   } else if (!at_rest.empty()) {
-    text = "no packet of the log moves ";
-    for (std::size_t i = 0; i < std::min(at_rest.size(), kMostNamed); ++i) {
-      if (i > 0) text += i + 1 == at_rest.size() ? " and " : ", ";
-      text += at_rest[i];
-    }
-    if (at_rest.size() > kMostNamed) {
-      text += " and " + std::to_string(at_rest.size() - kMostNamed) + " more";
-    }
+    if (!text.empty()) text += "; ";
+    text += "no packet of the log moves " + namesText(at_rest);
     if (movable > at_rest.size()) {
       text += " (" + std::to_string(at_rest.size()) + " of " + std::to_string(movable) +
               " devices with joints)";
@@ -77,7 +107,8 @@ std::string LogAccount::sentence(std::size_t most_listed) const {
 
 std::string LogAccount::note() const {
   const bool all_at_rest = movable > 0 && at_rest.size() == movable;
-  if (!no_packets && !all_at_rest && (!imported || empty())) return {};
+  const bool is_told = no_packets || all_at_rest || !not_in_cell.empty();
+  if (!is_told && (!imported || empty())) return {};
   const bool is_whole = left_out.leftOut().size() <= kMostInNote && left_out.unlisted() == 0;
   return sentence(kMostInNote) + (is_whole ? "" : "; rocinante check lists all");
 }
@@ -91,6 +122,7 @@ LogAccount logAccount(const LogReader& log, const SessionState& last, const Cell
   account.no_packets = log.summary().profile == profile::kName && log.summary().messages > 0 &&
                        last.sources().empty() && last.devices().empty();
   if (cell == nullptr) return account;
+  account.not_in_cell = devicesBeyond(*cell, last);
   for (const CellDevice& device : cell->devices) {
     const Model* const model = cell->modelOf(device);
     if (model == nullptr || std::ranges::none_of(model->joints, isDriven)) continue;

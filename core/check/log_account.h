@@ -23,15 +23,20 @@ struct LogAccount {
   /// states their pose or one of their joints.
   std::vector<std::string> at_rest;
   std::size_t movable = 0;  ///< devices with joints that are there
+  /// Devices that packets move and that neither the cell nor an `add` has: nothing shows them.
+  std::vector<std::string> not_in_cell;
   bool no_packets = false;  ///< it has messages, and none is or became a packet
   bool imported = false;    ///< what another program recorded
 
-  bool empty() const { return left_out.empty() && at_rest.empty() && !no_packets; }
-  /// "no packet of the log moves arm; left out: 1 topic `/camera` (...)"; empty when empty().
+  bool empty() const {
+    return left_out.empty() && at_rest.empty() && not_in_cell.empty() && !no_packets;
+  }
+  /// "the cell has no device `ur10`; no packet of the log moves arm; left out: 1 topic `/camera`
+  /// (...)"; empty when empty().
   std::string sentence(std::size_t most_listed = 4) const;
   /// The line that every program prints of a log that it opens, or empty: a shorter sentence, and
-  /// which program has all of it. Of a log that was recorded only that it moves nothing: what it
-  /// holds besides packets was recorded on purpose.
+  /// which program has all of it. Of a log that was recorded only that it moves nothing, or what
+  /// the cell lacks: what it holds besides packets was recorded on purpose.
   std::string note() const;
 };
 

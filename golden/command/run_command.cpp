@@ -225,10 +225,6 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
                                    [&](const AcceptedRun& accepted) { return cells.of(accepted); },
                                    cli::workerThreads()});
   if (!runs.ok()) return runs.error();
-  if (!cells.unknown().empty()) {
-    cli::warn("the cell has changed since a log was accepted, which is judged with today's: " +
-              cells.unknown());
-  }
   report.runs = std::move(*runs);
   explainRuns(*session, *options, report.runs);
   if (!arguments.files.folder.empty()) {

@@ -4,12 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <set>
 
-#include "core/check/drift/model_drift.h"
 #include "golden/run/link_tracks.h"
+#include "golden/run/model_findings.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
 #include "golden/run/tool_effect.h"
@@ -49,14 +48,14 @@ class SuiteRunJudge {
       judged.rule = "no log was accepted yet";
       return {};
     }
-    const Cell* newest_cell = nullptr;  // where all were accepted with other kinematics
-    bool is_accepted_today = false;
+    AcceptedCell newest;
+    bool is_accepted_today = false;                    // with today's kinematics
     std::vector<const Cell*> cells{&session_.cell()};  // of the log under test, then the accepted
     for (const AcceptedRun& one : accepted) {
       judged.accepted.push_back(one.log);
-      newest_cell = options_.cell_of ? options_.cell_of(one) : nullptr;
-      is_accepted_today = is_accepted_today || newest_cell == nullptr;
-      cells.push_back(newest_cell == nullptr ? &session_.cell() : newest_cell);
+      newest = options_.cell_of ? options_.cell_of(one) : AcceptedCell();
+      is_accepted_today = is_accepted_today || (newest.cell == nullptr && newest.unknown.empty());
+      cells.push_back(newest.cell == nullptr ? &session_.cell() : newest.cell);
     }
     const std::vector<std::string> links = linksToJudge(run.spec, session_.cell());
     std::vector<std::optional<Result<SessionTrack>>> made(cells.size());
@@ -87,7 +86,11 @@ class SuiteRunJudge {
         judgeRun(run.spec, others, tracks.front(), options_.parallel);
     tellToolEffects(session_.cell(), tracks.front(), judgement);
     addMaskNotes(run, accepted.back(), judgement);
-    if (!is_accepted_today) addModelFindings(*newest_cell, judgement);
+    if (!is_accepted_today && newest.cell != nullptr) {
+      addModelFindings(*newest.cell, session_.cell(), judgement);
+    } else if (!is_accepted_today) {
+      addUnknownModel(newest.unknown, judgement);
+    }
     judged.rule = judgement.rule;
     if (!judged.judgement.comparable) return {};
     judged.verdict =
@@ -119,27 +122,6 @@ class SuiteRunJudge {
           fmt::format("mask `{}` was added since the last log was accepted", text));
     }
   }
-
-  void addModelFindings(const Cell& then, RunJudgement& judged) const {
-    std::vector<RunFinding> findings;
-    for (const Finding& drift : modelDrift(then, session_.cell())) {
-      if (std::ranges::find(kMoving, drift.rule) == kMoving.end()) continue;
-      RunFinding& finding = findings.emplace_back();
-      finding.kind = RunFinding::Kind::model;
-      finding.item = "model";
-      finding.what = "model: " + drift.text;
-      finding.until_accepted = judged.until;
-    }
-    if (findings.empty() || !judged.comparable) return;
-    judged.findings.insert(judged.findings.begin(), findings.begin(), findings.end());
-    judged.rule = runRule(judged);
-  }
-
-  /// Drift of a model that moves what is judged.
-  static constexpr std::array<std::string_view, 12> kMoving{
-      "drift.device-moved",  "drift.device-removed", "drift.joint-added",  "drift.joint-axis",
-      "drift.joint-mimic",   "drift.joint-order",    "drift.joint-origin", "drift.joint-parent",
-      "drift.joint-removed", "drift.joint-renamed",  "drift.joint-type",   "drift.link-renamed"};
 
   const SuiteSession& session_;
   const RunOptions& options_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "core/base/result.h"
 #include "golden/judge/judged_run.h"
@@ -9,15 +10,20 @@
 
 namespace rocinante {
 
+/// The cell that a log was accepted with.
+struct AcceptedCell {
+  const Cell* cell = nullptr;  ///< null: its links are where today's are, or it is unknown
+  std::string unknown;         ///< a clause: why a cell that has changed cannot be put back
+};
+
 struct RunOptions {
   /// Called before each log by the threads of `parallel`; true ends the run with an error. May be
   /// empty.
   std::function<bool()> stop;
-  std::function<double()> now_ms;  ///< a steady clock
-  TrackCache cache{};              ///< of accepted logs
-  /// The cell that a log was accepted with; null: the session's. May be empty.
-  std::function<const Cell*(const AcceptedRun&)> cell_of{};
-  ParallelFor parallel{};  ///< may be empty
+  std::function<double()> now_ms;                             ///< a steady clock
+  TrackCache cache{};                                         ///< of accepted logs
+  std::function<AcceptedCell(const AcceptedRun&)> cell_of{};  ///< may be empty: the session's
+  ParallelFor parallel{};                                     ///< may be empty
 };
 
 /// Judges one run of the session's suite, as judgeRuns() does.

@@ -13,6 +13,7 @@
 #include "core/base/count_text.h"
 #include "golden/run/rate_judge.h"
 #include "golden/run/run_coverage.h"
+#include "golden/run/unfit_values.h"
 
 namespace rocinante {
 namespace {
@@ -50,6 +51,26 @@ void judgeNewDevice(const RunTimes& times, const std::string& name, const Device
   finding.what = fmt::format("{}: no accepted session has this device; here since {}", name,
                              times.bothTimes(time));
   judged.findings.push_back(std::move(finding));
+}
+
+/// Devices of the cell that some session states, and whose model is not there: nobody knows whether
+/// they are as accepted.
+void judgeUnread(const RunTimes& times, RunJudgement& judged) {
+  std::set<std::string> names;
+  const auto add = [&](const SessionTrack& track) {
+    for (const LeftOut& item : track.left_out.leftOut()) {
+      if (item.kind == kUnreadModel) names.insert(item.name);
+    }
+  };
+  for (const SessionTrack* track : times.accepted) add(*track);
+  add(times.run);
+  for (const std::string& name : names) {
+    const auto isIt = [&](const RunFinding& finding) { return finding.item == name; };
+    if (times.spec.isMaskedThroughout(name) || std::ranges::any_of(judged.findings, isIt)) continue;
+    RunFinding finding = times.findingOfAll(RunFinding::Kind::coverage, name);
+    finding.what = fmt::format("{}: not judged, since its model could not be read", name);
+    judged.findings.push_back(std::move(finding));
+  }
 }
 
 /// Everything of a device that was accepted is judged no more.
@@ -101,7 +122,8 @@ struct DeviceToJudge {
 
 std::vector<DeviceToJudge::Item> itemsToJudge(const RunTimes& times, const std::string& name,
                                               const DeviceTrack& own,
-                                              const std::vector<TrackColumn>& columns) {
+                                              const std::vector<TrackColumn>& columns,
+                                              const Account& left_out) {
   std::vector<DeviceToJudge::Item> items;
   for (const TrackColumn& column : columns) {
     const std::string item = itemOf(name, column);
@@ -110,9 +132,16 @@ std::vector<DeviceToJudge::Item> itemsToJudge(const RunTimes& times, const std::
     const TrackColumn* its = own.find(column.part, is_link);
     DeviceToJudge::Item& to_judge = items.emplace_back();
     to_judge.column = column;
-    if (its != nullptr && its->kind == column.kind) continue;
+    if (its != nullptr && its->kind == column.kind && its->is_stated) continue;
     to_judge.is_judged = false;
     RunFinding finding = times.findingOfAll(RunFinding::Kind::coverage, item);
+    if (its != nullptr && its->kind == column.kind) {
+      const std::string why = whyLeftOut(left_out, name);
+      finding.what = fmt::format("{}: not judged, since {}", item,
+                                 why.empty() ? "the session states no value of it" : why);
+      to_judge.findings.push_back(std::move(finding));
+      continue;
+    }
     finding.what = fmt::format("{}: not judged, since the model has no such {}", item,
                                is_link ? "link that moves" : "joint");
     if (its != nullptr) {
@@ -148,9 +177,11 @@ std::vector<DeviceToJudge> devicesToJudge(const RunTimes& times, RunJudgement& j
     } else if (own == nullptr) {
       judgeLostDevice(times, name, judged);
     } else {
-      devices.push_back({name, itemsToJudge(times, name, *own, columns), rowsOf(times, name)});
+      devices.push_back({name, itemsToJudge(times, name, *own, columns, judged.coverage.left_out),
+                         rowsOf(times, name)});
     }
   }
+  judgeUnread(times, judged);
   return devices;
 }
 

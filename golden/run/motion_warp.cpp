@@ -101,7 +101,13 @@ WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other, co
 class Warper {
  public:
   Warper(const WarpFeatures& features, std::size_t samples, std::size_t reach)
-      : features_(features), samples_(samples), reach_(reach), width_(2 * reach + 1) {}
+      : features_(features), samples_(samples), reach_(reach), width_(2 * reach + 1) {
+    for (std::size_t i = 0; i < samples; ++i) {
+      const auto row = features.other.begin() + static_cast<std::ptrdiff_t>(i * features.count);
+      is_known_.push_back(!std::all_of(row, row + static_cast<std::ptrdiff_t>(features.count),
+                                       [](float value) { return std::isnan(value); }));
+    }
+  }
 
   /// By sample: how many samples later the other session is. `fixed`: where that is 0.
   std::vector<std::ptrdiff_t> bends(const std::vector<bool>& fixed) {
@@ -141,6 +147,8 @@ class Warper {
   }
 
   float apartAt(std::size_t i, std::size_t k) const {
+    // Outside the other session nothing fits better than anything else.
+    if (!is_known_[i]) return 0;
     const std::ptrdiff_t place =
         std::clamp(static_cast<std::ptrdiff_t>(i + k) - static_cast<std::ptrdiff_t>(reach_),
                    std::ptrdiff_t{0}, static_cast<std::ptrdiff_t>(samples_) - 1);
@@ -156,6 +164,7 @@ class Warper {
 
   const WarpFeatures& features_;
   std::size_t samples_, reach_, width_;
+  std::vector<bool> is_known_;     ///< by sample: the other session has values there
   std::vector<std::int8_t> came_;  ///< by sample and bend: the bend before it, relative to it
 };
 

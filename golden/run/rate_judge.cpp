@@ -15,6 +15,7 @@ constexpr double kLeast = 0.67;
 constexpr double kMost = 1.5;
 constexpr double kSlack = 2;
 constexpr std::int64_t kWindow = 1'000'000'000;
+constexpr std::int64_t kSilenceStep = 100'000'000;
 
 /// Packets about a device before a time of its session.
 class PacketCount {
@@ -55,10 +56,20 @@ class RateJudge {
       in_a_row_ = 0;
       judgeStretch(from, times_.end(), 1);
     }
+    if (!first_) judgeSilence(from);
     if (first_) findings.push_back(finding());
   }
 
  private:
+  /// A second without a packet where all accepted sessions have some, wherever it begins.
+  void judgeSilence(std::int64_t from) {
+    const std::int64_t reach = times_.reachOf(times_.spec.limitsOf(device_)) + kCountBin.count();
+    for (std::int64_t at = from; at + kWindow <= times_.end(); at += kSilenceStep) {
+      if (countIn(times_.accepted.size(), at - reach, at + kWindow + reach) > 0) continue;
+      judgeStretch(at, at + kWindow, 1);
+    }
+  }
+
   bool add(const SessionTrack& track) {
     const auto found = track.devices.find(device_);
     if (found == track.devices.end()) return false;
@@ -89,7 +100,7 @@ class RateJudge {
     in_a_row_ = is_beyond ? in_a_row_ + 1 : 0;
     if (!is_beyond || times_.spec.isMasked(device_, times_.sinceOrigin(from))) return;
     if (in_a_row_ < needed) return;
-    const auto before = static_cast<std::int64_t>(in_a_row_ - 1);
+    const auto before = static_cast<std::int64_t>(needed - 1);
     if (!first_) first_ = std::max<std::int64_t>(0, from - before * kWindow);
     last_ = until;
     const double ratio = count < least ? count / least : most / std::max(count, 1.0);

@@ -158,7 +158,8 @@ class EventJudge {
           std::ranges::all_of(moments_, [&](const Moments& its) { return its[i].has_value(); });
       if (new_[i] || !is_common) continue;
       const Event& event = first_.events[i];
-      RunFinding finding = findingAt(event, event.time, found_.run_map.inRun(event.time));
+      const LogTime expected = found_.run_map.inRun(event.time);
+      RunFinding finding = findingAt(event, event.time, expected);
       const auto moved = std::ranges::find_if(found_.run.only_b, [&](const Event& other) {
         return other.text == event.text && other.source == event.source;
       });
@@ -169,6 +170,8 @@ class EventJudge {
                                    timeText(finding.first_accepted));
         told_.push_back(&*moved);
       } else {
+        // Before the log begins nothing is known.
+        if (expected < run_.start) continue;
         finding.what = fmt::format("event \"{}\" of {} is missing: expected at {} (accepted {})",
                                    event.text, event.source, timeText(finding.first_run),
                                    timeText(finding.first_accepted));

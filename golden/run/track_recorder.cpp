@@ -199,7 +199,10 @@ void TrackRecorder::addDevice(const std::string& name, LogTime time) {
   if (found == recordings_.end()) {
     const Model* model = modelOf(name);
     if (model == nullptr) {
-      unfit_.leaveOut("device", name, "the cell has no such device", time);
+      const bool is_of_cell = cell_.findDevice(name) != nullptr;
+      unfit_.leaveOut(is_of_cell ? kUnreadModel : "device", name,
+                      is_of_cell ? "its model could not be read" : "the cell has no such device",
+                      time);
       return;
     }
     recording(name, model);

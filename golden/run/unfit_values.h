@@ -9,6 +9,9 @@
 
 namespace rocinante {
 
+/// LeftOut::kind of a device that the cell has and whose model it has not.
+inline constexpr const char* kUnreadModel = "model";
+
 /// Puts into a track's account what packets state and no device takes. Each once, since packets
 /// restate it.
 class UnfitValues {

@@ -11,9 +11,11 @@
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
 #include "golden/run/link_tracks.h"
+#include "golden/run/model_findings.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
 #include "golden/run/tool_effect.h"
+#include "golden/run/track_cache.h"
 #include "golden/session/bisect.h"
 #include "golden/session/nearest_moment.h"
 #include "golden/why/explain_pictures.h"
@@ -212,7 +214,7 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
 }
 
 /// b as a run that accepted a and `more_accepted`.
-JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
+JudgedRun judgeBehaviour(const Cell& cell, const Cell* cell_of_b, const SessionQuestion& question,
                          const ParallelFor& parallel, SessionComparison& comparison) {
   JudgedRun run;
   run.name = "session";
@@ -229,8 +231,10 @@ JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
   run.align = nameOf(spec.align);
   const std::vector<std::string> links = linksToJudge(spec, cell);
   std::vector<std::optional<Result<SessionTrack>>> made(logs.size());
-  forEachIndex(parallel, logs.size(),
-               [&](std::size_t i) { made[i] = trackSession(cell, logs[i], links); });
+  forEachIndex(parallel, logs.size(), [&](std::size_t i) {
+    const bool is_b = i + 1 == logs.size() && cell_of_b != nullptr;
+    made[i] = trackSession(is_b ? *cell_of_b : cell, logs[i], links);
+  });
   std::vector<SessionTrack> tracks;
   for (auto& one : made) {
     Result<SessionTrack>& track = *one;
@@ -243,7 +247,8 @@ JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
   std::vector<const SessionTrack*> accepted;
   for (std::size_t i = 0; i + 1 < tracks.size(); ++i) accepted.push_back(&tracks[i]);
   RunJudgement judged = judgeRun(spec, accepted, tracks.back(), parallel);
-  tellToolEffects(cell, tracks.back(), judged);
+  tellToolEffects(cell_of_b == nullptr ? cell : *cell_of_b, tracks.back(), judged);
+  if (cell_of_b != nullptr) addModelFindings(cell, *cell_of_b, judged);
   std::ranges::move(judged.notes, std::back_inserter(run.judgement.notes));
   judged.notes = std::move(run.judgement.notes);
   run.judgement = std::move(judged);
@@ -329,7 +334,15 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
   report.cell = cell.string();
   report.log = question.b.string();
   tell("behaviour");
-  report.runs.push_back(judgeBehaviour(*loaded, question, options.parallel, comparison));
+  // Where no cell is named, each is judged as its own has it.
+  std::optional<Cell> own;
+  if (cell == question.a && carriesCell(b->log())) {
+    auto of_b = loadCellOrLog(question.b, kinematics);
+    if (!of_b.ok()) return of_b.error();
+    if (trackCellHash(*of_b) != trackCellHash(*loaded)) own = std::move(*of_b);
+  }
+  report.runs.push_back(
+      judgeBehaviour(*loaded, own ? &*own : nullptr, question, options.parallel, comparison));
   const RunJudgement& judged = comparison.run().judgement;
   if (!question.pictures || !judged.comparable) return comparison;
   if (!question.more_accepted.empty() && judged.findings.empty()) {

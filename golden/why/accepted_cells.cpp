@@ -21,22 +21,22 @@ bool haveTextsChanged(const FileHashes& before, const FileHashes& today) {
 
 }  // namespace
 
-const Cell* AcceptedCells::of(const AcceptedRun& accepted) {
+AcceptedCell AcceptedCells::of(const AcceptedRun& accepted) {
   const std::string today = trackCellHash(session_.cell());
-  if (accepted.kinematics == today) return nullptr;
+  if (accepted.kinematics == today) return {};
   const auto [place, is_new] = cells_.try_emplace(accepted.cell);
+  Rebuilt& its = place->second;
   if (is_new) {
-    place->second = rebuilt(accepted);
-    if (place->second && trackCellHash(*place->second) == today) place->second.reset();
+    its = rebuilt(accepted);
+    if (its.cell && trackCellHash(*its.cell) == today) its.cell.reset();
   }
-  return place->second ? &*place->second : nullptr;
+  return {its.cell ? &*its.cell : nullptr, its.unknown};
 }
 
-std::optional<Cell> AcceptedCells::rebuilt(const AcceptedRun& accepted) {
+AcceptedCells::Rebuilt AcceptedCells::rebuilt(const AcceptedRun& accepted) {
   bool has_changed = !accepted.kinematics.empty();
   const auto cannot = [&](const char* why) {
-    if (has_changed) unknown_ = why;
-    return std::nullopt;
+    return Rebuilt{{}, has_changed ? why : std::string()};
   };
   const FileHashes* const before = session_.manifest().cellNamed(accepted.cell);
   if (before == nullptr) return cannot("its files were not kept");
@@ -46,7 +46,7 @@ std::optional<Cell> AcceptedCells::rebuilt(const AcceptedRun& accepted) {
     if (bundle.ok()) today_ = std::move(*bundle);
   }
   if (!today_) return cannot("today's cell has errors");
-  if (hashesOf(*today_) == *before) return std::nullopt;
+  if (hashesOf(*today_) == *before) return {};
   has_changed = has_changed || haveTextsChanged(*before, hashesOf(*today_));
   const GoldenTexts put_back(*today_, *before, session_.manifest().texts);
   if (!put_back.any()) return cannot("its files have other names");
@@ -57,7 +57,7 @@ std::optional<Cell> AcceptedCells::rebuilt(const AcceptedRun& accepted) {
   if (!cell.ok() || std::ranges::any_of(cell->faults, isError)) {
     return cannot("it does not load with today's files");
   }
-  return std::move(*cell);
+  return {std::move(*cell), {}};
 }
 
 }  // namespace rocinante

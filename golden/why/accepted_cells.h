@@ -6,6 +6,7 @@
 
 #include "core/bundle/cell_bundle.h"
 #include "core/cell/cell.h"
+#include "golden/judge/suite_runs.h"
 #include "golden/judge/suite_session.h"
 
 namespace rocinante {
@@ -18,20 +19,20 @@ class AcceptedCells {
   AcceptedCells(const SuiteSession& session, const SuiteOptions& options)
       : session_(session), options_(options) {}
 
-  /// Null when its links are where today's are, or when it cannot be rebuilt: see unknown().
-  const Cell* of(const AcceptedRun& accepted);
-  /// A clause for the user when a cell that has changed could not be rebuilt; else empty.
-  const std::string& unknown() const { return unknown_; }
+  AcceptedCell of(const AcceptedRun& accepted);
 
  private:
-  std::optional<Cell> rebuilt(const AcceptedRun& accepted);
+  struct Rebuilt {
+    std::optional<Cell> cell;  ///< empty: as today's, or unknown
+    std::string unknown;
+  };
+  Rebuilt rebuilt(const AcceptedRun& accepted);
 
   const SuiteSession& session_;
   const SuiteOptions& options_;
   std::optional<CellBundle> today_;
   bool collected_ = false;
-  std::map<std::string, std::optional<Cell>> cells_;  ///< by AcceptedRun::cell
-  std::string unknown_;
+  std::map<std::string, Rebuilt> cells_;  ///< by AcceptedRun::cell
 };
 
 }  // namespace rocinante

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/base/hash.h"
+#include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/log/content_hash.h"
 #include "core/log/log_profile.h"
@@ -70,12 +71,10 @@ class Collector {
 
   /// What is at rest is judged by the cell that the log carries.
   void finish(const LogReader& reader) {
-    const bool has_cell = std::ranges::any_of(
-        reader.metadata(), [](const LogMetadata& each) { return each.name == profile::kCell; });
     CellOptions options;
     options.geometry = false;
     const Result<Cell> cell =
-        has_cell ? loadCellOrLog(reader.name(), options) : Result<Cell>(Error{});
+        carriesCell(reader) ? loadCellOrLog(reader.name(), options) : Result<Cell>(Error{});
     info_.account = logAccount(reader, state_, cell ? &*cell : nullptr);
     info_.content_sha256 = hash_.finish();
     info_.decoded_sha256 = hash_.finishDecoded();

@@ -120,6 +120,7 @@ std::string logInfoJson(const LogInfo& info, bool indented) {
   for (const LogAttachment& each : info.attachments) attached_bytes += each.data_bytes;
   out["attached_bytes"] = attached_bytes;
   out["at_rest"] = info.account.at_rest;
+  out["not_in_cell"] = info.account.not_in_cell;
   out["left_out"] = leftOutJson(info.account.left_out);
   out["compression"] = info.storage.compressions;
   out["chunks"] = info.storage.chunks;

@@ -3,12 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
-#include "core/log/log_profile.h"
 
 namespace rocinante {
 
@@ -26,10 +26,7 @@ Result<std::shared_ptr<const Cell>> loadExportCell(const ExportCellArguments& ar
   if (path.empty()) {
     const std::vector<std::string> words = cli::searchWords(arguments.search);
     if (!words.empty()) return Error{ErrorKind::bad_argument, words.front() + " needs a cell", {}};
-    const bool carries_one =
-        std::any_of(log.metadata().begin(), log.metadata().end(),
-                    [](const LogMetadata& metadata) { return metadata.name == profile::kCell; });
-    if (!carries_one) return std::shared_ptr<const Cell>();
+    if (!carriesCell(log)) return std::shared_ptr<const Cell>();
     path = log.name();
   }
   CellOptions options = arguments.search;

@@ -54,6 +54,7 @@ struct ExportAccount {
   Json contents;
   std::vector<std::string> gaps, notes;
   Account left_out;
+  std::shared_ptr<const Cell> cell{};  ///< that was used; may be null
 };
 
 /// What `check` finds, at the first time of each; what has no time, at the span's beginning.
@@ -111,6 +112,7 @@ Result<ExportAccount> exportToMcap(const ExportArguments& my, const TimeRange& r
   if (!report) return report.error();
   if (Status finished = out->finish(); !finished) return finished.error();
   ExportAccount account;
+  account.cell = *cell;
   std::uint64_t messages = 0;
   account.contents["topics"] = Json::array();
   for (const auto& [topic, facts] : out->topics()) {
@@ -187,6 +189,7 @@ Result<ExportAccount> exportToGltf(const ExportArguments& my, const TimeRange& r
   if (!recording) return recording.error();
   options.progress = stoppableProgress("reading " + my.log);
   ExportAccount account;
+  account.cell = *cell;
   if (Status done = recordGltf(*session, **cell, *recording, options, account.left_out); !done) {
     return done.error();
   }
@@ -272,7 +275,7 @@ Result<cli::Exit> runExport(ExportArguments my) {
   for (const std::string& sentence : account->notes) cli::warn(sentence);
   for (const std::string& sentence : account->gaps) cli::warn(sentence);
   if (!account->left_out.empty()) cli::warn(accountSentence(account->left_out));
-  cli::warnOfAccount(my.log, nullptr);
+  cli::warnOfAccount(my.log, account->cell.get());
   return account->gaps.empty() ? cli::Exit::done : cli::Exit::no;
 }
 

@@ -61,6 +61,7 @@ Result<SessionState> sessionState(const Cell& cell, const PoseRequest& request,
   const auto opened = cli::openSession(
       request.log, is_file ? std::filesystem::path(cell.file) : std::filesystem::path());
   if (!opened) return opened.error();
+  cli::warnOfAccount(opened->log, &cell);
   Result<Timeline> session = Timeline::open(opened->log);
   if (!session) return session.error();
   const auto moment = request.at.empty() ? momentOfEvent(request.event, *session)

@@ -5,6 +5,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/unfinished_path.h"
+#include "core/bundle/attached_cell.h"
 #include "core/copy/copy_report.h"
 #include "core/copy/log_cut.h"
 #include "core/log/log_profile.h"
@@ -35,13 +36,6 @@ class WithoutCell final : public CopyAddition {
   Status follow(const CopyItem&, PieceWriter&) override { return {}; }
 };
 
-bool carriesCell(const fs::path& log) {
-  const auto reader = LogReader::open(log);
-  return reader && std::ranges::any_of(reader->metadata(), [](const LogMetadata& record) {
-           return record.name == profile::kCell;
-         });
-}
-
 }  // namespace
 
 Result<Bytes> carriedLog(const PageJob& job, PageReport& report) {
@@ -49,7 +43,8 @@ Result<Bytes> carriedLog(const PageJob& job, PageReport& report) {
   selection.from = job.from;
   selection.until = job.until;
   const bool is_part = selection.anyTime();
-  const bool has_cell = carriesCell(job.log);
+  const auto reader = LogReader::open(job.log);
+  const bool has_cell = reader && carriesCell(*reader);
   if (!is_part && !has_cell) return bytesOfFile(job.log);
   MakeOptions make;
   // Beside the page, where there is room for it.

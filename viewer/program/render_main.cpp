@@ -109,6 +109,7 @@ void printJson(const RenderReport& report) {
   for (const auto& video : report.videos) json["videos"].push_back(video.string());
   json["warnings"] = report.warnings;
   json["at_rest"] = report.account.at_rest;
+  json["not_in_cell"] = report.account.not_in_cell;
   json["left_out"] = leftOutJson(report.account.left_out);
   std::fputs(jsonText(json).c_str(), stdout);
 }

@@ -91,6 +91,20 @@ TEST_F(LogAccountTest, NamesWhatNoPacketMoves) {
   EXPECT_EQ(all.sentence(), "");
 }
 
+TEST_F(LogAccountTest, NamesWhatTheCellLacks) {
+  const std::string moves = "RK1 s 0 -\njoint left j=1\njoint right j=1\n";
+  const LogAccount two =
+      of({{"rk1", moves + "pose ur10 0 0 1 0 0 0 1\njoints x 1\ncolor y #ffffff\n"}});
+  EXPECT_THAT(two.not_in_cell, ElementsAre("ur10", "x"));
+  EXPECT_EQ(two.note(), "the cell has no device ur10 and x, which the log moves");
+  // What `add` brings has a rule of its own, and what nobody moves any more is gone.
+  EXPECT_TRUE(of({{"rk1", moves + "add part arm.urdf\njoints part 1\njoints x 1\nremove x\n"}})
+                  .not_in_cell.empty());
+  EXPECT_EQ(of({{"rk1", "RK1 s 0 -\njoints x 1\n"}}).note(),
+            "the cell has no device x, which the log moves; no packet of the log moves left and "
+            "right");
+}
+
 TEST_F(LogAccountTest, OfALogWithoutPacketsNamesItsTopics) {
   const LogAccount account = of({{"octets", "what is this"}});
   EXPECT_TRUE(account.no_packets);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/golden/run/demo_regressions.h"
 #include "tests/golden/run/run_test.h"
 
@@ -85,6 +87,78 @@ TEST_F(RunCoverageTest, ADeviceOfAnyAcceptedSessionIsJudged) {
   ASSERT_TRUE(run.ok());
   const RunJudgement judged = judgeRun(spec, {&*part, &*whole}, *run);
   EXPECT_FALSE(judged.findings.empty()) << "only the second accepted session has the gantry";
+}
+
+TEST_F(RunCoverageTest, ADeviceWhoseModelIsNotThereIsNeverTheSame) {
+  std::ofstream(folder_ / "arm.urdf")
+      << "<robot name='arm'> <link name='a'/> <link name='b'/> <joint name='j' type='revolute'> "
+         "<parent "
+         "link='a'/> <child link='b'/> <axis xyz='0 0 1'/> <limit lower='-3' upper='3' effort='1' "
+         "velocity='3'/> </joint> </robot>";
+  std::ofstream(folder_ / "c.cell.toml")
+      << "format = 1\n[[device]]\nname = \"one\"\nmodel = \"arm.urdf\"\n"
+         "[[device]]\nname = \"two\"\nmodel = \"gone.urdf\"\n";
+  const Cell cell = cellAt(folder_ / "c.cell.toml");
+  SaidSession session;
+  for (int i = 0; i < 100; ++i) {
+    session.packets.push_back({i * 0.01, "s", "RK1 s 0 -", "joints one 0.1\njoints two 0.2\n"});
+  }
+  const auto track = trackOf(cell, session);
+  ASSERT_TRUE(track.ok());
+  RunSpec spec;
+  spec.align = RunAlign::origin;
+  const RunJudgement judged = judgeRun(spec, {&*track}, *track);
+  ASSERT_EQ(judged.findings.size(), 1U) << textOfFindings(judged);
+  EXPECT_EQ(judged.rule, "two: not judged, since its model could not be read");
+  spec.masks.push_back({"two"});
+  expectSilent("masked", judgeRun(spec, {&*track}, *track));
+}
+
+TEST_F(RunCoverageTest, ASecondOfSilenceIsFoundWhereverItBegins) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  const SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  const auto accepted = trackOf(cell, session);
+  ASSERT_TRUE(accepted.ok());
+  for (const double from : {6.0, 6.35, 6.66, 6.9, 18.4}) {
+    SaidSession changed = session;
+    changed.erase("arm", from, from + 1.2);
+    const auto run = trackOf(cell, changed);
+    ASSERT_TRUE(run.ok());
+    const std::string found = textOfFindings(judgeRun({}, {&*accepted}, *run));
+    EXPECT_NE(found.find("arm: stated "), std::string::npos) << from << found;
+  }
+}
+
+TEST_F(RunCoverageTest, ARecorderThatBeganLaterIsTheSameUnderAWarp) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  const SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  const auto accepted = trackOf(cell, session);
+  ASSERT_TRUE(accepted.ok());
+  RunSpec spec;
+  spec.align = RunAlign::warp;
+  for (const double later : {0.5, 1.0, 3.0}) {
+    SaidSession changed = session;
+    std::erase_if(changed.packets, [&](const auto& said) { return said.at_s < later; });
+    const auto run = trackOf(cell, changed);
+    ASSERT_TRUE(run.ok());
+    expectSilent("later", judgeRun(spec, {&*accepted}, *run));
+  }
+}
+
+TEST_F(RunCoverageTest, AnEventBeforeTheLogBeganIsNotMissing) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  const SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  const auto accepted = trackOf(cell, session);
+  ASSERT_TRUE(accepted.ok());
+  const double picked = secondsOf(accepted->events.front().time - accepted->origin);
+  for (const double later : {0.01, 0.3, 2.0}) {
+    SaidSession changed = session;
+    std::erase_if(changed.packets, [&](const auto& said) { return said.at_s < picked + later; });
+    const auto run = trackOf(cell, changed);
+    ASSERT_TRUE(run.ok());
+    const std::string found = textOfFindings(judgeRun({}, {&*accepted}, *run));
+    EXPECT_EQ(found.find("is missing"), std::string::npos) << later << found;
+  }
 }
 
 TEST(RunNames, NamesThatMatchNothingAreNamed) {
