@@ -14,6 +14,7 @@
 #include "core/base/plain_text.h"
 #include "core/kinematics/gazebo_colors.h"
 #include "core/kinematics/model_draft.h"
+#include "core/kinematics/sdf_judge.h"
 #include "core/kinematics/sdf_text.h"
 #include "core/kinematics/sdformat_module.h"
 #include "core/kinematics/urdf_reader.h"

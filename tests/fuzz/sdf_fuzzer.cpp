@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "core/document/xml_document.h"
+#include "core/kinematics/sdf_judge.h"
 #include "core/kinematics/sdf_text.h"
 #include "core/report/account.h"
 

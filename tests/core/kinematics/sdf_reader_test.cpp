@@ -1,45 +1,23 @@
-#include "core/kinematics/sdf_reader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "core/base/loaded_module.h"
 #include "core/cell/cell.h"
 #include "core/kinematics/kinematics.h"
 #include "core/math/transform.h"
-#include "tests/core/kinematics/model_test_support.h"
 #include "tests/core/kinematics/model_text.h"
+#include "tests/core/kinematics/sdf_test_support.h"
 #include "tests/core/kinematics/xml_mutations.h"
 #include "tests/support/shared_data.h"
-#include "tests/support/write_file.h"
 
 namespace rocinante {
 namespace {
 
+using test::kTwoParts;
+using test::ReadSdf;
 using ::testing::HasSubstr;
-
-#define ROCINANTE_NEEDS_SDF                         \
-  if (!loadModule("librocinante_sdformat.so").ok()) \
-  GTEST_SKIP() << "built without ROCINANTE_SDF (libsdformat)"
-
-struct ReadSdf {
-  /// `obj` is two.obj beside it.
-  explicit ReadSdf(std::string_view text, std::string_view obj = {}) {
-    if (!obj.empty()) test::writeFile(folder / "two.obj", std::string(obj));
-    static_cast<void>(search.addRoot(folder.path()).ok());
-    MeshStore meshes(search, true);
-    model = readSdf(bytesOf(text), folder / "arm.sdf", meshes, faults);
-  }
-  std::string faultText() const { return test::printed(faults, folder.path()); }
-
-  test::TemporaryFolder folder;
-  FileSearch search;
-  Findings faults;
-  std::optional<Model> model;
-};
 
 // Links have poses in the model, and joints poses in their child, unlike in URDF.
 constexpr const char* kArm = R"(<sdf version='1.7'>
@@ -202,10 +180,6 @@ constexpr const char* kWholeSdf = R"(<sdf version="1.9"><model name="m">
   <plugin name="p" filename="p.so"/>
 </model></sdf>)";
 
-constexpr const char* kTwoParts =
-    "o left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no right\nv 10 0 0\nv 12 0 0\nv 10 4 0\n"
-    "f 4 5 6\n";
-
 TEST(SdfReader, DrawsColoursScriptsTransparencyAndSubmeshes) {
   ROCINANTE_NEEDS_SDF;
   const ReadSdf read(kWholeSdf, kTwoParts);
@@ -239,38 +213,6 @@ TEST(SdfReader, ItsAccountChangesOrTheModelDoesWhateverIsTakenOutOrPutIn) {
     const ReadSdf changed(mutation.text, kTwoParts);
     EXPECT_NE(test::outcomeText(changed.model, changed.faults), whole) << mutation.what;
   }
-}
-
-TEST(SdfReader, NamesWhatItDoesNotDraw) {
-  ROCINANTE_NEEDS_SDF;
-  const ReadSdf read(R"(<sdf version="1.7"><model name="m"><static>1</static><link name="l">
-<visual name="a"><geometry><box><size>1 1 1</size></box></geometry>
-<material><script><uri>x.material</uri><name>My/Rust</name></script><pbr><metal/></pbr></material></visual>
-<visaul name="b"/><sensor name="s" type="ray"/><light name="lamp" type="point"/>
-<visual name="p"><geometry><plane><normal>0 0 1</normal></plane></geometry></visual>
-<visual name="w"><geometry><mesh><uri>two.obj</uri><submesh><name>rigth</name></submesh></mesh>
-</geometry></visual></link></model></sdf>)",
-                     kTwoParts);
-  ASSERT_TRUE(read.model);
-  EXPECT_FALSE(read.model->links[0].visuals.at(0).material) << "nothing known, so not black";
-  EXPECT_EQ(
-      read.faultText(),
-      "arm.sdf:1:36: note: element `static` is left out: motion is shown, not simulated "
-      "[model.left-out]\n"
-      "arm.sdf:3:11: warning: script `My/Rust` is left out: of material scripts only the plain "
-      "colours of Gazebo are known [model.left-out]\n"
-      "arm.sdf:3:69: note: element `pbr` is left out: maps of <pbr> are not drawn "
-      "[model.left-out]\n"
-      "arm.sdf:4:1: warning: element `visaul` is left out: <link> has no such element (did you "
-      "mean `visual`?) [sdf.unknown-element]\n"
-      "arm.sdf:4:19: note: element `sensor` is left out: what is for a simulator is not read "
-      "[model.left-out]\n"
-      "arm.sdf:4:48: note: element `light` is left out: lamps of a model are not lit "
-      "[model.left-out]\n"
-      "arm.sdf:5:28: note: element `plane` is left out: a shape that is not drawn "
-      "[model.left-out]\n"
-      "arm.sdf:6: warning: `w` is not drawn: the mesh `two.obj` has no submesh `rigth` (did you "
-      "mean `right`?) [sdf.unknown-submesh]\n");
 }
 
 TEST(SdfReader, LinksThatNothingJoinsLieWhereTheFileHasThem) {
