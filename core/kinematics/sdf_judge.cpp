@@ -15,6 +15,7 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMaxSdfNumbers = 16;  // of one element
+constexpr double kLeastGround_m = 10;
 
 // What the reader uses (docs/meshes.md, section "SDF").
 const XmlUses& sdfUses() {
@@ -96,6 +97,7 @@ const XmlUses& sdfUses() {
                     {"ellipsoid", kShape},
                     {"heightmap", kShape},
                     {"image", kShape},
+                    {"cone", kShape},
                     {"polyline", kShape}}}},
       {"box", {.children = {"size"}}},
       {"sphere", {.children = {"radius"}}},
@@ -174,6 +176,32 @@ std::optional<std::vector<double>> numbersOfSdf(std::string_view text) {
   return numbers;
 }
 
+/// A <plane> that lies level and is large: the floor of a world, where others are markers and
+/// pictures.
+bool isGround(const tinyxml2::XMLElement& shape) {
+  if (std::string_view(shape.Name()) != "plane") return false;
+  const auto numbersBelow = [&](const char* name, std::vector<double> otherwise) {
+    const auto* const given = shape.FirstChildElement(name);
+    return given == nullptr ? otherwise : numbersOfSdf(textOfElement(*given)).value_or(otherwise);
+  };
+  const std::vector<double> normal = numbersBelow("normal", {0, 0, 1});
+  const std::vector<double> size = numbersBelow("size", {1, 1});
+  return normal.size() == 3 && normal[0] == 0 && normal[1] == 0 && size.size() == 2 &&
+         std::min(size[0], size[1]) >= kLeastGround_m;
+}
+
+/// The image of a <pbr> material, of either workflow.
+const tinyxml2::XMLElement* albedoMapOf(const tinyxml2::XMLElement& material) {
+  const auto* const pbr = material.FirstChildElement("pbr");
+  if (pbr == nullptr) return nullptr;
+  for (const char* workflow : {"metal", "specular"}) {
+    const auto* const surface = pbr->FirstChildElement(workflow);
+    const auto* const map = surface == nullptr ? nullptr : surface->FirstChildElement("albedo_map");
+    if (map != nullptr && !textOfElement(*map).empty()) return map;
+  }
+  return nullptr;
+}
+
 class SdfJudge {
  public:
   SdfJudge(const XmlPlaces& places, FaultList& faults) : places_(places), faults_(faults) {}
@@ -186,6 +214,7 @@ class SdfJudge {
     if (value != std::end(kValues)) judgeValue(element, *value);
     if (tag == "model" && isFurther(element)) return false;
     if (tag == "material") judgeMaterial(element);
+    if (tag == "geometry" && leavesOutShape(element)) return false;
     return tag != "script";
   }
   bool isSound() const { return sound_; }
@@ -234,6 +263,20 @@ class SdfJudge {
     return true;
   }
 
+  /// A visual's shape that is not drawn is missed in the picture, unless it is the ground. False:
+  /// its shape is another one.
+  bool leavesOutShape(const tinyxml2::XMLElement& geometry) {
+    const auto* const above = geometry.Parent()->ToElement();
+    const auto* const shape = geometry.FirstChildElement();
+    if (above == nullptr || shape == nullptr || std::string_view(above->Name()) != "visual") {
+      return false;
+    }
+    if (!sdfUses().at("geometry").ignored.contains(shape->Name()) || isGround(*shape)) return false;
+    faults_.leaveOut("shape", shape->Name(), places_.of(*shape), "its visual is not drawn",
+                     Severity::warning);
+    return true;
+  }
+
   /// Of <diffuse>, <script> and <ambient> the first one is drawn.
   void judgeMaterial(const tinyxml2::XMLElement& material) {
     const auto* const diffuse = material.FirstChildElement("diffuse");
@@ -247,6 +290,10 @@ class SdfJudge {
                        fmt::format("<{}> is drawn", drawn));
     };
     if (ambient != nullptr && drawn != "ambient") leaveOut(*ambient);
+    if (const auto* const map = albedoMapOf(material)) {
+      faults_.leaveOut("element", map->Name(), places_.of(*map),
+                       "the image of a <pbr> surface is not drawn", Severity::warning);
+    }
     if (script == nullptr || drawn == "script") return;
     if (gazeboColor(nameOf(*script))) return leaveOut(*script);
     faults_.leaveOut("script", nameOf(*script), places_.of(*script),
