@@ -128,7 +128,8 @@ class StlReader {
     std::size_t corners = 0;
     std::uint64_t number = 0, solids = 0;
     Vec3 normal(0.0);
-    int normal_line = 0;
+    int normal_line = 0, last_line = 0;
+    bool is_ended = true;
     for (; !scan.atEnd(); scan.skipLine()) {
       if (!scan.skipBlanks()) continue;
       const int line = scan.line();
@@ -177,10 +178,16 @@ class StlReader {
       } else if (word != "outer" && word != "endloop" && word != "endsolid") {
         faults_.leaveOut("statement", given, {line}, "it is unknown in STL", Severity::warning,
                          "stl.unknown-keyword");
+        continue;
       }
+      is_ended = word == "endsolid";
+      last_line = line;
     }
     if (corners > 0) {
       faults_.add(Severity::error, "stl.truncated", {scan.line()}, "ends inside a facet");
+    } else if (!is_ended) {
+      faults_.add(Severity::warning, "stl.truncated", {last_line},
+                  "ends without `endsolid`: perhaps not all of it is there");
     }
   }
 

@@ -144,6 +144,23 @@ TEST(StlReader, LeavesOutAsciiFacetsThatAreNotThreeCorners) {
   EXPECT_EQ(read.faults[1].line, 12);
 }
 
+TEST(StlReader, WarnsOfTextThatEndsWithoutEndsolid) {
+  const std::string text(kAscii);
+  const ReadMesh cut = test::readMesh(text.substr(0, text.find("endsolid")), "a.stl");
+  EXPECT_EQ(cut.mesh.triangleCount(), 2U);
+  ASSERT_THAT(cut.rules(), ElementsAre("stl.truncated"));
+  EXPECT_EQ(cut.faults[0].print(),
+            "a.stl:15: warning: ends without `endsolid`: perhaps not all of it is there "
+            "[stl.truncated]");
+  // In the next facet, before its first corner; in the second solid.
+  for (const char* more : {"facet normal 0 0 1\n outer loop\n", "endsolid\nsolid b\n"}) {
+    EXPECT_THAT(test::readMesh(text.substr(0, text.find("endsolid")) + more, "a.stl").blame(),
+                ElementsAre("stl.truncated"))
+        << more;
+  }
+  EXPECT_THAT(test::readMesh(text + "\n\n", "a.stl").faults, IsEmpty());
+}
+
 TEST(StlReader, SmoothsByAngle) {
   // A box corner is three flat faces: nothing is smoothed over 90 degrees.
   const ReadMesh box = test::readMesh(
