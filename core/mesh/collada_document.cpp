@@ -56,6 +56,7 @@ constexpr std::array kColladaReasons = {
     ColladaReason{"linestrips", "lines are not drawn"},
     ColladaReason{"spline", "curves are not drawn"},
     ColladaReason{"brep", "curved surfaces are not drawn"},
+    ColladaReason{"convex_mesh", "convex hulls are not drawn", Severity::warning},
     ColladaReason{"ambient", "the light around is the renderer's"},
     ColladaReason{"reflective", "reflections are not drawn"},
     ColladaReason{"reflectivity", "reflections are not drawn"},

@@ -164,8 +164,10 @@ const std::vector<ColladaPrimitive>& ColladaGeometries::of(Element& geometry) {
   const auto [found, is_new] = geometries_.try_emplace(&geometry);
   if (!is_new) return found->second;
   Element* mesh = ColladaDocument::child(geometry, "mesh");
-  if (mesh == nullptr) mesh = ColladaDocument::child(geometry, "convex_mesh");
-  if (mesh == nullptr) return found->second;
+  if (mesh == nullptr) mesh = geometry.FirstChildElement("convex_mesh");
+  // A hull of another geometry has nothing of its own, and stays in the account.
+  if (mesh == nullptr || mesh->FirstChildElement() == nullptr) return found->second;
+  ColladaDocument::use(*mesh);
   for (Element* each = mesh->FirstChildElement(); each != nullptr;
        each = each->NextSiblingElement()) {
     if (!isSurface(each->Name())) continue;

@@ -228,6 +228,30 @@ TEST(ColladaReader, ReferencesThatLeadToThemselvesEnd) {
                            "model.left-out", "model.left-out", "model.left-out", "model.left-out"));
 }
 
+TEST(ColladaReader, NamesTheHullOfAnotherGeometry) {
+  const auto withHull = [](const std::string& hull) {
+    std::string text =
+        replaced(kEverything, "<library_geometries>",
+                 "<library_geometries><geometry id=\"hull\">" + hull + "</geometry>");
+    return readMesh(replaced(text, "<node name=\"a\">",
+                             "<node name=\"h\"><instance_geometry url=\"#hull\"/></node>"
+                             "<node name=\"a\">"),
+                    "a.dae");
+  };
+  const ReadMesh read = withHull("<convex_mesh convex_hull_of=\"#quad\"/>");
+  const auto named = std::ranges::find(read.faults, "element `convex_mesh`", &Finding::left_out);
+  ASSERT_NE(named, read.faults.end());
+  EXPECT_EQ(named->severity, Severity::warning);
+  EXPECT_GT(named->line, 0);
+  // One with triangles of its own is drawn.
+  const std::string_view all = kEverything;
+  const std::size_t from = all.find("<mesh>") + 6;
+  const std::string own(all.substr(from, all.find("</mesh>") - from));
+  const ReadMesh drawn = withHull("<convex_mesh>" + own + "</convex_mesh>");
+  EXPECT_GT(drawn.mesh.triangleCount(), read.mesh.triangleCount());
+  EXPECT_THAT(drawn.leftOut(), ::testing::Not(Contains("element `convex_mesh`")));
+}
+
 TEST(ColladaReader, EveryReferenceMayNameAnythingOrNothing) {
   for (const std::string to : {"", "#", "#qp", "#none", "other.dae#qp", "#S", "#m1", "#qpa"}) {
     forEachElement(
