@@ -21,6 +21,7 @@
 #include "core/kinematics/sdf_reader.h"
 #include "core/kinematics/urdf_reader.h"
 #include "core/mesh/mesh_store.h"
+#include "core/report/account.h"
 #include "core/search/file_search.h"
 
 namespace rocinante {
@@ -74,6 +75,21 @@ Error firstErrorOf(const Findings& faults, const fs::path& path) {
   return {ErrorKind::damaged,
           fault->hint.empty() ? fault->text : fmt::format("{}; {}", fault->text, fault->hint),
           fault->place()};
+}
+
+/// The first error; where the file is a mesh with nothing to draw, with the finding that tells why.
+Error errorOfModel(const Findings& faults, const fs::path& path) {
+  Error error = firstErrorOf(faults, path);
+  const Finding* const fault = firstError(faults);
+  if (fault == nullptr || fault->rule != "model.unusable-mesh") return error;
+  // Textures and materials that are missing take no triangle along.
+  const auto cause = std::ranges::find_if(faults, [](const Finding& one) {
+    return one.severity == Severity::warning && one.rule.find(".missing-") == std::string::npos;
+  });
+  if (cause == faults.end()) return error;
+  error.what += "; " + sentenceOf(*cause);
+  error.where = cause->place();
+  return error;
 }
 
 Status refuseFaulty(const Cell& cell, const fs::path& path, const CellOptions& options) {
@@ -136,7 +152,7 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
       model = std::make_shared<const Model>(rigidModel(device.name, path.string(), mesh));
     }
   }
-  if (!model) return firstErrorOf(cell.faults, path);
+  if (!model) return errorOfModel(cell.faults, path);
   cell.models[device.model] = model;
   cell.models[device.name] = model;
   cell.device_by_name.emplace(device.name, 0);

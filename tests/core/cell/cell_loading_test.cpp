@@ -73,6 +73,50 @@ TEST_F(CellLoading, StrictRefusesWithTheFirstErrorItsPlaceAndHowManyThereAre) {
   EXPECT_TRUE(cell.error().what.ends_with("; 2 errors in all")) << cell.error().text();
 }
 
+TEST_F(CellLoading, AMeshAloneThatShowsNothingIsRefusedWithTheReason) {
+  const auto refusalOf = [&](const std::string& name, const std::string& text) {
+    writeFile(folder_ / name, text);
+    const auto cell = loadCell(folder_ / name, {});
+    if (cell.ok()) return std::string("read");
+    std::string refusal = cell.error().text();
+    const std::string folder = folder_.path().string() + "/";
+    return refusal.replace(refusal.find(folder), folder.size(), "");
+  };
+  const auto collada = [](const std::string& instance) {
+    return "<COLLADA version=\"1.4.1\"><asset><up_axis>Z_UP</up_axis></asset>\n"
+           "<library_geometries><geometry id=\"hull\"><convex_mesh convex_hull_of=\"#g\"/>"
+           "</geometry></library_geometries>\n"
+           "<library_visual_scenes><visual_scene id=\"s\"><node>\n" +
+           instance +
+           "</node></visual_scene></library_visual_scenes>"
+           "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+  };
+  EXPECT_EQ(refusalOf("a.dae", collada("<instance_geometry url=\"#g\"/>")),
+            "the mesh `a.dae` is not used: holds no triangle that can be drawn; "
+            "<instance_geometry> refers to `#g`, but the file has no such <geometry> (a.dae:4)");
+  EXPECT_EQ(refusalOf("b.dae", collada("<instance_geometry url=\"other.dae#g\"/>")),
+            "the mesh `b.dae` is not used: holds no triangle that can be drawn; "
+            "<instance_geometry> refers to another file, `other.dae#g`, which is not read "
+            "(b.dae:4)");
+  EXPECT_EQ(refusalOf("c.dae", collada("<instance_geometry url=\"#hull\"/>")),
+            "the mesh `c.dae` is not used: holds no triangle that can be drawn; element "
+            "`convex_mesh` is left out: convex hulls are not drawn (c.dae:2)");
+  // The texture that it lacks is not why.
+  EXPECT_EQ(
+      refusalOf("d.gltf",
+                R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0,"material":0}]}],
+"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+"textures":[{"source":0}],"images":[{"uri":"none.png"}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"VEC3"}],
+"bufferViews":[{"buffer":0,"byteLength":12}],
+"buffers":[{"byteLength":12,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})"),
+      "the mesh `d.gltf` is not used: holds no triangle that can be drawn; primitive `points` is "
+      "left out: meshes[0]: only triangles are drawn (d.gltf)");
+  EXPECT_EQ(refusalOf("e.stl", "solid e\nendsolid e\n"),
+            "the mesh `e.stl` is not used: holds no triangle that can be drawn (e.stl)");
+}
+
 TEST_F(CellLoading, StrictRefusesWhatAFileFarBelowLacks) {
   writeFile(folder_ / "lacks.urdf",
             "<robot name=\"r\"><link name=\"a\"><visual><geometry><mesh filename=\"no.obj\"/>"
