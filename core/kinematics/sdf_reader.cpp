@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "core/base/loaded_module.h"
 #include "core/base/name_hint.h"
@@ -238,13 +239,16 @@ class SdfReader {
       }
     }
     if (visual.mesh_parts.empty()) {
-      std::vector<std::string_view> groups;
-      for (const MeshPart& part : mesh.parts) groups.push_back(part.group);
+      std::set<std::string_view> groups;
+      for (const MeshPart& part : mesh.parts) groups.insert(part.group);
+      groups.erase("");
       faults_.warning(
           "sdf.unknown-submesh", {given.line},
           fmt::format("{} is not drawn: the mesh {} has no submesh {}", quotedInFault(given.name),
                       quotedPathInFault(given.uri), quotedInFault(name)),
-          whatThereIs(name, groups));
+          groups.empty()
+              ? "none of its parts has a name: leave out <submesh> to draw the whole mesh"
+              : whatThereIs(name, {groups.begin(), groups.end()}));
       return false;
     }
     if (given.center_submesh != 0 && !bounds.empty()) {

@@ -45,6 +45,30 @@ TEST(SdfReader, NamesWhatItDoesNotDraw) {
       "mean `right`?) [sdf.unknown-submesh]\n");
 }
 
+TEST(SdfReader, NamesTheSubmeshesThatThereAre) {
+  ROCINANTE_NEEDS_SDF;
+  const auto faultOf = [](const std::string& obj) {
+    return ReadSdf(
+               "<sdf version='1.7'><model name='m'><link name='l'><visual name='v'><geometry>"
+               "<mesh><uri>two.obj</uri><submesh><name>wheel</name></submesh></mesh>"
+               "</geometry></visual></link></model></sdf>",
+               obj)
+        .faultText();
+  };
+  const std::string unknown =
+      "arm.sdf:1: warning: `v` is not drawn: the mesh `two.obj` has no submesh `wheel` ";
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  EXPECT_EQ(faultOf(points + "f 1 2 3\n"),
+            unknown +
+                "(none of its parts has a name: leave out <submesh> to draw the whole mesh) "
+                "[sdf.unknown-submesh]\n");
+  EXPECT_EQ(faultOf(points + "f 1 2 3\ng hull\nf 1 2 3\n"),
+            unknown + "(there is only hull) [sdf.unknown-submesh]\n");
+  // Of two materials, so of two parts.
+  EXPECT_EQ(faultOf(points + "g hull\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\ng lid\nf 1 2 3\n"),
+            unknown + "(there are hull, lid) [sdf.unknown-submesh]\n");
+}
+
 TEST(SdfReader, WarnsOfShapesThatThePictureLacksAndNotOfTheGround) {
   ROCINANTE_NEEDS_SDF;
   const auto severityOf = [](const std::string& owner, const std::string& shape) {
