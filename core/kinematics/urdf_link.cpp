@@ -120,7 +120,6 @@ std::shared_ptr<const Mesh> UrdfLinkReader::readShape(const UrdfElement& shape, 
     return make(ShapeSize::Kind::box, sides->x, sides->y, sides->z);
   }
   const auto file = shape.requiredText("filename");
-  if (!file) return nullptr;
   scale = shape.vector("scale").value_or(Vec3{1, 1, 1});
   for (int i = 0; i < 3; ++i) {
     if (scale[i] != 0.0 && std::abs(scale[i]) < 1e9) continue;
@@ -130,6 +129,7 @@ std::shared_ptr<const Mesh> UrdfLinkReader::readShape(const UrdfElement& shape, 
     return nullptr;
   }
   sound = true;
+  if (!file) return nullptr;  // the picture lacks it, as one whose file is missing
   return meshes_.load(*file, folder_, 1.0, UpAxis::z, shape.place("filename"), shape.faults());
 }
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/kinematics/urdf_reader.h"
@@ -59,6 +60,23 @@ struct FaultCase {
   const char* text;
   const char* fault;
 };
+
+TEST(UrdfFaults, AMeshWithoutAFileIsMissingAsOneWhoseFileIs) {
+  for (const char* mesh : {"<mesh/>", "<mesh filename=''/>", "<mesh filename='none.stl'/>"}) {
+    SCOPED_TRACE(mesh);
+    const ReadUrdf read(fmt::format(
+        "<robot name='r'><link name='l'><visual name='v'><origin xyz='1 0 0'/><geometry>{0}"
+        "</geometry></visual><collision><geometry>{0}</geometry></collision></link></robot>",
+        mesh));
+    ASSERT_TRUE(read.model);
+    const Link& link = read.model->links.at(0);
+    ASSERT_EQ(link.visuals.size(), 1U);
+    EXPECT_EQ(link.visuals[0].mesh, nullptr);
+    EXPECT_EQ(link.visuals[0].origin.position, Vec3(1, 0, 0));
+    EXPECT_EQ(link.collisions.size(), 1U);
+    EXPECT_EQ(countOf(read.faults, Severity::error), 2U) << read.faultText();
+  }
+}
 
 TEST(UrdfFaults, EachKindOfFaultSaysWhereAndWhat) {
   const FaultCase cases[] = {
