@@ -15,6 +15,9 @@ class ChosenSource : public DatagramSource {
  public:
   Result<std::span<const ReceivedDatagram>> receive() override;
   InputCounts counts() const override { return inner_->counts(); }
+  std::optional<SubscriptionOutcome> subscription() const override {
+    return inner_->subscription();
+  }
   Account leftOut() const override;
 
   bool keepsPlace() const override { return inner_->keepsPlace(); }

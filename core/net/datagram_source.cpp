@@ -48,4 +48,10 @@ std::string boundText(const DatagramSource& source) {
   return boundText(source.endpoint(), source.boundAddress());
 }
 
+std::optional<std::string> neverAcceptedText(const DatagramSource& source) {
+  const std::optional<SubscriptionOutcome> subscription = source.subscription();
+  if (!subscription || subscription->accepted_after) return std::nullopt;
+  return boundText(source) + ": " + subscription->trouble;
+}
+
 }  // namespace rocinante

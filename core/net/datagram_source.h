@@ -74,6 +74,13 @@ struct InputCounts {
   bool operator==(const InputCounts&) const = default;
 };
 
+/// What became of a subscription (subscribe://).
+struct SubscriptionOutcome {
+  /// From the first request to the first acceptance; empty: never accepted.
+  std::optional<Nanoseconds> accepted_after;
+  std::string trouble;  ///< why it was never accepted: "never answered"; else empty
+};
+
 /// A source of datagrams: a UDP socket, watched traffic, a server's subject, or a test's fake. One
 /// thread.
 class DatagramSource {
@@ -88,6 +95,8 @@ class DatagramSource {
   /// The same, queried now: also counts drops after the last datagram received. Never decreases.
   virtual Result<std::uint64_t> droppedByNow() = 0;
   virtual InputCounts counts() const { return {}; }
+  /// Empty: it is not a subscription.
+  virtual std::optional<SubscriptionOutcome> subscription() const { return std::nullopt; }
 
   /// To be called now and then when receive() gave nothing: repairs what the system took away, such
   /// as the membership of a group whose interface was recreated, and keeps a subscription
@@ -121,5 +130,9 @@ class DatagramSource {
 /// relay's port.
 std::string boundText(const Endpoint& endpoint, const SocketAddress& bound);
 std::string boundText(const DatagramSource& source);
+
+/// "subscribe://HOST:PORT: never answered", for the end of a program; empty: the relay accepted, or
+/// it is not a subscription.
+std::optional<std::string> neverAcceptedText(const DatagramSource& source);
 
 }  // namespace rocinante

@@ -143,6 +143,7 @@ void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView
   } else if (unsaved_since_ == LogTime{}) {
     unsaved_since_ = time;
   }
+  if (!first_time_) first_time_ = time;
   last_time_ = time;
   ++packets_;
   ++taken_[arrival.endpoint];

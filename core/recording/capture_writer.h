@@ -68,6 +68,8 @@ class CaptureWriter {
   const std::optional<Error>& trouble() const { return trouble_; }
 
   std::uint64_t packets() const { return packets_; }
+  /// The time of the first of them.
+  std::optional<LogTime> firstTime() const { return first_time_; }
   /// Those of packets() that another program restated (`by=`): not messages of the session.
   std::uint64_t restated() const { return restated_; }
   /// Datagrams received before the recording began.
@@ -136,6 +138,7 @@ class CaptureWriter {
   std::uint64_t restated_ = 0;
   std::uint64_t payload_bytes_ = 0;
   LogTime drained_until_{};
+  std::optional<LogTime> first_time_;
   LogTime last_time_{};
   LogTime unsaved_since_{};  ///< the first message that may not be in the file yet
   std::uint64_t saved_bytes_ = 0;

@@ -102,6 +102,12 @@ Result<std::span<const ReceivedDatagram>> SubscribedSource::receive() {
   return std::span<const ReceivedDatagram>(taken_);
 }
 
+std::optional<SubscriptionOutcome> SubscribedSource::subscription() const {
+  SubscriptionOutcome outcome = client_.outcome();
+  if (!outcome.accepted_after && trouble_) outcome.trouble += " (" + *trouble_ + ")";
+  return outcome;
+}
+
 std::optional<std::string> SubscribedSource::maintain() {
   ask(steadyNow());
   std::optional<std::string> news = client_.takeNews();

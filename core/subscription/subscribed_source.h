@@ -32,6 +32,7 @@ class SubscribedSource final : public DatagramSource {
 
   Result<std::span<const ReceivedDatagram>> receive() override;
   InputCounts counts() const override { return counts_; }
+  std::optional<SubscriptionOutcome> subscription() const override;
   std::optional<std::string> maintain() override;
 
   std::uint64_t dropped() const override { return receiver_->dropped(); }

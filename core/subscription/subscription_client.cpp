@@ -55,7 +55,8 @@ SubscriptionClient::SubscriptionClient(const Endpoint& relay, Random random, Ste
       lease_s_(lease_s),
       due_(now),
       asking_since_(now),
-      tokens_at_(now) {}
+      tokens_at_(now),
+      opened_(now) {}
 
 void SubscriptionClient::askAnew(SteadyTime now) {
   if (phase_ == Phase::subscribed) asking_since_ = now;
@@ -167,7 +168,7 @@ void SubscriptionClient::takeAnswer(SteadyTime now, const SubscriptionMessage& a
       askAnew(now);
       break;
     case SubscriptionVerb::accepted:
-      accept(answer);
+      accept(now, answer);
       break;
     case SubscriptionVerb::kept:
       cookie_ = answer.cookie;
@@ -185,7 +186,8 @@ void SubscriptionClient::extendLease(std::uint32_t lease_s) {
   due_ = first_sent_ + Nanoseconds(std::chrono::seconds(lease_s)) / 3;
 }
 
-void SubscriptionClient::accept(const SubscriptionMessage& answer) {
+void SubscriptionClient::accept(SteadyTime now, const SubscriptionMessage& answer) {
+  if (!accepted_after_) accepted_after_ = now - opened_;
   phase_ = Phase::subscribed;
   restate_ = restateOf(answer.restate_s);
   extendLease(answer.lease_s);
@@ -226,6 +228,16 @@ void SubscriptionClient::tell(Told what, std::string sentence) {
 
 std::optional<std::string> SubscriptionClient::takeNews() {
   return std::exchange(news_, std::nullopt);
+}
+
+SubscriptionOutcome SubscriptionClient::outcome() const {
+  if (accepted_after_) return {accepted_after_, {}};
+  if (untrusted_) {
+    return {{},
+            fmt::format("never accepted, its answers are not trusted ({})", nameOf(*untrusted_))};
+  }
+  if (!told_sentence_.empty()) return {{}, "never accepted, it refused: " + shown(told_sentence_)};
+  return {{}, cookie_.empty() ? "never answered" : "never accepted"};
 }
 
 std::optional<std::string> SubscriptionClient::leave() {

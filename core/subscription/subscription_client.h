@@ -57,6 +57,7 @@ class SubscriptionClient {
   std::optional<std::string> leave();
 
   bool isSubscribed() const { return phase_ == Phase::subscribed; }
+  SubscriptionOutcome outcome() const;
 
  private:
   enum class Phase : std::uint8_t { asking, subscribed };
@@ -67,7 +68,7 @@ class SubscriptionClient {
   void watchLease(SteadyTime now);
   void watchPatience(SteadyTime now);
   void takeAnswer(SteadyTime now, const SubscriptionMessage& answer);
-  void accept(const SubscriptionMessage& answer);
+  void accept(SteadyTime now, const SubscriptionMessage& answer);
   void refuse(SteadyTime now, const std::string& sentence);
   void extendLease(std::uint32_t lease_s);
   void tell(Told what, std::string sentence);
@@ -93,6 +94,8 @@ class SubscriptionClient {
   std::optional<Untrusted> untrusted_;  ///< why the last answer was refused; cleared by a good one
   double tokens_ = kBurst;
   SteadyTime tokens_at_;
+  SteadyTime opened_;                          ///< the first request was due
+  std::optional<Nanoseconds> accepted_after_;  ///< from opened_ to the first acceptance
   Told told_ = Told::nothing;
   std::string told_sentence_;  ///< of the last refusal
   std::optional<std::string> news_;

@@ -9,6 +9,7 @@ std::vector<InputAccount> inputAccounts(const std::vector<DatagramSource*>& sour
     InputAccount account;
     account.endpoint = boundText(*sources[i]);
     account.counts = sources[i]->counts();
+    account.subscription = sources[i]->subscription();
     account.left_out = sources[i]->leftOut();
     account.buffer_granted_bytes = sources[i]->receiveBufferBytes();
     account.buffer_needed_bytes = neededReceiveBuffer(loop.busiest(i));

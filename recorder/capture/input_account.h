@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ namespace rocinante {
 struct InputAccount {
   std::string endpoint;  ///< with the bound port
   InputCounts counts;
-  Account left_out;                        ///< by kind: frames that became no datagram
-  std::uint64_t buffer_granted_bytes = 0;  ///< 0: no receive buffer
-  std::uint64_t buffer_needed_bytes = 0;   ///< to survive a stall in its busiest second
+  std::optional<SubscriptionOutcome> subscription;  ///< empty: it is not one
+  Account left_out;                                 ///< by kind: frames that became no datagram
+  std::uint64_t buffer_granted_bytes = 0;           ///< 0: no receive buffer
+  std::uint64_t buffer_needed_bytes = 0;            ///< to survive a stall in its busiest second
 };
 
 /// One per source. Not while the loop runs.

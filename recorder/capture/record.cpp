@@ -190,6 +190,10 @@ RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& n
 
   RecordSummary summary = summaryOf(writer, received);
   summary.duration = durationOf(summary, options, loop, elapsed);
+  if (const auto first = writer.firstTime(); first && !loop.keepsPlace()) {
+    // It may have waited in the socket already.
+    summary.first_after = std::max(*first - loop.begins(), Nanoseconds(0));
+  }
   summary.reason = summary.trouble ? kRefused : reason;
   summary.warnings = control.takeWarnings();
   summary.inputs = inputAccounts(reception.sources(), loop);

@@ -83,7 +83,9 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
                  "default: the one that the cell names")
       ->type_name("FILE");
   cli::addSearchOptions(app, arguments);
-  app.add_option("--duration", arguments.duration, "end after TIME (12.5s, 1m30s)")
+  app.add_option("--duration", arguments.duration,
+                 "end TIME (12.5s, 1m30s) after receiving began, or after the first datagram\n"
+                 "that meets --start-on")
       ->type_name("TIME");
   app.add_option("--max-packets", arguments.max_packets, "end after exactly N packets")
       ->type_name("N")

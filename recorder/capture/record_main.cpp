@@ -113,6 +113,11 @@ cli::Exit judge(const RecordArguments& arguments, const RecordSummary& summary) 
   if (summary.trouble) no(summary.trouble->text());
   // The warnings were printed when they occurred.
   if (!summary.warnings.empty()) exit = cli::Exit::no;
+  for (const InputAccount& each : summary.inputs) {
+    if (each.subscription && !each.subscription->accepted_after) {
+      no(each.endpoint + ": " + each.subscription->trouble);
+    }
+  }
   if (summary.packets < arguments.min_packets) {
     no(fmt::format("recorded {}, fewer than --min-packets {}", countText(summary.packets, "packet"),
                    arguments.min_packets));

@@ -1,6 +1,7 @@
 #include "recorder/capture/record_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -13,6 +14,9 @@
 
 namespace rocinante {
 namespace {
+
+// The summary names a delay of more than this: less is how programs start on a busy machine.
+constexpr Nanoseconds kLate = std::chrono::seconds(1);
 
 std::string endpointText(const ListenedEndpoint& listened) {
   return boundText(listened.endpoint, listened.bound);
@@ -75,6 +79,10 @@ Json untrustedJson(const UntrustedCounts& counts) {
   return json;
 }
 
+Json secondsOrNull(std::optional<Nanoseconds> span) {
+  return span ? Json(secondsOf(*span)) : Json();
+}
+
 void addInput(Json& object, const InputAccount& input) {
   object["refused"] = input.counts.refused;
   object["strangers"] = input.counts.strangers;
@@ -84,8 +92,36 @@ void addInput(Json& object, const InputAccount& input) {
   object["malformed"] = input.counts.malformed;
   object["left_out"] = leftOutJson(input.left_out);
   if (input.counts.untrusted) object["untrusted"] = untrustedJson(*input.counts.untrusted);
+  if (const auto& subscription = input.subscription) {
+    Json& outcome = object["subscription"];
+    outcome["accepted_after_s"] = secondsOrNull(subscription->accepted_after);
+    outcome["trouble"] = orNull(subscription->trouble);
+  }
   object["receive_buffer"] = {{"granted_bytes", input.buffer_granted_bytes},
                               {"needed_bytes", input.buffer_needed_bytes}};
+}
+
+/// Nothing arrived there at all, and it is not said otherwise.
+bool isSilent(const EndpointAccount& account, const InputAccount& input) {
+  InputCounts others = input.counts;
+  if (others.untrusted && others.untrusted->total() == 0) others.untrusted.reset();
+  const bool is_told = input.subscription && !input.subscription->accepted_after;
+  return account.recorded == 0 && account.losses == LossCounts{} && others == InputCounts{} &&
+         input.left_out.empty() && !is_told;
+}
+
+std::string silenceText(const RecordSummary& summary) {
+  // Whose the datagrams before a start condition were is not counted.
+  if (summary.packets_before > 0) return {};
+  std::vector<std::string> silent;
+  for (std::size_t i = 0; i < std::min(summary.endpoints.size(), summary.inputs.size()); ++i) {
+    if (isSilent(summary.endpoints[i], summary.inputs[i])) {
+      silent.push_back(summary.inputs[i].endpoint);
+    }
+  }
+  if (silent.empty()) return {};
+  return fmt::format("\nnothing was heard at {} (rocinante spy looks for the reason)",
+                     fmt::join(silent, ", "));
 }
 
 /// One line each for datagrams that were not recorded without being lost, and for the tees.
@@ -102,6 +138,10 @@ std::string inputText(const RecordSummary& summary) {
     const UntrustedCounts untrusted = each.counts.untrusted.value_or(UntrustedCounts{});
     say(untrusted.total(), "{} not recorded: not trusted (" + untrusted.text() + ")");
     say(each.counts.echoes, "{} not recorded: sent by --tee itself");
+    if (each.subscription && each.subscription->accepted_after.value_or(kLate) > kLate) {
+      text += fmt::format("\n{}: subscribed after {:.1f} s", each.endpoint,
+                          secondsOf(*each.subscription->accepted_after));
+    }
     if (!each.left_out.empty()) {
       text += fmt::format("\n{}: {}", each.endpoint, accountSentence(each.left_out));
     }
@@ -118,9 +158,13 @@ std::string inputText(const RecordSummary& summary) {
 }  // namespace
 
 std::string summaryText(const RecordSummary& summary) {
-  std::string text = fmt::format(
-      "recorded {} on {} in {:.1f} s: {}", countText(summary.packets, "packet"),
-      countText(summary.channels, "channel"), secondsOf(summary.duration), filesText(summary));
+  std::string text =
+      fmt::format("recorded {} on {} in {:.1f} s", countText(summary.packets, "packet"),
+                  countText(summary.channels, "channel"), secondsOf(summary.duration));
+  if (summary.first_after.value_or(kLate) > kLate) {
+    text += fmt::format(", the first after {:.1f} s", secondsOf(*summary.first_after));
+  }
+  text += ": " + filesText(summary) + silenceText(summary);
   for (const EndpointAccount& each : summary.endpoints) {
     const LossCounts& lost = each.losses;
     if (lost == LossCounts{}) continue;
@@ -149,6 +193,7 @@ std::string summaryJson(const RecordSummary& summary) {
   object["payload_bytes"] = summary.payload_bytes;
   object["channels"] = summary.channels;
   object["duration_s"] = secondsOf(summary.duration);
+  object["first_after_s"] = secondsOrNull(summary.first_after);
   addCounts(object["losses"], summary.losses);
   object["complete"] = summary.complete();
   object["reason"] = summary.reason;

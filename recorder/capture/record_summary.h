@@ -28,6 +28,9 @@ struct RecordSummary {
   std::uint64_t log_bytes = 0;       ///< of the files that are kept
   std::size_t channels = 0;
   Nanoseconds duration{};  ///< from the first moment to the last
+  /// From the beginning of receiving to the first datagram of `packets`; empty: there is none, or
+  /// the endpoint is a stream, whose times are its own.
+  std::optional<Nanoseconds> first_after;
   LossCounts losses;
   std::size_t late = 0;  ///< came too late to be written at their own time
   std::string reason;    ///< as in rocinante.end

@@ -18,7 +18,7 @@ cat >cell/box.urdf <<'URDF'
 URDF
 printf 'format = 1\n[[device]]\nname = "box"\nmodel = "box.urdf"\n' >cell/a.cell.toml
 cell_at_rest=$(rocinante check cell/a.cell.toml | tail -n 1)
-rocinante record 127.0.0.1:0 --cell cell/a.cell.toml -o session.mcap --duration 100ms 2>/dev/null | sed 's/(.*)/(SIZE)/'
+rocinante record 127.0.0.1:0 --cell cell/a.cell.toml -o session.mcap --duration 100ms 2>/dev/null | sed -e 's/([0-9.]* k*B)/(SIZE)/' -e 's/:[0-9]* (/:PORT (/'
 rocinante log extract session.mcap --list | awk '{print $1, $3, $4}'
 mv cell elsewhere
 rocinante log extract session.mcap --cell -o again

@@ -11,4 +11,4 @@ printf 'no packet' >third
 for datagram in first second third; do cat $datagram >/dev/udp/127.0.0.1/"$port"; done
 kill -INT $recorder
 wait $recorder
-sed -e "s/:$port\"/:PORT\"/" -e 's/"bytes": [0-9]*/"bytes": N/' -e 's/_bytes": [0-9]*/_bytes": N/' -e 's/"\(start\|end\)": "[^"]*"/"\1": "TIME"/' -e 's/"duration_s": [0-9.e-]*/"duration_s": T/' summary.json
+sed -e "s/:$port\"/:PORT\"/" -e 's/"bytes": [0-9]*/"bytes": N/' -e 's/_bytes": [0-9]*/_bytes": N/' -e 's/"\(start\|end\)": "[^"]*"/"\1": "TIME"/' -e 's/"\(duration\|first_after\)_s": [0-9.e-]*/"\1_s": T/' summary.json

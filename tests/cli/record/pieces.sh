@@ -14,7 +14,7 @@ record() {
   say 3
   wait $!
 }
-plain() { sed -e "s/:$port to/:PORT to/" -e 's/([^()]* [kM]*B)/(SIZE)/g' -e 's/in [0-9.]* s/in T s/' "$@"; }
+plain() { sed -e "s/:$port to/:PORT to/" -e 's/([^()]* [kM]*B)/(SIZE)/g' -e 's/in [0-9.]* s\(, the first after [0-9.]* s\)\?/in T s/' "$@"; }
 
 record -o 'p-%n.mcap' --split-time 1ms
 plain said.out

@@ -16,6 +16,6 @@ say 'RK1 arm@run 3 -\njoints puma 1 4\n'
 kill -INT $recorder
 wait $recorder
 sed -e "s/:$port into/:PORT into/" -e 's/: [0-9.]* s to/: T s to/' -e 's/([^()]*B)/(SIZE)/' said
-sed -e 's/in [0-9.]* s/in T s/' -e 's/([^()]*B)/(SIZE)/' said.out
+sed -e 's/in [0-9.]* s\(, the first after [0-9.]* s\)\?/in T s/' -e 's/([^()]*B)/(SIZE)/' said.out
 rocinante log doctor crash-001.mcap | sed 's/, [0-9]* bytes/, N bytes/'
 rocinante log info crash-001.mcap --json | grep '^  "messages"'

@@ -13,7 +13,7 @@ for statement in 'joints puma 7' 'event "cycle ends"' 'event "cycle begins"' 'po
 done
 wait $recorder
 sed -e "s/:$port to/:PORT to/" said
-sed -e 's/in [0-9.]* s/in T s/' -e 's/([^()]*B)/(SIZE)/' said.out
+sed -e 's/in [0-9.]* s\(, the first after [0-9.]* s\)\?/in T s/' -e 's/([^()]*B)/(SIZE)/' said.out
 rocinante log doctor cycle.mcap | sed 's/, [0-9]* bytes/, N bytes/'
 rocinante log cat cycle.mcap | grep -c arm
 rocinante log state cycle.mcap --at 0s | grep joints

@@ -22,7 +22,7 @@ keep() {
 # stop NAME
 stop() {
   kill -INT $recorder
-  wait $recorder
+  wait $recorder || echo "recorder: exit $?"
   kill -INT $relay
   wait $relay
   sed "s/$at/HOST:PORT/" "$1.heard" | grep 'HOST:PORT.*relay' || true

@@ -180,6 +180,34 @@ TEST(SubscriptionClient, ARelayThatIsAwayIsReportedOnce) {
   EXPECT_EQ(talk.news[3], "subscribed to relay hall at subscribe://10.0.0.1:19961 again");
 }
 
+TEST(SubscriptionClient, TheOutcomeNamesTheFirstAcceptance) {
+  Conversation talk;
+  EXPECT_EQ(talk.client().outcome().accepted_after, std::nullopt);
+  talk.relay_answers = false;
+  talk.run(milliseconds(500));
+  talk.relay_answers = true;
+  // Asked at 0, 0.25, 0.75 s.
+  talk.run(seconds(1));
+  EXPECT_EQ(talk.client().outcome().accepted_after, Nanoseconds(milliseconds(750)));
+  EXPECT_EQ(talk.client().outcome().trouble, "");
+  talk.relay.restart("r2");
+  talk.run(seconds(5));
+  EXPECT_EQ(talk.client().outcome().accepted_after, Nanoseconds(milliseconds(750)));
+}
+
+TEST(SubscriptionClient, TheOutcomeSaysWhyItWasNeverAcceptedBeforeTheUserLearnsOfIt) {
+  Conversation silent;
+  silent.relay_answers = false;
+  silent.run(milliseconds(200));
+  EXPECT_TRUE(silent.news.empty());
+  EXPECT_EQ(silent.client().outcome().trouble, "never answered");
+  Conversation refused;
+  refused.relay.refusal = "full\u202E";
+  refused.run(milliseconds(200));
+  EXPECT_EQ(refused.client().outcome().trouble, "never accepted, it refused: full\\xe2\\x80\\xae");
+  EXPECT_EQ(refused.client().outcome().accepted_after, std::nullopt);
+}
+
 TEST(SubscriptionClient, ARefusalIsReportedOnceAndRetriedSlowly) {
   Conversation talk;
   talk.relay.refusal = "full\u202E";  // right to left from here

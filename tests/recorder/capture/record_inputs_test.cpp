@@ -85,6 +85,37 @@ TEST(RecordInputs, RecordsOnlyWhomAllowNames) {
   EXPECT_EQ(recording.payloads(), std::vector<std::string>(10, "kept"));
 }
 
+TEST(RecordInputs, ARelayThatNeverAnswersIsAnErrorAtTheEnd) {
+  test::LoopbackRelay relay;
+  relay.setAway(true);
+  const TemporaryFolder folder;
+  Program recorder =
+      Program::start("rocinante-record", {relay.endpoint(), "--quiet", "--json", "--duration",
+                                          "50ms", "-o", (folder / "log.mcap").string()});
+  const ProgramResult result = recorder.finish();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.err, "rocinante-record: " + relay.endpoint() + ": never answered\n");
+  const PlainJson summary = PlainJson::parse(result.out);
+  EXPECT_EQ(summary["first_after_s"], nullptr);
+  EXPECT_EQ(summary["endpoints"][0]["subscription"],
+            (PlainJson{{"accepted_after_s", nullptr}, {"trouble", "never answered"}}));
+}
+
+TEST(RecordInputs, ARelayThatComesLaterIsAcceptedAndTimed) {
+  test::LoopbackRelay relay;
+  relay.setAway(true);
+  Recording recording({relay.endpoint()});
+  relay.setAway(false);
+  recording.program.waitForLine("subscribed to relay hall at " + relay.endpoint());
+  ASSERT_TRUE(relay.send("RK1 arm 1 -\njoints arm 1\n"));
+  ASSERT_TRUE(test::waitUntilTaken(relay.subscriber().port));
+  const PlainJson summary = recording.finish();
+  const PlainJson& subscription = summary["endpoints"][0]["subscription"];
+  EXPECT_GT(subscription["accepted_after_s"].get<double>(), 0);
+  EXPECT_EQ(subscription["trouble"], nullptr);
+  EXPECT_GT(summary["first_after_s"].get<double>(), 0);
+}
+
 TEST(RecordInputs, RecordsWhatARelaySends) {
   test::LoopbackRelay relay;
   Recording recording({relay.endpoint(), "127.0.0.1:0"});

@@ -33,6 +33,76 @@ TEST(RecordReport, SaysWhatWasRecorded) {
   EXPECT_EQ(summaryText(summary()), "recorded 1 packet on 1 channel in 1.5 s: a.mcap (600 B)");
 }
 
+/// One subscription, which was accepted after this time, or never.
+RecordSummary subscribed(std::optional<Nanoseconds> accepted_after) {
+  RecordSummary one = summary();
+  one.endpoints[0].listened.endpoint = Endpoint::parse("subscribe://127.0.0.1:9").value();
+  InputAccount input;
+  input.endpoint = "subscribe://127.0.0.1:9";
+  input.subscription = {accepted_after, accepted_after ? "" : "never answered"};
+  one.inputs.push_back(input);
+  return one;
+}
+
+TEST(RecordReport, NamesAFirstDatagramThatCameLate) {
+  RecordSummary late = summary();
+  late.first_after = 1s;
+  EXPECT_EQ(summaryText(late), summaryText(summary()));
+  EXPECT_NE(summaryJson(late).find("\"first_after_s\": 1.0,"), std::string::npos);
+  late.first_after = 1'300ms;
+  EXPECT_EQ(summaryText(late),
+            "recorded 1 packet on 1 channel in 1.5 s, the first after 1.3 s: a.mcap (600 B)");
+}
+
+TEST(RecordReport, NamesASubscriptionThatWasAcceptedLate) {
+  EXPECT_EQ(summaryText(subscribed(1s)), summaryText(summary()));
+  EXPECT_EQ(summaryText(subscribed(1'300ms)),
+            summaryText(summary()) + "\nsubscribe://127.0.0.1:9: subscribed after 1.3 s");
+  const std::string json = summaryJson(subscribed(250ms));
+  EXPECT_NE(json.find("\"accepted_after_s\": 0.25,\n        \"trouble\": null"), std::string::npos)
+      << json;
+}
+
+TEST(RecordReport, ASubscriptionThatWasNeverAcceptedIsInTheJson) {
+  RecordSummary never = subscribed(std::nullopt);
+  never.endpoints[0].recorded = never.packets = 0;
+  EXPECT_EQ(summaryText(never).find('\n'), std::string::npos);
+  const std::string json = summaryJson(never);
+  EXPECT_NE(json.find("\"accepted_after_s\": null,\n        \"trouble\": \"never answered\""),
+            std::string::npos)
+      << json;
+}
+
+TEST(RecordReport, NamesTheEndpointsThatHeardNothing) {
+  RecordSummary silent = summary();
+  InputAccount input;
+  input.endpoint = "udp://127.0.0.1:7";
+  silent.inputs.push_back(input);
+  silent.endpoints.push_back({silent.endpoints[0].listened, 0, {}});
+  input.endpoint = "udp://127.0.0.1:8";
+  silent.inputs.push_back(input);
+  EXPECT_EQ(summaryText(silent),
+            summaryText(summary()) +
+                "\nnothing was heard at udp://127.0.0.1:8 (rocinante spy looks for the reason)");
+  silent.inputs[1].counts.untrusted.emplace();
+  silent.endpoints[0].recorded = 0;
+  EXPECT_NE(summaryText(silent).find("at udp://127.0.0.1:7, udp://127.0.0.1:8 ("),
+            std::string::npos);
+}
+
+TEST(RecordReport, WhatWasHeardAndNotRecordedIsNoSilence) {
+  RecordSummary heard = subscribed(1ms);
+  heard.endpoints[0].recorded = 0;
+  ASSERT_NE(summaryText(heard).find("nothing was heard"), std::string::npos);
+  RecordSummary lossy = heard, refused = heard, before = heard;
+  lossy.endpoints[0].losses.queue = 1;
+  refused.inputs[0].counts.refused = 1;
+  before.packets_before = 1;
+  for (const RecordSummary& each : {lossy, refused, before}) {
+    EXPECT_EQ(summaryText(each).find("nothing was heard"), std::string::npos) << summaryText(each);
+  }
+}
+
 TEST(RecordReport, SaysWhatWasLostWhere) {
   RecordSummary lossy = summary();
   lossy.endpoints[0].losses = {1, 2, 3, 4};
@@ -54,6 +124,7 @@ TEST(RecordReport, JsonHoldsTheWholeAccount) {
   "payload_bytes": 42,
   "channels": 1,
   "duration_s": 1.5,
+  "first_after_s": null,
   "losses": {
     "kernel": 1,
     "queue": 2,
