@@ -133,6 +133,9 @@ std::vector<LossSpan> LiveInput::takeLosses() {
 }
 
 void LiveInput::warnOfSilence() const {
+  for (const auto& each : sources_) {
+    if (const auto text = neverAcceptedText(*each)) cli::warn(*text);
+  }
   if (!first_ || sources_.size() < 2) return;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     if (received_[i] == 0) cli::warn(fmt::format("nothing arrived at {}", names_[i]));

@@ -65,7 +65,8 @@ class LiveInput {
 
   /// What the kernel dropped since the last call, one span an endpoint.
   std::vector<LossSpan> takeLosses();
-  /// Warns of endpoints at which nothing arrived, when something did at another.
+  /// Warns of subscriptions that were never accepted, and of endpoints at which nothing arrived,
+  /// when something did at another.
   void warnOfSilence() const;
   /// What the trust file refused, by reason; empty without one.
   std::optional<UntrustedCounts> untrusted() const;

@@ -287,6 +287,9 @@ Status RunningRelay::run() {
     sleep();
   }
   if (progress_shown_) std::fputs("\r\x1b[K", stderr);
+  for (const auto& each : sources_) {
+    if (const auto text = neverAcceptedText(*each)) surroundings_.told(*text);
+  }
   return {};
 }
 

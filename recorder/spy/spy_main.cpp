@@ -208,6 +208,9 @@ Result<cli::Exit> run(const Arguments& arguments) {
   const bool live = !arguments.json && ::isatty(STDOUT_FILENO) == 1;
   const Result<SpyReport> report = watch(*sources, decoders, duration, live);
   if (!report) return report.error();
+  for (const auto& each : *sources) {
+    if (const auto text = neverAcceptedText(*each)) cli::warn(*text);
+  }
   const std::string text = arguments.json ? spyJson(*report, true) : spyText(*report, 0, 0);
   cli::say(text);
   // Without a readable packet nothing was judged.
