@@ -87,9 +87,13 @@ Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& m
   if (!session_id) return session_id.error();
   ros::ImportOptions options;
   options.device = my.device;
+  std::size_t files = 0;
   for (const std::string& input : my.inputs) {
     const std::vector<std::string> lacks = damageOfBagFolder(input);
     options.damage.insert(options.damage.end(), lacks.begin(), lacks.end());
+    const auto stated = statedOfBagFolder(input, files);
+    options.stated.insert(options.stated.end(), stated.begin(), stated.end());
+    files += filesOfRecording(input).size();
   }
   options.search = my.search;
   options.log = make.log;

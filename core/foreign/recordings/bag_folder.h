@@ -4,13 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "core/foreign/ros/stated_messages.h"
+
 namespace rocinante {
 
-/// The files of a ROS 2 bag that is a folder with a metadata.yaml; empty for any other folder.
+/// The files of a ROS 2 bag that is a folder with a metadata.yaml, by name: those that it lists, or
+/// all where none of those is there; empty for any other folder.
 std::vector<std::filesystem::path> filesOfBagFolder(const std::filesystem::path& folder);
 
-/// What the folder's metadata.yaml lists and filesOfBagFolder() has not, and what it states of the
-/// messages that no reader expands: sentences. Empty for any other folder.
+/// Where the folder and its metadata.yaml differ, and what it states of the messages that no reader
+/// expands: sentences. Empty for any other folder.
 std::vector<std::string> damageOfBagFolder(const std::filesystem::path& folder);
+
+/// How many messages metadata.yaml says that filesOfBagFolder() have, each and together. `first` is
+/// the number of the first file among the inputs of an import.
+std::vector<ros::StatedMessages> statedOfBagFolder(const std::filesystem::path& folder,
+                                                   std::size_t first);
 
 }  // namespace rocinante

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be raised whenever the same recording would become another log.
-constexpr std::string_view kImportFormat = "rocinante-import-2";
+constexpr std::string_view kImportFormat = "rocinante-import-3";
 /// Hashing is about a tenth of the work.
 constexpr double kHashedPart = 0.1;
 
@@ -91,6 +91,10 @@ class RecordingOpening {
                                           : request_.recording.filename().string());
     add(request_.device);
     for (const std::string& sentence : damageOfBagFolder(request_.recording)) add(sentence);
+    for (const ros::StatedMessages& each : statedOfBagFolder(request_.recording, 0)) {
+      add(each.name);
+      add(std::to_string(each.count));
+    }
     addNames(add);
     if (Status described = addDescription(add); !described) return described.error();
     if (kind_ == RecordingKind::datagrams) {
@@ -169,6 +173,7 @@ class RecordingOpening {
     options.describe = true;
     options.device = request_.device;
     options.damage = damageOfBagFolder(request_.recording);
+    options.stated = statedOfBagFolder(request_.recording, 0);
     options.search = request_.search;
     options.progress = [&](double part) { return tell(kHashedPart + part * (1 - kHashedPart)); };
     if (kind_ == RecordingKind::capture) {

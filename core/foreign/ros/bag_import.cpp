@@ -66,7 +66,7 @@ class Import {
         described_(std::move(described)) {
     for (auto& bag : bags) {
       bag->useDevices(devices);
-      inputs_.push_back({std::move(bag), {}, {}});
+      inputs_.push_back({std::move(bag), {}, 0, {}});
     }
   }
 
@@ -116,6 +116,7 @@ class Import {
   struct Input {
     std::unique_ptr<BagReader> bag;
     std::optional<BagMessage> head;
+    std::uint64_t messages = 0;  ///< that were read
     std::vector<std::optional<Outlet>> outlets;  ///< by topic
   };
 
@@ -132,6 +133,7 @@ class Import {
     Result<std::optional<BagMessage>> message = input.bag->next();
     if (!message) return message.error();
     input.head = *message;
+    input.messages += input.head ? 1 : 0;
     return {};
   }
 
@@ -251,6 +253,14 @@ class Import {
                           message.publish_time_ns, bytesOf(made.text), made.packet);
   }
 
+  void compare(const StatedMessages& stated) {
+    std::uint64_t read = 0;
+    for (std::size_t i = 0; i < stated.inputs; ++i) read += inputs_[stated.first + i].messages;
+    if (read == stated.count) return;
+    report_.damage.push_back(stated.name + " should have " + countText(stated.count, "message") +
+                             ", and " + std::to_string(read) + " were read" + stated.where);
+  }
+
   Result<ImportReport> finish(const std::vector<std::string>& notes) {
     for (Input& input : inputs_) {
       if (Status copied = input.bag->copyExtras(session_.log()); !copied) return copied.error();
@@ -269,6 +279,7 @@ class Import {
     }
     report_.notes.insert(report_.notes.begin(), notes.begin(), notes.end());
     report_.damage.insert(report_.damage.begin(), options_.damage.begin(), options_.damage.end());
+    for (const StatedMessages& stated : options_.stated) compare(stated);
     report_.account.add(topicsWithoutPackets(report_));
     report_.account.add(translator_.account());
     if (Status noted = session_.log().writeMetadata(warningsRecord(report_)); !noted) {

@@ -14,6 +14,7 @@
 #include "core/cell/cell.h"
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/ros_translator.h"
+#include "core/foreign/ros/stated_messages.h"
 #include "core/log/log_writer.h"
 #include "core/mcap/byte_sink.h"
 #include "core/recording/session_writer.h"
@@ -36,6 +37,8 @@ struct ImportOptions {
   bool describe = false;
   std::string device;               ///< of what names no other; empty: none
   std::vector<std::string> damage;  ///< known before: of a folder that lacks a file
+  /// What the inputs should have; where they have another number, that is damage.
+  std::vector<StatedMessages> stated;
   ModelSearch search;               ///< for the meshes of a robot description
   LogWriterOptions log;
   KeyframeOptions keyframes;

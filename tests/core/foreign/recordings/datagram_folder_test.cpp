@@ -142,6 +142,39 @@ TEST_F(DatagramFolderTest, FindsTheFilesOfABag) {
   put("metadata.yaml", "");
   EXPECT_THAT(filesOfBagFolder(folder_.path()),
               ElementsAre(folder_ / "bag_0.db3", folder_ / "bag_1.db3"));
+  // Those that it lists; a copy is not read, and is named.
+  put("metadata.yaml", "relative_file_paths: [bag_1.db3, bag_2.mcap.zstd]\n");
+  put("bag_2.mcap", "");
+  EXPECT_THAT(filesOfBagFolder(folder_.path()),
+              ElementsAre(folder_ / "bag_1.db3", folder_ / "bag_2.mcap"));
+  EXPECT_THAT(damageOfBagFolder(folder_.path()),
+              ElementsAre(HasSubstr("does not list the file bag_0.db3: it is not read")));
+}
+
+TEST_F(DatagramFolderTest, ReadsHowManyMessagesABagHas) {
+  put("a.db3", "");
+  put("b.db3", "");
+  const auto stated = [&](const std::string& metadata) {
+    put("metadata.yaml", metadata);
+    std::vector<std::string> told;
+    for (const ros::StatedMessages& each : statedOfBagFolder(folder_.path(), 3)) {
+      told.push_back(std::to_string(each.first) + "+" + std::to_string(each.inputs) + " " +
+                     each.name + " " + std::to_string(each.count));
+    }
+    return told;
+  };
+  const std::string head = "rosbag2_bagfile_information:\n  message_count: 7\n";
+  EXPECT_THAT(stated(head), ElementsAre("3+2 the bag 7"));
+  // Only the bag's own count and those of its files count.
+  EXPECT_THAT(
+      stated(head + "  topics_with_message_count:\n  - message_count: 5\n    topic_metadata:\n"
+                    "      message_count: 6\n  files:\n  - path: b.db3\n    duration:\n"
+                    "      nanoseconds: 2\n    message_count: 4\n  - message_count: 3\n"
+                    "    path: a.db3\n  - path: gone.db3\n    message_count: 9\n"),
+      ElementsAre("4+1 b.db3 4", "3+1 a.db3 3", "3+2 the bag 7"));
+  EXPECT_THAT(stated("message_count: -1\nfiles:\n- message_count: 1\n- path:\n"), IsEmpty());
+  put("metadata.yaml", "");
+  EXPECT_THAT(statedOfBagFolder(folder_.path(), 0), IsEmpty());
 }
 
 TEST_F(DatagramFolderTest, NamesTheFilesThatABagLacks) {
@@ -166,11 +199,11 @@ TEST_F(DatagramFolderTest, NamesTheFilesThatABagLacks) {
   EXPECT_THAT(lacks(head + "  compression_format: lz4\n  compression_mode: MESSAGE\n"),
               ElementsAre("the messages are compressed with lz4, which is not read; `ros2 bag "
                           "convert` makes a bag without compression"));
-  std::string many = head + "  relative_file_paths:\n";
+  std::string many = head + "  relative_file_paths:\n    - bag_0.mcap\n";
   for (int i = 0; i < 100'000; ++i) many += "    - gone_" + std::to_string(i) + ".mcap\n";
   EXPECT_EQ(lacks(many).size(), 21U);
   for (const char* const odd : {"relative_file_paths:\n- \n-\n- ..\n", "[", ":\n:::\n", "- - -"}) {
-    EXPECT_THAT(lacks(odd), testing::SizeIs(testing::Le(1)));
+    EXPECT_THAT(lacks(odd), testing::SizeIs(testing::Le(2)));
   }
 }
 
