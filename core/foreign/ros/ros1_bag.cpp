@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/count_text.h"
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/ros1_chunk.h"
 #include "core/foreign/ros/ros1_record.h"
@@ -107,10 +108,20 @@ class Ros1Bag final : public BagReader {
     messages_.clear();
     next_ = 0;
     const std::size_t end = end_ != 0 ? end_ : bytes_.size();
-    if (position_ >= end || onlyZeros(bytes_.subspan(position_, end - position_))) return false;
+    if (position_ >= end) return false;
+    const std::string rest = countText(end - position_, "byte");
+    if (onlyZeros(bytes_.subspan(position_, end - position_))) {
+      // A file system that lost its power has zeros in place of what was written last.
+      if (end_ == 0) {
+        damaged(position_, "no records follow: the last " + rest + " of the bag are zeros");
+      }
+      position_ = end;
+      return false;
+    }
     const std::optional<Ros1Record> record = wholeOrCutRos1RecordAt(bytes_.first(end), position_);
     if (!record || (record->is_cut && record->op != Ros1Op::chunk)) {
-      damaged(position_, "the bag ends inside a record, or its lengths are wrong");
+      damaged(position_, "the bag ends inside a record, or its lengths are wrong: " + rest +
+                             " are not read");
       position_ = end;
       return false;
     }

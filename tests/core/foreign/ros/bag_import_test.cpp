@@ -198,6 +198,31 @@ TEST(BagImport, ReadsARos1ChunkUpToWhereItWasCut) {
   EXPECT_FALSE(made->report.lostNothing());
 }
 
+TEST(BagImport, NamesTheZerosAndTheRestThatAreNoRecords) {
+  const Bytes connection = bagConnection(4, "/joint_states", "sensor_msgs/JointState");
+  Bytes records = connection;
+  mcap::appendBytes(records, bagMessage(4, 3, jointState(Kind::ros1, 1, {"a"}, {0.5})));
+  const Bytes closed = bagOf(records, connection, "none", records);
+  Bytes killed(closed.begin(), closed.end() - static_cast<std::ptrdiff_t>(connection.size()));
+  // As it was written first: the bag has no index yet.
+  const std::size_t index = textOf(killed).find("index_pos=") + 10;
+  std::fill_n(killed.begin() + static_cast<std::ptrdiff_t>(index), 8, std::byte{0});
+  const std::string place = "(a.bag, byte " + std::to_string(killed.size()) + ")";
+  const auto damageWith = [&](std::size_t zeros, std::byte last) {
+    Bytes bag = killed;
+    bag.resize(bag.size() + zeros);
+    bag.push_back(last);
+    Result<Imported> made = imported(*openRos1Bytes(bag, "a.bag"));
+    EXPECT_EQ(made->report.packets, 1U);
+    return made->report.damage.back();
+  };
+  EXPECT_EQ(damageWith(4095, std::byte{0}),
+            "no records follow: the last 4096 bytes of the bag are zeros " + place);
+  EXPECT_EQ(damageWith(99, std::byte{7}),
+            "the bag ends inside a record, or its lengths are wrong: 100 bytes are not read " +
+                place);
+}
+
 TEST(BagImport, SaysWhatACutBagWithoutAMessageLacks) {
   const Bytes connection = bagConnection(4, "/joint_states", "sensor_msgs/JointState");
   const Bytes bag = bagOf(connection, connection, "lz4", connection);
