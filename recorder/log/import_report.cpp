@@ -47,6 +47,7 @@ std::string importReportJson(const std::string& output, const ros::ImportReport&
                       {"translated", topic.translated},
                       {"packets", topic.packets},
                       {"malformed", topic.malformed},
+                      {"fault", topic.fault.empty() ? Json(nullptr) : Json(topic.fault)},
                       {"notes", std::move(notes)}});
   }
   const Json out{{"format", 1},

@@ -6,6 +6,7 @@
 
 #include "core/base/count_text.h"
 #include "core/log/import_record.h"
+#include "core/packet/decoder.h"
 #include "core/pcap/pcap_source.h"
 #include "core/recording/capture_time.h"
 #include "core/recording/capture_writer.h"
@@ -19,9 +20,15 @@ constexpr std::size_t kBlocks = 4;
 /// Datagrams between two calls of `progress`.
 constexpr std::uint64_t kProgressDatagrams = 4096;
 
+struct FlowTally {
+  std::string topic;
+  std::uint64_t datagrams = 0, malformed = 0;
+  std::string fault;  ///< of the first malformed one
+};
+
 /// What was written, shared with the sink, which the writer owns.
 struct CaptureTally {
-  std::map<std::size_t, std::pair<std::string, std::uint64_t>> flows;  ///< topic and datagrams
+  std::map<std::size_t, FlowTally> flows;
   std::uint64_t packets = 0;
   std::optional<LogTime> start;
   LogTime end{};
@@ -29,6 +36,17 @@ struct CaptureTally {
   /// What is noted in the log at its end; empty before the import runs.
   std::function<ros::ImportReport()> report;
 };
+
+/// Why a datagram that begins as packet text is no packet.
+std::string faultOf(const CapturedDatagram& datagram, std::uint64_t number) {
+  const auto decoder = makeDecoder("rk1");
+  std::string text = "datagram " + std::to_string(number);
+  if (decoder->decode(datagram.payload) == nullptr && !decoder->faults().empty()) {
+    const FaultAt& fault = decoder->faults().front();
+    text += ", line " + std::to_string(fault.line) + ": " + std::string(nameOf(fault.fault));
+  }
+  return text;
+}
 
 class CaptureLog final : public CaptureSink {
  public:
@@ -41,9 +59,12 @@ class CaptureLog final : public CaptureSink {
   bool seamDue(LogTime) override { return false; }
   Status seam(LogTime) override { return {}; }
   Status write(const CapturedDatagram& datagram) override {
-    auto& [topic, count] = tally_->flows[datagram.flow];
-    if (topic.empty()) topic = datagram.channel->topic;
-    ++count;
+    FlowTally& flow = tally_->flows[datagram.flow];
+    if (flow.topic.empty()) flow.topic = datagram.channel->topic;
+    ++flow.datagrams;
+    if (datagram.packet == nullptr && datagram.channel->encoding == "rk1") {
+      if (flow.malformed++ == 0) flow.fault = faultOf(datagram, flow.datagrams);
+    }
     tally_->packets += datagram.packet != nullptr ? 1 : 0;
     tally_->start = std::min(tally_->start.value_or(datagram.time), datagram.time);
     tally_->end = std::max(tally_->end, datagram.time);
@@ -159,10 +180,13 @@ ros::ImportReport reportOf(const CaptureTally& tally, const CapturePump& pump,
   ros::ImportReport report;
   for (const auto& [flow, kept] : tally.flows) {
     ros::ImportedTopic& topic = report.topics.emplace_back();
-    topic.name = kept.first;
-    topic.type = "datagrams";
-    topic.messages = kept.second;
-    report.messages += kept.second;
+    topic.name = kept.topic;
+    topic.type = ros::kDatagrams;
+    topic.messages = kept.datagrams;
+    topic.malformed = kept.malformed;
+    topic.fault = kept.fault;
+    report.messages += kept.datagrams;
+    report.malformed += kept.malformed;
   }
   report.packets = tally.packets;
   report.start = tally.start.value_or(LogTime{});

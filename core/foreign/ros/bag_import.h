@@ -46,6 +46,9 @@ struct ImportOptions {
   std::function<Status(double)> progress;
 };
 
+/// The type of a capture's topics.
+inline constexpr const char* kDatagrams = "datagrams";
+
 struct ImportedTopic {
   std::string name;  ///< in the log
   std::string type;
@@ -53,6 +56,7 @@ struct ImportedTopic {
   std::uint64_t messages = 0;
   std::uint64_t packets = 0;
   std::uint64_t malformed = 0;  ///< kept, but not of the type that they claim
+  std::string fault;            ///< where and why the first of them is; empty: nobody says
   bool translated = false;      ///< its type is one that becomes packets
   bool described = false;       ///< the robot description that is the log's cell
   TranslationNotes notes;

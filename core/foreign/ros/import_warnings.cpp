@@ -14,8 +14,12 @@ std::vector<std::string> importWarnings(const ImportReport& report) {
   }
   for (const ImportedTopic& topic : report.topics) {
     if (topic.malformed > 0) {
+      const bool is_captured = topic.type == kDatagrams;
       warnings.push_back(topic.name + ": " + countText(topic.malformed, "message") +
-                         " kept, but not the " + topic.type + " that the recording says");
+                         " kept, but not the " +
+                         (is_captured ? "packet text that the first word says"
+                                      : topic.type + " that the recording says") +
+                         (topic.fault.empty() ? "" : "; the first is " + topic.fault));
     }
     for (const auto& [sentence, count] : topic.notes) {
       warnings.push_back(topic.name + ": " + sentence + ": " + std::to_string(count));
