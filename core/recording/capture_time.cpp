@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/duration_text.h"
+
 namespace rocinante {
 namespace {
 
@@ -21,8 +23,22 @@ LogTime CaptureTime::at(WallTime stamp) {
     shift_ += *reached_ - seen;
     return *reached_;
   }
+  if (seen < *reached_) {
+    ++raised_;
+    most_raised_ = std::max(most_raised_, *reached_ - seen);
+  }
   reached_ = std::max(*reached_, seen);
   return *reached_;
+}
+
+Account CaptureTime::leftOut() const {
+  Account account;
+  if (raised_ == 0) return account;
+  account.leaveOut({.kind = "time",
+                    .reason = "before that of the datagram in front, by at most " +
+                              secondsText(most_raised_) + " s: raised to it",
+                    .count = raised_});
+  return account;
 }
 
 }  // namespace rocinante

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "core/base/time.h"
 #include "core/recording/session_clock.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 
@@ -19,10 +21,13 @@ class CaptureTime {
   LogTime at(WallTime stamp);
   /// The clock step that the last timestamp revealed, if any.
   std::optional<ClockStep> takeStep() { return std::exchange(step_, std::nullopt); }
+  /// How many timestamps were raised, and by how much at most.
+  Account leftOut() const;
 
  private:
   std::optional<LogTime> reached_;
-  Nanoseconds shift_{0};
+  Nanoseconds shift_{0}, most_raised_{0};
+  std::uint64_t raised_ = 0;
   std::optional<ClockStep> step_;
 };
 

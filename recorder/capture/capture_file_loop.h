@@ -27,6 +27,7 @@ class CaptureFileLoop : public InputLoop {
   Nanoseconds deliveryDelay() const override { return Nanoseconds(0); }
   Status finish() override;
   ReceiveRate busiest(std::uint32_t) const override { return {}; }
+  Account leftOut() const override { return time_.leftOut(); }
 
  protected:
   /// An empty batch; returns what pass() returns. A file has more behind it, or ends.

@@ -11,6 +11,7 @@ std::vector<InputAccount> inputAccounts(const std::vector<DatagramSource*>& sour
     account.counts = sources[i]->counts();
     account.subscription = sources[i]->subscription();
     account.left_out = sources[i]->leftOut();
+    account.left_out.add(loop.leftOut());
     account.buffer_granted_bytes = sources[i]->receiveBufferBytes();
     account.buffer_needed_bytes = neededReceiveBuffer(loop.busiest(i));
     accounts.push_back(std::move(account));

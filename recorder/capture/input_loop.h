@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/base/time.h"
 #include "core/net/receive_buffer.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 
@@ -40,6 +41,8 @@ class InputLoop {
 
   /// The busiest complete second of an endpoint so far; 0 for a file.
   virtual ReceiveRate busiest(std::uint32_t endpoint) const = 0;
+  /// What it changed of the datagrams, beside the account of their source.
+  virtual Account leftOut() const { return {}; }
 };
 
 }  // namespace rocinante

@@ -121,7 +121,7 @@ class MetadataReader {
   }
 
   BagMetadata metadata_;
-  std::string section_;                      ///< the last key of the bag itself
+  std::string section_;                     ///< the last key of the bag itself
   std::optional<std::size_t> keys_at_ = 0;  ///< the column of those keys; empty: the next one's
 };
 
@@ -184,8 +184,7 @@ std::vector<std::string> damageOfBagFolder(const fs::path& folder) {
   const std::string where = whereIn(folder);
   for (const std::string& name : metadata->files) {
     const bool is_packed = name.ends_with(kPacked);
-    const std::string unpacked =
-        is_packed ? name.substr(0, name.size() - kPacked.size()) : name;
+    const std::string unpacked = is_packed ? name.substr(0, name.size() - kPacked.size()) : name;
     if (is_there(unpacked)) continue;
     if (++missing > kMaxFilesNamed) continue;
     if (is_packed && is_there(name)) {
@@ -206,10 +205,9 @@ std::vector<std::string> damageOfBagFolder(const fs::path& folder) {
     const std::string name = file.filename().string();
     if (metadata->files.empty() || metadata->lists(name) || ++unlisted > kMaxFilesNamed) continue;
     const bool is_read = std::ranges::find(files, file) != files.end();
-    damage.push_back("the bag does not list the file " + name +
-                     (is_read ? ": it is read, as none that is listed is there"
-                              : ": it is not read") +
-                     where);
+    damage.push_back(
+        "the bag does not list the file " + name +
+        (is_read ? ": it is read, as none that is listed is there" : ": it is not read") + where);
   }
   more(unlisted, "are not listed");
   if ((metadata->compression_mode == "MESSAGE" || metadata->compression_mode == "message") &&

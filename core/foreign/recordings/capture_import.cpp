@@ -133,6 +133,7 @@ class CapturePump {
 
   std::uint64_t read() const { return read_; }
   std::uint64_t truncated() const { return truncated_; }
+  const CaptureTime& time() const { return time_; }
   const std::string& cut() const { return cut_; }  ///< why the file ended early; else empty
 
  private:
@@ -198,6 +199,7 @@ ros::ImportReport reportOf(const CaptureTally& tally, const CapturePump& pump,
                             " shorter than sent: the capture cut them (" + name + ")");
   }
   report.account = source.leftOut();
+  report.account.add(pump.time().leftOut());
   return report;
 }
 

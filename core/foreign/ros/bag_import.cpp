@@ -116,7 +116,7 @@ class Import {
   struct Input {
     std::unique_ptr<BagReader> bag;
     std::optional<BagMessage> head;
-    std::uint64_t messages = 0;  ///< that were read
+    std::uint64_t messages = 0;                  ///< that were read
     std::vector<std::optional<Outlet>> outlets;  ///< by topic
   };
 

@@ -39,7 +39,7 @@ struct ImportOptions {
   std::vector<std::string> damage;  ///< known before: of a folder that lacks a file
   /// What the inputs should have; where they have another number, that is damage.
   std::vector<StatedMessages> stated;
-  ModelSearch search;               ///< for the meshes of a robot description
+  ModelSearch search;  ///< for the meshes of a robot description
   LogWriterOptions log;
   KeyframeOptions keyframes;
   /// Called now and then with the part that is done, 0 to 1; an error ends the import.

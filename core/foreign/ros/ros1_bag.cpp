@@ -120,8 +120,8 @@ class Ros1Bag final : public BagReader {
     }
     const std::optional<Ros1Record> record = wholeOrCutRos1RecordAt(bytes_.first(end), position_);
     if (!record || (record->is_cut && record->op != Ros1Op::chunk)) {
-      damaged(position_, "the bag ends inside a record, or its lengths are wrong: " + rest +
-                             " are not read");
+      damaged(position_,
+              "the bag ends inside a record, or its lengths are wrong: " + rest + " are not read");
       position_ = end;
       return false;
     }

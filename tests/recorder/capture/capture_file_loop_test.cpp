@@ -29,6 +29,11 @@ TEST(CaptureTime, ALittleDisorderIsRaised) {
   EXPECT_EQ(time.at(stamp(10ms)), moment(30ms));
   EXPECT_EQ(time.at(stamp(31ms)), moment(31ms));
   EXPECT_FALSE(time.takeStep().has_value());
+  EXPECT_EQ(time.at(stamp(31ms)), moment(31ms));
+  EXPECT_EQ(time.at(stamp(26ms)), moment(31ms));
+  EXPECT_EQ(accountSentence(time.leftOut()),
+            "left out: 2 times (before that of the datagram in front, by at most 0.02 s: raised to "
+            "it)");
 }
 
 TEST(CaptureTime, AClockThatWasSetBackIsAStepAndBendsNothingAfter) {
@@ -39,6 +44,7 @@ TEST(CaptureTime, AClockThatWasSetBackIsAStepAndBendsNothingAfter) {
   ASSERT_TRUE(step.has_value());
   EXPECT_EQ(step->at, moment(1h));
   EXPECT_EQ(step->step, Nanoseconds(-1h));
+  EXPECT_TRUE(time.leftOut().empty());
   EXPECT_EQ(time.at(stamp(5s)), moment(1h + 5s));
   EXPECT_FALSE(time.takeStep().has_value());
 }

@@ -119,7 +119,13 @@ const FieldCase kCases[] = {
     {"66-ros1-active", "empty.bag", 0, 0, false, {"there is no message to import"}, {}},
     {"66-ros1-active", "only-open.bag.active", 10, 10, false, {"it was not closed"}, {}},
     {"66-ros1-active", "unindexed.bag", 20, 20, false, {"it was not closed"}, {}},
-    {"66-ros1-active", "zero-filled.bag", 10, 10, false, {"it was not closed", "bytes of the bag are zeros"}, {}},
+    {"66-ros1-active",
+     "zero-filled.bag",
+     10,
+     10,
+     false,
+     {"it was not closed", "bytes of the bag are zeros"},
+     {}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Public, FieldRecording, testing::ValuesIn(kCases));

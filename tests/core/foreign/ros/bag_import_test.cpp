@@ -218,9 +218,9 @@ TEST(BagImport, NamesTheZerosAndTheRestThatAreNoRecords) {
   };
   EXPECT_EQ(damageWith(4095, std::byte{0}),
             "no records follow: the last 4096 bytes of the bag are zeros " + place);
-  EXPECT_EQ(damageWith(99, std::byte{7}),
-            "the bag ends inside a record, or its lengths are wrong: 100 bytes are not read " +
-                place);
+  EXPECT_EQ(
+      damageWith(99, std::byte{7}),
+      "the bag ends inside a record, or its lengths are wrong: 100 bytes are not read " + place);
 }
 
 TEST(BagImport, SaysWhatACutBagWithoutAMessageLacks) {
