@@ -23,6 +23,7 @@ constexpr std::string_view kNoDevice = "a joint of no device; `log import --devi
 constexpr std::string_view kManyDevices = "a joint of several devices; DEVICE.JOINT names one";
 constexpr std::string_view kPassive = "a fixed or mimic joint";
 constexpr std::string_view kPartOfPose = "a pose needs all seven components";
+constexpr std::string_view kTwice = "said twice: the first of them counts";
 constexpr std::string_view kNoName = "packets have no such name";
 
 }  // namespace
@@ -45,6 +46,7 @@ void RowTranslation::setNames(std::span<const std::string> names) {
 
 void RowTranslation::makePlans() {
   plans_.clear();
+  said_.clear();
   unused_.clear();
   const ros::DeviceFinder& devices = devices_ != nullptr ? *devices_ : nobody_;
   const auto isDevice = [&](std::string_view name) {
@@ -164,6 +166,11 @@ void RowTranslation::addJoint(const std::string& device, const std::string& join
     return;
   }
   const std::string first_words = "joint " + encodeName(device);
+  std::string prefix = " " + encodeName(joint) + "=";
+  if (!said_.insert(first_words + prefix).second) {
+    unused_.push_back({place, kTwice, Severity::warning});
+    return;
+  }
   DevicePlan* plan = nullptr;
   for (DevicePlan& each : plans_) {
     if (each.first_words == first_words && each.places.size() < limits::kJointValues) plan = &each;
@@ -173,7 +180,7 @@ void RowTranslation::addJoint(const std::string& device, const std::string& join
     plan->first_words = first_words;
   }
   plan->places.push_back(place);
-  plan->prefixes.push_back(" " + encodeName(joint) + "=");
+  plan->prefixes.push_back(std::move(prefix));
 }
 
 void RowTranslation::addPose(const std::string& device, std::size_t part, std::size_t place) {
@@ -187,7 +194,11 @@ void RowTranslation::addPose(const std::string& device, std::size_t part, std::s
     plan->first_words = first_words;
     plan->places.assign(kPoseEndings.size(), kNoPlace);
   }
-  plan->places[part] = place;
+  if (plan->places[part] != kNoPlace) {
+    unused_.push_back({place, kTwice, Severity::warning});
+  } else {
+    plan->places[part] = place;
+  }
 }
 
 void RowTranslation::sayJoints(const DevicePlan& plan, std::span<const double> numbers) {

@@ -70,6 +70,7 @@ class RowTranslation {
   std::vector<std::string> names_;
   std::vector<DevicePlan> plans_;
   std::vector<Unused> unused_;
+  std::set<std::string> said_;  ///< the joints of the plans
   std::string kind_;
   std::set<std::string, std::less<>> named_;  ///< in the account
   Account account_;

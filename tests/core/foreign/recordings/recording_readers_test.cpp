@@ -94,6 +94,19 @@ TEST(TableRecording, KeepsAndCountsRowsThatDoNotFit) {
   EXPECT_THAT(made->packets, SizeIs(2));
 }
 
+TEST(TableRecording, NamesTheColumnsThatSayTheSame) {
+  const auto made =
+      importedFrom(table("t,arm.a,arm.b,arm.a,c:x,c:y,c:z,c:qx,c:qy,c:qz,c:qw,c:y\n"
+                         "1,2,3,4,0,5,0,0,0,0,1,6\n"));
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(made->packets[0],
+            "RK1 decoded:csv:table - 1\njoint arm a=2 b=3\npose c 0 5 0 0 0 0 1\n");
+  EXPECT_EQ(accountSentence(made->report.account),
+            "left out: 1 column `arm.a` (said twice: the first of them counts), 1 column `c:y` "
+            "(said twice: the first of them counts)");
+  EXPECT_TRUE(importedFrom(table("t,arm.a,leg.a\n1,2,3\n"))->report.account.empty());
+}
+
 TEST(TableRecording, RefusesATextWithoutAHeader) {
   for (const char* const text : {"", "\n\n", "a,b\n1,2\n", "t\n1\n", "t,\n1,2\n", "\"t,a\n"}) {
     SCOPED_TRACE(text);
