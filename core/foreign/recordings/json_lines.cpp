@@ -21,6 +21,8 @@ constexpr std::size_t kMaxDepth = 16;
 /// In the sentence of a refusal.
 constexpr std::size_t kMaxKeys = 8;
 constexpr double kJsonBound = 0x1p53;
+constexpr const char* kNoObject = "it is no object";
+constexpr const char* kTooMany = "it has more than 100,000 numbers";
 
 /// What a line says, taken while it is parsed, so that times keep all their digits.
 class JsonRow : public nlohmann::json::json_sax_t {
@@ -38,6 +40,7 @@ class JsonRow : public nlohmann::json::json_sax_t {
   std::vector<LeftOutKey> left_out;
   std::vector<std::string> keys;  ///< of the object itself
   bool is_object = false;
+  std::string fault;  ///< why it was not read to its end
 
   bool null() override { return takeNothing(); }
   bool boolean(bool) override {
@@ -68,7 +71,8 @@ class JsonRow : public nlohmann::json::json_sax_t {
   bool binary(binary_t&) override { return value(); }
   bool start_object(std::size_t) override {
     if (depth_ == 0) is_object = true;
-    if (in_array_ || depth_ == kMaxDepth) return false;
+    if (in_array_) return refuse("an array has an object");
+    if (depth_ == kMaxDepth) return refuse("more than 16 objects are inside each other");
     if (depth_ > 0) path_.push_back(key_);
     ++depth_;
     return true;
@@ -88,7 +92,8 @@ class JsonRow : public nlohmann::json::json_sax_t {
   }
   bool start_array(std::size_t) override {
     // Arrays hold no objects and no arrays.
-    if (in_array_ || depth_ == 0) return false;
+    if (in_array_) return refuse("an array has an array");
+    if (depth_ == 0) return refuse(kNoObject);
     if (key_ != "name" && key_ != "position") leaveOut("an array");
     in_array_ = true;
     return true;
@@ -97,16 +102,20 @@ class JsonRow : public nlohmann::json::json_sax_t {
     in_array_ = false;
     return true;
   }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
-    return false;
+  bool parse_error(std::size_t column, const std::string&,
+                   const nlohmann::json::exception&) override {
+    return refuse("no JSON from column " + std::to_string(column) + " on");
   }
 
   /// Names what was said in pairs. False when it does not fit together.
   bool finish(const std::string& device) {
+    if (!is_object) return refuse(kNoObject);
     const std::string of = device_.empty() ? device : device_;
     const std::string before = of.empty() ? std::string() : of + ".";
     if (!listed_names_.empty() || !listed_numbers_.empty()) {
-      if (listed_names_.size() != listed_numbers_.size()) return false;
+      if (listed_names_.size() != listed_numbers_.size()) {
+        return refuse("`name` and `position` have different lengths");
+      }
       for (std::size_t i = 0; i < listed_names_.size(); ++i) {
         names.push_back(before + listed_names_[i]);
         numbers.push_back(listed_numbers_[i]);
@@ -121,7 +130,11 @@ class JsonRow : public nlohmann::json::json_sax_t {
   }
 
  private:
-  bool value() { return depth_ > 0; }
+  bool refuse(std::string why) {
+    fault = std::move(why);
+    return false;
+  }
+  bool value() { return depth_ > 0 || refuse(kNoObject); }
 
   std::string fullName() const {
     std::string name;
@@ -148,12 +161,15 @@ class JsonRow : public nlohmann::json::json_sax_t {
   }
 
   bool takeNumber(double number, const std::string& digits) {
-    if (depth_ == 0) return false;
-    const bool fits = std::abs(number) < kJsonBound;
+    if (depth_ == 0) return refuse(kNoObject);
+    const auto fits = [&](const std::vector<double>& listed) {
+      if (!(std::abs(number) < kJsonBound)) return refuse("a number is beyond 2^53");
+      return listed.size() <= kMaxNumbers || refuse(kTooMany);
+    };
     if (in_array_) {
       if (key_ != "position") return true;
       listed_numbers_.push_back(number);
-      return fits && listed_numbers_.size() <= kMaxNumbers;
+      return fits(listed_numbers_);
     }
     if (const auto unit = timeUnit()) {
       takeTime(*unit, digits);
@@ -161,7 +177,7 @@ class JsonRow : public nlohmann::json::json_sax_t {
     }
     names.push_back(fullName());
     numbers.push_back(number);
-    return fits && names.size() <= kMaxNumbers;
+    return fits(numbers);
   }
 
   /// null, or a word for it: the key has no value yet.
@@ -172,7 +188,8 @@ class JsonRow : public nlohmann::json::json_sax_t {
       names.push_back(fullName());
       numbers.push_back(kNothing);
     }
-    return value() && names.size() <= kMaxNumbers && listed_numbers_.size() <= kMaxNumbers;
+    if (names.size() > kMaxNumbers || listed_numbers_.size() > kMaxNumbers) return refuse(kTooMany);
+    return value();
   }
 
   /// Some programs write numbers as text.
@@ -190,7 +207,7 @@ class JsonRow : public nlohmann::json::json_sax_t {
       case TableValue::text:
         break;
     }
-    if (in_array_) return key_ != "position";
+    if (in_array_) return key_ != "position" || refuse("`position` has text");
     leaveOut("text");
     return value();
   }
@@ -257,13 +274,13 @@ class JsonLines final : public LineRecording {
     JsonRow said(times_);
     const bool fits = parseRow(line, times_, said);
     if (!said.time) return std::nullopt;
-    if (!fits || !said.finish(device_)) return Row{*said.time, {}, true};
+    if (!fits || !said.finish(device_)) return Row{*said.time, {}, std::move(said.fault)};
     for (const JsonRow::LeftOutKey& each : said.left_out) {
       rows().leaveOut(each.name, each.reason, Severity::note);
     }
     rows().setNames(said.names);
     const RowTranslation::Outcome outcome = rows().translate(*said.time, said.numbers);
-    return Row{*said.time, outcome.packet, outcome.malformed};
+    return Row{*said.time, outcome.packet, outcome.malformed ? kPartOfPoseAlone : ""};
   }
 
  private:

@@ -71,7 +71,10 @@ Result<std::optional<ros::BagMessage>> LineRecording::next() {
     message.publish_time_ns = row->time.count();
     message.payload = bytesOf(*line);
     message.packet = row->packet;
-    message.malformed = row->malformed;
+    if (!row->fault.empty()) {
+      fault_ = "line " + std::to_string(lines_.number()) + ": " + row->fault;
+      message.fault = fault_;
+    }
     return std::optional(message);
   }
   return std::optional<ros::BagMessage>();

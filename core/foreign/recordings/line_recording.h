@@ -12,6 +12,9 @@
 
 namespace rocinante {
 
+/// A fault of a row.
+inline constexpr const char* kPartOfPoseAlone = "it has a part of a pose alone";
+
 /// A text of lines with a time each, as a recording with one topic: what tables and JSON lines have
 /// in common (docs/other-formats.md, "Tables and JSON lines").
 class LineRecording : public ros::BagReader {
@@ -32,7 +35,7 @@ class LineRecording : public ros::BagReader {
   struct Row {
     Nanoseconds time{};
     std::string_view packet;  ///< borrowed until the next line; empty: nothing to say
-    bool malformed = false;
+    std::string fault = {};   ///< why it has not the form of the others; empty: it has
   };
 
   /// `unit` is what a line is called: "row".
@@ -59,6 +62,7 @@ class LineRecording : public ros::BagReader {
   std::vector<ros::BagTopic> topics_;
   RowTranslation rows_;
   std::optional<LogTime> first_;
+  std::string fault_;  ///< of the last line
   std::uint32_t sequence_ = 0;
   std::uint64_t timeless_ = 0, too_long_ = 0;
   std::size_t first_timeless_ = 0, first_too_long_ = 0;

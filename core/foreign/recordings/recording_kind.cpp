@@ -8,6 +8,7 @@
 #include "core/foreign/recordings/json_lines.h"
 #include "core/foreign/recordings/lcm_log.h"
 #include "core/foreign/recordings/table_recording.h"
+#include "core/foreign/recordings/text_refusal.h"
 #include "core/foreign/table/table_header.h"
 #include "core/log/foreign_file.h"
 #include "core/log/log_profile.h"
@@ -88,6 +89,7 @@ namespace {
 
 std::optional<std::string> refusalOf(ByteView first_bytes) {
   const std::string_view text = textOf(first_bytes);
+  if (auto refusal = textRefusal(text)) return refusal;
   // Neither has control characters.
   if (text.substr(0, 512).find('\0') != text.npos) return std::nullopt;
   if (auto refusal = jsonLinesRefusal(text)) return refusal;

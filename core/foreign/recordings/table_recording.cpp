@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/base/count_text.h"
 #include "core/foreign/recordings/line_recording.h"
 #include "core/foreign/table/csv_line.h"
 #include "core/foreign/table/table_column.h"
@@ -12,6 +13,8 @@ namespace rocinante {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+/// Of a name or a value in a sentence.
+constexpr std::size_t kMaxShown = 64;
 constexpr const char* kTableTopic = "/table";
 constexpr const char* kTableDecoder = "csv";
 
@@ -76,7 +79,13 @@ class TableRecording final : public LineRecording {
     if (fields_.size() <= header_.time) return std::nullopt;
     const auto time = times_.read(read_.withPoint(fields_[header_.time].text));
     if (!time) return std::nullopt;
-    if (!is_split || fields_.size() != header_.names.size()) return Row{*time, {}, true};
+    if (!is_split) return Row{*time, {}, "a quote is left open, or text follows one"};
+    if (fields_.size() != header_.names.size()) {
+      return Row{*time,
+                 {},
+                 "it has " + countText(fields_.size(), "column") + ", the header " +
+                     std::to_string(header_.names.size())};
+    }
     return header_.isLong() ? valueRow(*time) : wideRow(*time);
   }
 
@@ -91,7 +100,16 @@ class TableRecording final : public LineRecording {
 
   Row translated(Nanoseconds time) {
     const RowTranslation::Outcome outcome = rows().translate(time, numbers_);
-    return {time, outcome.malformed ? std::string_view() : outcome.packet, outcome.malformed};
+    if (outcome.malformed) return {time, {}, kPartOfPoseAlone};
+    return {time, outcome.packet};
+  }
+
+  /// Of a row with text where the others have numbers.
+  Row noNumber(Nanoseconds time, std::size_t column) const {
+    return {time,
+            {},
+            "column `" + header_.names[column].substr(0, kMaxShown) + "` has `" +
+                std::string(fields_[column].text.substr(0, kMaxShown)) + "`, which is no number"};
   }
 
   void chooseColumns() {
@@ -119,7 +137,7 @@ class TableRecording final : public LineRecording {
             number = kNothing;
             break;
           case TableValue::text:
-            if (!column.is_empty) return {time, {}, true};
+            if (!column.is_empty) return noNumber(time, column.place);
             column.is_text = true;
             column.is_empty = false;
             number = kNothing;
@@ -136,9 +154,9 @@ class TableRecording final : public LineRecording {
       case TableValue::number:
         break;
       case TableValue::nothing:
-        return {time, {}, false};
+        return {time, {}};
       case TableValue::text:
-        return {time, {}, true};
+        return noNumber(time, header_.value);
     }
     numbers_.assign(1, number);
     std::string name;

@@ -220,8 +220,8 @@ class Import {
   }
 
   Status takePacket(const BagMessage& message, const Outlet& out, ImportedTopic& told) {
-    if (message.malformed) {
-      ++told.malformed;
+    if (!message.fault.empty()) {
+      if (told.malformed++ == 0) told.fault = message.fault;
       ++report_.malformed;
     }
     if (message.packet.empty()) return {};

@@ -49,7 +49,8 @@ struct BagMessage {
   ByteView payload;
   /// Of a topic with a decoder: its packet text, borrowed like the payload; empty: there is none.
   std::string_view packet = {};
-  bool malformed = false;  ///< it does not have the form of its topic
+  /// Where and why it does not have the form of its topic; borrowed; empty: it has.
+  std::string_view fault = {};
 };
 
 /// Reads the messages of another program's recording. Memory does not grow with the file. Not for

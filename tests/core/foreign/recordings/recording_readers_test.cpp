@@ -7,6 +7,7 @@
 #include "core/foreign/recordings/recording_bytes.h"
 #include "core/foreign/recordings/recording_kind.h"
 #include "core/foreign/recordings/table_recording.h"
+#include "core/foreign/recordings/text_refusal.h"
 #include "core/foreign/ros/bag_import.h"
 #include "core/foreign/table/csv_line.h"
 #include "core/foreign/table/table_header.h"
@@ -15,6 +16,7 @@
 namespace rocinante::test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -92,6 +94,42 @@ TEST(TableRecording, KeepsAndCountsRowsThatDoNotFit) {
   EXPECT_THAT(made->report.damage,
               ElementsAre("1 row without a time left out, the first here (t.csv, line 4)"));
   EXPECT_THAT(made->packets, SizeIs(2));
+  EXPECT_THAT(
+      ros::importWarnings(made->report),
+      Contains("/table: 2 messages kept, but not the wide table that the recording says; the "
+               "first is line 3: it has 2 columns, the header 3"));
+}
+
+/// Why the only malformed row or line is.
+std::string faultOf(Opened recording) {
+  const auto made = importedFrom(std::move(recording));
+  if (!made) return made.error().text();
+  EXPECT_EQ(made->report.malformed, 1U);
+  return made->report.topics.front().fault;
+}
+
+TEST(TableRecording, SaysWhereAndWhyARowDoesNotFit) {
+  EXPECT_EQ(faultOf(table("t,arm.a,arm.b\n1,2,3\n2,2,x1\n3,4,5\n")),
+            "line 3: column `arm.b` has `x1`, which is no number");
+  EXPECT_EQ(faultOf(table("t,arm.a\n\n1,2,3\n")), "line 3: it has 3 columns, the header 2");
+  EXPECT_EQ(faultOf(table("t,arm.a\n1,2\n2,\"3\n")),
+            "line 3: a quote is left open, or text follows one");
+  EXPECT_EQ(faultOf(table("t,device,joint,value\n1,arm,a,2\n2,arm,a,b\n")),
+            "line 3: column `value` has `b`, which is no number");
+  EXPECT_EQ(faultOf(table("t,c:x,c:y,c:z,c:qx,c:qy,c:qz,c:qw\n1,0,0,0,0,0,0,1\n2,0,0,0,0,0,0,\n")),
+            "line 3: it has a part of a pose alone");
+}
+
+TEST(JsonLines, SayWhereAndWhyALineDoesNotFit) {
+  const auto fault = [](const std::string& line) {
+    return faultOf(lines("{\"t\": 1, \"a\": 2}\n" + line + "\n"));
+  };
+  EXPECT_EQ(fault("{\"t\": 2, \"arm\": {\"sh"), "line 2: no JSON from column 21 on");
+  EXPECT_EQ(fault("{\"t\": 2, \"a\": [[1]]}"), "line 2: an array has an array");
+  EXPECT_EQ(fault("{\"t\": 2, \"a\": [{}]}"), "line 2: an array has an object");
+  EXPECT_EQ(fault("{\"t\": 2, \"a\": 1e17}"), "line 2: a number is beyond 2^53");
+  EXPECT_EQ(fault("{\"t\": 2, \"name\": [\"a\"], \"position\": []}"),
+            "line 2: `name` and `position` have different lengths");
 }
 
 TEST(TableRecording, NamesTheColumnsThatSayTheSame) {
@@ -214,6 +252,19 @@ TEST(TableRecording, ARefusalNamesWhatIsMissing) {
   }
   EXPECT_FALSE(tableRefusal("<robot name=\"a\"/>\n<!-- 1,2 -->\n").has_value());
   EXPECT_THAT(*jsonLinesRefusal("{\"x\": 1, \"y\": 2}\n"), HasSubstr("the keys are `x`, `y`"));
+}
+
+TEST(TextRefusal, SaysWhatTheTextLooksLikeAndWhatIsRead) {
+  using namespace std::string_view_literals;
+  EXPECT_THAT(*textRefusal("\xFF\xFEt\0,\0"sv), HasSubstr("UTF-16, and UTF-8 is read: `iconv"));
+  EXPECT_THAT(*textRefusal("\xFE\xFF\0t\0,"sv), HasSubstr("UTF-16"));
+  EXPECT_THAT(*textRefusal("\n[ {\"t\": 1}]"), HasSubstr("and JSON lines are read"));
+  EXPECT_THAT(*textRefusal("t,arm.a\r1,2\r"), HasSubstr("CR alone"));
+  EXPECT_THAT(*textRefusal("t|arm.a\n1|2\n"), HasSubstr("separated by `|`"));
+  for (const char* const text : {"", "[", "[[device]]\nname = 1\n", "t,arm.a", "t,arm.a\r\n1,2\r\n",
+                                 "a|b\n1|2\n", "{\"t\": 1}\n", "one\rtwo\r"}) {
+    EXPECT_FALSE(textRefusal(text).has_value()) << text;
+  }
 }
 
 // Whatever is inserted or removed, the packets change, or the account does.
