@@ -49,6 +49,15 @@ std::string notALog(ByteView file) {
   return what.empty() ? sentence : sentence.append("; ").append(what);
 }
 
+std::string notAFile(const std::filesystem::path& path) {
+  std::error_code none;
+  std::string sentence = "a log must be a regular file";
+  if (std::filesystem::is_regular_file(path / "metadata.yaml", none)) {
+    return sentence + "; it is the folder of a ROS 2 bag: `rocinante log import` makes a log of it";
+  }
+  return sentence;
+}
+
 std::string notImportable(ByteView first_bytes) {
   if (first_bytes.empty()) return "the file is empty";
   const std::string_view what = whatItIs(first_bytes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "core/base/bytes.h"
@@ -10,6 +11,9 @@ namespace rocinante {
 /// magic; and if its first bytes are those of a capture, an archive or a bag, what it is and what
 /// to do.
 std::string notALog(ByteView file);
+
+/// The message for what is not a regular file.
+std::string notAFile(const std::filesystem::path& path);
 
 /// The message for a file that `rocinante log import` cannot read.
 std::string notImportable(ByteView first_bytes);

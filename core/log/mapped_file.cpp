@@ -10,6 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include "core/log/foreign_file.h"
+
 namespace rocinante {
 namespace {
 
@@ -46,7 +48,7 @@ Result<MappedFile> MappedFile::openWithRoom(const std::filesystem::path& path, s
   }
   if (!S_ISREG(status.st_mode)) {
     ::close(file);
-    return Error{ErrorKind::unreadable, "a log must be a regular file", path.string()};
+    return Error{ErrorKind::unreadable, notAFile(path), path.string()};
   }
   MappedFile mapped;
   mapped.file_ = file;

@@ -210,12 +210,6 @@ std::vector<std::string> damageOfBagFolder(const fs::path& folder) {
         (is_read ? ": it is read, as none that is listed is there" : ": it is not read") + where);
   }
   more(unlisted, "are not listed");
-  if ((metadata->compression_mode == "MESSAGE" || metadata->compression_mode == "message") &&
-      metadata->compression_format != "zstd") {
-    damage.push_back("the messages are compressed with " + metadata->compression_format +
-                     ", which is not read; `ros2 bag convert` makes a bag without compression" +
-                     where);
-  }
   return damage;
 }
 
@@ -228,10 +222,15 @@ std::vector<ros::StatedMessages> statedOfBagFolder(const fs::path& folder, std::
     const auto file = std::ranges::find(files, folder / each.name);
     if (file == files.end() || !each.messages) continue;
     const auto place = static_cast<std::size_t>(file - files.begin());
-    stated.push_back({first + place, 1, *each.messages, each.name, whereIn(folder)});
+    stated.push_back({first + place, 1, each.messages, each.name, whereIn(folder), {}});
   }
-  if (metadata->messages) {
-    stated.push_back({first, files.size(), *metadata->messages, "the bag", whereIn(folder)});
+  const bool is_packed =
+      metadata->compression_mode == "MESSAGE" || metadata->compression_mode == "message";
+  std::string compression = metadata->compression_format;
+  if (!is_packed || compression == "zstd") compression.clear();
+  if (metadata->messages || !compression.empty()) {
+    stated.push_back({first, files.size(), metadata->messages, "the bag", whereIn(folder),
+                      std::move(compression)});
   }
   return stated;
 }

@@ -12,12 +12,12 @@ namespace rocinante {
 /// all where none of those is there; empty for any other folder.
 std::vector<std::filesystem::path> filesOfBagFolder(const std::filesystem::path& folder);
 
-/// Where the folder and its metadata.yaml differ, and what it states of the messages that no reader
-/// expands: sentences. Empty for any other folder.
+/// Where the files of the folder and those of its metadata.yaml differ: sentences. Empty for any
+/// other folder.
 std::vector<std::string> damageOfBagFolder(const std::filesystem::path& folder);
 
-/// How many messages metadata.yaml says that filesOfBagFolder() have, each and together. `first` is
-/// the number of the first file among the inputs of an import.
+/// What metadata.yaml says of the messages of filesOfBagFolder(), each and together. `first` is the
+/// number of the first file among the inputs of an import.
 std::vector<ros::StatedMessages> statedOfBagFolder(const std::filesystem::path& folder,
                                                    std::size_t first);
 

@@ -93,7 +93,8 @@ class RecordingOpening {
     for (const std::string& sentence : damageOfBagFolder(request_.recording)) add(sentence);
     for (const ros::StatedMessages& each : statedOfBagFolder(request_.recording, 0)) {
       add(each.name);
-      add(std::to_string(each.count));
+      add(each.count ? std::to_string(*each.count) : "");
+      add(each.compression);
     }
     addNames(add);
     if (Status described = addDescription(add); !described) return described.error();

@@ -66,7 +66,7 @@ class Import {
         described_(std::move(described)) {
     for (auto& bag : bags) {
       bag->useDevices(devices);
-      inputs_.push_back({std::move(bag), {}, 0, {}});
+      inputs_.push_back({std::move(bag), {}, 0, 0, {}});
     }
   }
 
@@ -116,7 +116,8 @@ class Import {
   struct Input {
     std::unique_ptr<BagReader> bag;
     std::optional<BagMessage> head;
-    std::uint64_t messages = 0;                  ///< that were read
+    std::uint64_t messages = 0;  ///< that were read
+    std::uint64_t packed = 0;    ///< of those, what should be CDR and does not begin as it
     std::vector<std::optional<Outlet>> outlets;  ///< by topic
   };
 
@@ -133,7 +134,12 @@ class Import {
     Result<std::optional<BagMessage>> message = input.bag->next();
     if (!message) return message.error();
     input.head = *message;
-    input.messages += input.head ? 1 : 0;
+    if (!input.head) return {};
+    ++input.messages;
+    const BagMessage& head = *input.head;
+    // A message of CDR begins with a zero.
+    input.packed += input.bag->topics()[head.topic].encoding == "cdr" && !head.payload.empty() &&
+                    head.payload[0] != std::byte{0};
     return {};
   }
 
@@ -253,12 +259,30 @@ class Import {
                           message.publish_time_ns, bytesOf(made.text), made.packet);
   }
 
+  /// Holds what was read against what something beside the inputs says.
   void compare(const StatedMessages& stated) {
-    std::uint64_t read = 0;
-    for (std::size_t i = 0; i < stated.inputs; ++i) read += inputs_[stated.first + i].messages;
-    if (read == stated.count) return;
-    report_.damage.push_back(stated.name + " should have " + countText(stated.count, "message") +
-                             ", and " + std::to_string(read) + " were read" + stated.where);
+    // A folder may change while it is opened.
+    if (stated.first + stated.inputs > inputs_.size()) return;
+    std::uint64_t read = 0, packed = 0;
+    for (std::size_t i = 0; i < stated.inputs; ++i) {
+      read += inputs_[stated.first + i].messages;
+      packed += inputs_[stated.first + i].packed;
+    }
+    if (stated.count && read != *stated.count) {
+      report_.damage.push_back(stated.name + " should have " + countText(*stated.count, "message") +
+                               ", and " + std::to_string(read) + " were read" + stated.where);
+    }
+    if (stated.compression.empty()) return;
+    if (packed == 0) {
+      report_.notes.push_back("the messages should be compressed with " + stated.compression +
+                              ", and none is" + stated.where);
+      return;
+    }
+    report_.damage.push_back(countText(packed, "message") + " compressed with " +
+                             stated.compression +
+                             ", which is not read; `ros2 bag convert` makes a bag without "
+                             "compression" +
+                             stated.where);
   }
 
   Result<ImportReport> finish(const std::vector<std::string>& notes) {

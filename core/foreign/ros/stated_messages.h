@@ -2,17 +2,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace rocinante::ros {
 
-/// How many messages some inputs of an import have, which follow each other, as something beside
-/// them says.
+/// What something beside them says of the messages of some inputs of an import, which follow each
+/// other.
 struct StatedMessages {
   std::size_t first = 0, inputs = 1;
-  std::uint64_t count = 0;
-  std::string name;   ///< of them together: "bag_0.db3", "the bag"
-  std::string where;  ///< who says it: " (bag/metadata.yaml)"
+  std::optional<std::uint64_t> count;
+  std::string name;         ///< of them together: "bag_0.db3", "the bag"
+  std::string where;        ///< who says it: " (bag/metadata.yaml)"
+  std::string compression;  ///< of each message, one that is not read; empty: none
 };
 
 }  // namespace rocinante::ros
