@@ -26,7 +26,8 @@ void TwoSources::report(const std::string& device, std::string_view what,
       fmt::format("to take one of a log: rocinante log filter LOG --source {} -o OUT",
                   shellWord(sources[before]));
   if (sources[before].starts_with("decoded:")) {
-    findings.back().hint += "; of a bag or table, LOG is what rocinante log import makes of it";
+    findings.back().hint +=
+        "; of a bag or table, LOG is made by: rocinante log import FILE --cell CELL -o LOG";
   }
 }
 

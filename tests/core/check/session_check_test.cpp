@@ -318,8 +318,7 @@ TEST_F(SessionCheckTest, NamesTheTopicOfABagThatOneTakes) {
   ASSERT_THAT(rules(found), ElementsAre("packet.two-sources"));
   EXPECT_EQ(found.findings[0].hint,
             "to take one of a log: rocinante log filter LOG --source decoded:ros:joint_states -o "
-            "OUT; of a "
-            "bag or table, LOG is what rocinante log import makes of it");
+            "OUT; of a bag or table, LOG is made by: rocinante log import FILE --cell CELL -o LOG");
 }
 
 TEST_F(SessionCheckTest, NoiseAtALimitIsAllowedByTheCell) {
