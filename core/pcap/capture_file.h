@@ -37,6 +37,8 @@ class CaptureFile {
 
   /// The link type of the only interface, or of the first; known after the first frame.
   std::optional<int> firstLinkType() const;
+  /// Frames of an interface that is not described: nobody knows what they are.
+  std::uint64_t withoutInterface() const { return without_interface_; }
   /// What no frame has: times, blocks of unknown types, frames that the capturing program dropped.
   Account leftOut() const;
 

@@ -58,7 +58,12 @@ class CaptureSource final : public DatagramSource {
 
   std::uint64_t dropped() const override { return 0; }
   Result<std::uint64_t> droppedByNow() override { return dropped(); }
-  InputCounts counts() const override { return reader_.counts(); }
+  InputCounts counts() const override {
+    InputCounts counts = reader_.counts();
+    // They break the rules of the file.
+    counts.malformed += file_->withoutInterface();
+    return counts;
+  }
   Account leftOut() const override {
     Account account = reader_.leftOut(true);
     account.add(file_->leftOut());

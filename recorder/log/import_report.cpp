@@ -56,6 +56,7 @@ std::string importReportJson(const std::string& output, const ros::ImportReport&
                  {"packets", report.packets},
                  {"malformed", report.malformed},
                  {"dropped", report.dropped},
+                 {"lost", report.lost},
                  {"start_ns", nanosecondsOf(report.start)},
                  {"end_ns", nanosecondsOf(report.end)},
                  {"bytes", report.bytes},

@@ -198,6 +198,8 @@ ros::ImportReport reportOf(const CaptureTally& tally, const CapturePump& pump,
     report.damage.push_back(countText(pump.truncated(), "datagram") +
                             " shorter than sent: the capture cut them (" + name + ")");
   }
+  const InputCounts counts = source.counts();
+  report.lost = counts.malformed + counts.incomplete;
   report.account = source.leftOut();
   report.account.add(pump.time().leftOut());
   return report;

@@ -68,6 +68,7 @@ struct ImportReport {
   std::uint64_t packets = 0;
   std::uint64_t malformed = 0;
   std::uint64_t dropped = 0;  ///< messages that a log cannot hold: before 1970, or over 128 MiB
+  std::uint64_t lost = 0;     ///< datagrams of a capture whose frames are malformed, cut or missing
   LogTime start{}, end{};
   std::uint64_t bytes = 0;          ///< of the log
   std::string robot;                ///< whose description is the log's cell; empty: none
@@ -75,7 +76,7 @@ struct ImportReport {
   std::vector<std::string> notes;
   Account account;  ///< what became no packet, or no message either
 
-  bool lostNothing() const { return damage.empty() && malformed == 0 && dropped == 0; }
+  bool lostNothing() const { return damage.empty() && malformed == 0 && dropped == 0 && lost == 0; }
 };
 
 /// Imports the recordings as one, in order of time; for equal times the first named comes first.
