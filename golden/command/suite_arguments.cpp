@@ -102,10 +102,21 @@ std::string userName() {
 }
 
 void warnOfModelFaults(const Cell& cell) {
-  const Finding* const first = firstError(cell.faults);
-  if (first == nullptr) return;
-  cli::warn(fmt::format("the cell has {} (rocinante check lists all); the first: {}",
-                        countText(countOf(cell.faults, Severity::error), "error"), first->print()));
+  const auto warn = [](std::string_view what, std::string_view kind, std::size_t count,
+                       const Finding& first) {
+    cli::warn(fmt::format("the cell has {} {}(rocinante check lists all); the first: {}",
+                          countText(count, kind), what, first.print()));
+  };
+  if (const Finding* const first = firstError(cell.faults)) {
+    return warn("", "error", countOf(cell.faults, Severity::error), *first);
+  }
+  const auto isMissed = [](const Finding& fault) {
+    return fault.severity == Severity::warning && !fault.left_out.empty();
+  };
+  const auto first = std::ranges::find_if(cell.faults, isMissed);
+  if (first == cell.faults.end()) return;
+  warn("of what is left out ", "warning",
+       static_cast<std::size_t>(std::ranges::count_if(cell.faults, isMissed)), *first);
 }
 
 }  // namespace rocinante

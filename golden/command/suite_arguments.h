@@ -38,7 +38,7 @@ double steadyMs();
 std::string nowText();
 /// The approving user: ROCINANTE_USER, USER, LOGNAME or "uid N".
 std::string userName();
-/// One line on stderr when the cell has errors.
+/// One line on stderr when the cell has errors, else when its pictures lack what is left out.
 void warnOfModelFaults(const Cell& cell);
 
 }  // namespace rocinante

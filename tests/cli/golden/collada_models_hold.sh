@@ -3,4 +3,5 @@
 models="$SRC/tests/golden/models/collada"
 python3 "$models/make_models.py" "$PWD/made"
 for file in made/*; do cmp "$models/$(basename "$file")" "$file" && echo "same $(basename "$file")"; done
-rocinante golden run "$models/collada.suite.toml" | sed -E 's/^(same +[a-z-]+): .*/\1/'
+cd "$models"
+rocinante golden run collada.suite.toml | sed -E 's/^(same +[a-z-]+): .*/\1/'
