@@ -1,7 +1,5 @@
 #include "viewer/view/clearance_lines.h"
 
-#include "viewer/view/limit_levels.h"
-
 namespace rocinante {
 
 std::vector<ClearanceLine> clearanceLines(const Cell& cell, ClearanceGauge& gauge,
@@ -14,17 +12,6 @@ std::vector<ClearanceLine> clearanceLines(const Cell& cell, ClearanceGauge& gaug
     lines.push_back({place.on_a, place.on_b, place.distance_m, is_kept});
   }
   return lines;
-}
-
-void prepareExtras(const RenderStyle& style, const Cell& cell, const PosedScene& scene,
-                   const SessionState& state, std::optional<ClearanceGauge>& gauge,
-                   FrameExtras& extras) {
-  extras.limits.clear();
-  extras.clearances.clear();
-  if (style.limits) extras.limits = limitLevels(scene, state);
-  if (!style.clearance) return;
-  if (!gauge) gauge.emplace(cell);
-  extras.clearances = clearanceLines(cell, *gauge, state);
 }
 
 }  // namespace rocinante
