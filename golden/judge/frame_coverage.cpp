@@ -150,7 +150,7 @@ std::set<std::string> lostSince(const AcceptedPicture& accepted, const RunCovera
     if (now.judged.contains(item) || now.masked.contains(device)) continue;
     const bool judges_joints = judgesJoints(now, device);
     if (slash == std::string::npos) {
-      // Where values of it are still judged, those that are not are told.
+      // Where values of it are still judged, the others are named.
       const auto first = items.lower_bound(device + "/");
       const bool had_joints = first != items.end() && first->starts_with(device + "/");
       if (!judges_joints || !had_joints) lost.insert(item);

@@ -18,16 +18,14 @@
 namespace rocinante {
 namespace {
 
-/// Devices are judged together until they have so many packets in all sessions: 64 MB of times.
+/// Devices are judged together up to this many packets in all sessions: 64 MB of times.
 constexpr std::uint64_t kBatchRows = 8'000'000;
 
 std::set<std::string> devicesOf(const RunTimes& times) {
   std::set<std::string> names;
-  const auto add = [&](const SessionTrack& track) {
+  times.eachSession([&](const SessionTrack& track) {
     for (const auto& [name, device] : track.devices) names.insert(name);
-  };
-  for (const SessionTrack* track : times.accepted) add(*track);
-  add(times.run);
+  });
   return names;
 }
 
@@ -57,13 +55,11 @@ void judgeNewDevice(const RunTimes& times, const std::string& name, const Device
 /// they are as accepted.
 void judgeUnread(const RunTimes& times, RunJudgement& judged) {
   std::set<std::string> names;
-  const auto add = [&](const SessionTrack& track) {
+  times.eachSession([&](const SessionTrack& track) {
     for (const LeftOut& item : track.left_out.leftOut()) {
       if (item.kind == kUnreadModel) names.insert(item.name);
     }
-  };
-  for (const SessionTrack* track : times.accepted) add(*track);
-  add(times.run);
+  });
   for (const std::string& name : names) {
     const auto isIt = [&](const RunFinding& finding) { return finding.item == name; };
     if (times.spec.isMaskedThroughout(name) || std::ranges::any_of(judged.findings, isIt)) continue;
@@ -154,17 +150,15 @@ std::vector<DeviceToJudge::Item> itemsToJudge(const RunTimes& times, const std::
 
 std::uint64_t rowsOf(const RunTimes& times, const std::string& name) {
   std::uint64_t rows = 0;
-  const auto add = [&](const SessionTrack& track) {
+  times.eachSession([&](const SessionTrack& track) {
     const auto found = track.devices.find(name);
     if (found == track.devices.end()) return;
     for (const TrackSeries& series : found->second.series) rows += series.rows;
-  };
-  for (const SessionTrack* track : times.accepted) add(*track);
-  add(times.run);
+  });
   return rows;
 }
 
-/// What there is to judge; findings of devices that cannot be are added to `judged`.
+/// The devices that can be judged; findings of devices that cannot be are added to `judged`.
 std::vector<DeviceToJudge> devicesToJudge(const RunTimes& times, RunJudgement& judged) {
   std::vector<DeviceToJudge> devices;
   for (const std::string& name : devicesOf(times)) {

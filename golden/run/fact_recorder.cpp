@@ -10,7 +10,6 @@ namespace rocinante {
 namespace {
 
 std::string pathText(const Path& path) {
-  if (path.is_layer) return "layer/" + path.first;
   return path.first + (path.second.empty() ? "" : "/" + path.second);
 }
 

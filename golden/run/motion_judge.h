@@ -21,6 +21,12 @@ struct RunTimes {
   TimeMap run_map;
 
   const SessionTrack& first() const { return *accepted.front(); }
+  /// The accepted ones, then the run.
+  template <class Visit>
+  void eachSession(Visit visit) const {
+    for (const SessionTrack* track : accepted) visit(*track);
+    visit(run);
+  }
   /// How much earlier or later something may come: `event_ms`, and what a warp resolves.
   std::int64_t reachOf(const RunLimits& limits) const;
   std::int64_t end() const { return (first().end - first().start).count(); }

@@ -48,11 +48,12 @@ class ShapeReader {
 
 std::string frozenText(const MotionShape& shape, const ShapeReader& reader) {
   const double held = reader.run(static_cast<double>((shape.first + shape.last) / 2));
+  if (!std::isfinite(held)) return {};
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   std::size_t frozen = 0;
   for (std::size_t i = shape.first; i <= shape.last; ++i) {
-    if (std::abs(reader.run(static_cast<double>(i)) - held) > shape.limit / 5) continue;
+    if (!(std::abs(reader.run(static_cast<double>(i)) - held) <= shape.limit / 5)) continue;
     ++frozen;
     least = std::min(least, reader.accepted(static_cast<double>(i)));
     most = std::max(most, reader.accepted(static_cast<double>(i)));

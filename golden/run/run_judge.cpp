@@ -58,11 +58,9 @@ void addFastest(const RunTimes& times, const FastMotion& fastest, RunJudgement& 
 /// Everything that some session has facts of.
 std::set<std::string> factsOf(const RunTimes& times) {
   std::set<std::string> names;
-  const auto add = [&](const SessionTrack& track) {
+  times.eachSession([&](const SessionTrack& track) {
     for (const auto& [name, changes] : track.facts) names.insert(name);
-  };
-  for (const SessionTrack* track : times.accepted) add(*track);
-  add(times.run);
+  });
   return names;
 }
 

@@ -47,7 +47,7 @@ class JointsOverTime {
     return joints;
   }
 
-  /// Its place in the values; empty: it is no angle of the device.
+  /// Its place in the values; empty where it is not an angle of the device.
   std::optional<std::size_t> placeOf(std::string_view part) const {
     for (const auto& [column, samples] : columns_) {
       if (column.part == part && column.kind <= TrackColumn::Kind::full_angle) return column.offset;

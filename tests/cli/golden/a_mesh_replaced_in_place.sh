@@ -1,4 +1,4 @@
-# A mesh that was replaced in place is told by its groups, where the accepted log carries the cell.
+# A mesh that was replaced in place is named by its groups where the accepted log carries the cell.
 export ROCINANTE_USER=ada XDG_CACHE_HOME=$PWD/cache
 box() { # NAME: a group of its own
   printf 'g %s\n' "$1"

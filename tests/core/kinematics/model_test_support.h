@@ -26,19 +26,23 @@ inline std::string printed(const Findings& faults, const std::filesystem::path& 
   return text;
 }
 
-/// A URDF read from text named robot.urdf, with a search root of its own.
-struct ReadUrdf {
-  explicit ReadUrdf(std::string_view text) {
-    static_cast<void>(search.addRoot(folder.path()).ok());
-    MeshStore meshes(search, true);
-    model = readUrdf(bytesOf(text), folder / "robot.urdf", meshes, faults);
-  }
+/// What a test reads a model into: a folder that is its search root.
+struct ReadModel {
+  ReadModel() { static_cast<void>(search.addRoot(folder.path()).ok()); }
   std::string faultText() const { return printed(faults, folder.path()); }
 
   TemporaryFolder folder;
   FileSearch search;
   Findings faults;
   std::optional<Model> model;
+};
+
+/// A URDF read from text named robot.urdf.
+struct ReadUrdf : ReadModel {
+  explicit ReadUrdf(std::string_view text) {
+    MeshStore meshes(search, true);
+    model = readUrdf(bytesOf(text), folder / "robot.urdf", meshes, faults);
+  }
 };
 
 }  // namespace rocinante::test

@@ -20,19 +20,12 @@ inline constexpr const char* kTwoParts =
     "f 4 5 6\n";
 
 /// An SDF read from text named arm.sdf; `obj` is two.obj beside it.
-struct ReadSdf {
+struct ReadSdf : ReadModel {
   explicit ReadSdf(std::string_view text, std::string_view obj = {}) {
     if (!obj.empty()) writeFile(folder / "two.obj", std::string(obj));
-    static_cast<void>(search.addRoot(folder.path()).ok());
     MeshStore meshes(search, true);
     model = readSdf(bytesOf(text), folder / "arm.sdf", meshes, faults);
   }
-  std::string faultText() const { return printed(faults, folder.path()); }
-
-  TemporaryFolder folder;
-  FileSearch search;
-  Findings faults;
-  std::optional<Model> model;
 };
 
 }  // namespace rocinante::test

@@ -114,6 +114,24 @@ TEST_F(RunCoverageTest, ADeviceWhoseModelIsNotThereIsNeverTheSame) {
   expectSilent("masked", judgeRun(spec, {&*track}, *track));
 }
 
+/// Each layer is a fact and an item of its own.
+TEST_F(RunCoverageTest, LayersAreTakenForThemselves) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  SaidSession changed = session;
+  session.say("arm", 6, "hide layer/tanks");
+  changed.say("arm", 6, "hide layer/robots");
+  const auto accepted = trackOf(cell, session);
+  const auto run = trackOf(cell, changed);
+  ASSERT_TRUE(accepted.ok() && run.ok());
+  RunSpec spec;
+  const std::string found = textOfFindings(judgeRun(spec, {&*accepted}, *run));
+  EXPECT_NE(found.find("[layer/tanks] visibility of layer/tanks"), std::string::npos) << found;
+  EXPECT_NE(found.find("[layer/robots] visibility of layer/robots"), std::string::npos) << found;
+  spec.masks = {{"layer/tanks"}, {"layer/robots"}};
+  expectSilent("masked", judgeRun(spec, {&*accepted}, *run));
+}
+
 TEST_F(RunCoverageTest, ASecondOfSilenceIsFoundWhereverItBegins) {
   const Cell cell = cellAt(kDemo / "demo.cell.toml");
   const SaidSession session = SaidSession::read(kDemo / "session.mcap");
