@@ -18,9 +18,6 @@
 namespace rocinante {
 namespace {
 
-/// Devices are judged together up to this many packets in all sessions: 64 MB of times.
-constexpr std::uint64_t kBatchRows = 8'000'000;
-
 std::set<std::string> devicesOf(const RunTimes& times) {
   std::set<std::string> names;
   times.eachSession([&](const SessionTrack& track) {
@@ -198,12 +195,13 @@ void judgeTogether(const RunTimes& times, const ParallelFor& parallel,
 
 }  // namespace
 
-FastMotion judgeDevices(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged) {
+FastMotion judgeDevices(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged,
+                        std::uint64_t batch_rows) {
   std::vector<DeviceToJudge> devices = devicesToJudge(times, judged);
   for (auto from = devices.begin(); from != devices.end();) {
     std::uint64_t rows = 0;
     const auto until = std::find_if(from, devices.end(), [&](const DeviceToJudge& device) {
-      return std::exchange(rows, rows + device.rows) > kBatchRows;
+      return std::exchange(rows, rows + device.rows) > batch_rows;
     });
     judgeTogether(times, parallel, std::span(from, until));
     from = until;

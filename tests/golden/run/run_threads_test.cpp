@@ -4,6 +4,7 @@
 #include <atomic>
 #include <thread>
 
+#include "golden/run/device_motions.h"
 #include "golden/run/limit_suggestion.h"
 #include "tests/golden/run/demo_regressions.h"
 #include "tests/golden/run/run_test.h"
@@ -65,6 +66,28 @@ TEST_F(RunThreads, ManyJudgeAsOneDoes) {
   const std::vector<const SessionTrack*> recordings{&together[0], &together[1], &together[2]};
   EXPECT_EQ(suggestLimits(spec, recordings, byThreads).toml(spec),
             suggestLimits(spec, recordings).toml(spec));
+}
+
+/// However few packets are judged together, all of them are.
+TEST_F(RunThreads, EveryBatchIsJudged) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  const SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  SaidSession changed = session;
+  changed.joint("arm", 1, 3, 6, plus(0.1)).joint("gantry", 0, 8, 1e9, plus(0.05));
+  const auto accepted = trackOf(cell, session);
+  const auto run = trackOf(cell, changed);
+  ASSERT_TRUE(accepted.ok() && run.ok());
+  const RunSpec spec;
+  const std::vector<const SessionTrack*> tracks{&*accepted};
+  const TimeMap same{{{accepted->start, accepted->start}}};
+  const RunTimes times{spec, tracks, *run, {same}, same};
+  RunJudgement whole, by_one;
+  const FastMotion fastest = judgeDevices(times, {}, whole);
+  EXPECT_EQ(judgeDevices(times, {}, by_one, 1).item, fastest.item);
+  EXPECT_EQ(textOfFindings(by_one), textOfFindings(whole));
+  EXPECT_EQ(by_one.items, whole.items);
+  EXPECT_EQ(by_one.values, whole.values);
+  EXPECT_GE(whole.findings.size(), 2U);
 }
 
 }  // namespace
