@@ -92,12 +92,6 @@ void setModifier(ImGuiIO& io, std::size_t place, bool held) {
 #endif
 }
 
-void setModifiers(ImGuiIO& io, const std::vector<int>& held) {
-  for (std::size_t i = 0; i < kModifiers.size(); ++i) {
-    setModifier(io, i, std::ranges::binary_search(held, kModifiers[i].glfw));
-  }
-}
-
 }  // namespace
 
 void FrameInput::endFrame() {
@@ -141,14 +135,17 @@ void tellInput(ImGuiIO& io, const FrameInput& input) {
   io.MouseWheel = static_cast<float>(input.wheel);
   io.MouseWheelH = static_cast<float>(input.wheel_across);
 #endif
-  const auto tell = [&](const EditingKey& key) {
-    const bool pressed =
-        std::ranges::find(input.presses, key.glfw, &KeyPress::key) != input.presses.end();
-    setDown(io, key, pressed || std::ranges::binary_search(input.held, key.glfw));
+  // A key that went down in this frame is down in it, also one that changes what others mean.
+  const auto is_down = [&](int key) {
+    return std::ranges::binary_search(input.held, key) ||
+           std::ranges::find(input.presses, key, &KeyPress::key) != input.presses.end();
   };
+  const auto tell = [&](const EditingKey& key) { setDown(io, key, is_down(key.glfw)); };
   std::ranges::for_each(kEditingKeys, tell);
   std::ranges::for_each(kOtherKeys, tell);
-  setModifiers(io, input.held);
+  for (std::size_t i = 0; i < kModifiers.size(); ++i) {
+    setModifier(io, i, is_down(kModifiers[i].glfw));
+  }
   if (input.pasted) ImGui::SetClipboardText(input.pasted->c_str());
   if (!input.typed.empty()) io.AddInputCharactersUTF8(input.typed.c_str());
 }
