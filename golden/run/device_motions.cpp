@@ -145,6 +145,23 @@ std::vector<DeviceToJudge::Item> itemsToJudge(const RunTimes& times, const std::
   return items;
 }
 
+/// Values that the run states and no accepted session does.
+void judgeNewColumns(const RunTimes& times, const std::string& name, const DeviceTrack& own,
+                     const std::vector<TrackColumn>& accepted, RunJudgement& judged) {
+  for (const TrackColumn& column : own.columns) {
+    const std::string item = itemOf(name, column);
+    const auto isIt = [&](const TrackColumn& other) { return other.part == column.part; };
+    if (!column.is_stated || column.kind == TrackColumn::Kind::link_pose ||
+        std::ranges::any_of(accepted, isIt) || times.spec.isMaskedThroughout(item)) {
+      continue;
+    }
+    RunFinding finding = times.findingOfAll(RunFinding::Kind::fact, item);
+    finding.what = fmt::format("{}: no accepted session states {}; this one does", item,
+                               column.part.empty() ? "its pose" : "this value");
+    judged.findings.push_back(std::move(finding));
+  }
+}
+
 std::uint64_t rowsOf(const RunTimes& times, const std::string& name) {
   std::uint64_t rows = 0;
   times.eachSession([&](const SessionTrack& track) {
@@ -168,6 +185,7 @@ std::vector<DeviceToJudge> devicesToJudge(const RunTimes& times, RunJudgement& j
     } else if (own == nullptr) {
       judgeLostDevice(times, name, judged);
     } else {
+      judgeNewColumns(times, name, *own, columns, judged);
       devices.push_back({name, itemsToJudge(times, name, *own, columns, judged.coverage.left_out),
                          rowsOf(times, name)});
     }

@@ -29,7 +29,7 @@ struct TrackColumn {
   Kind kind = Kind::angle;
   std::size_t series = 0;  ///< into DeviceTrack::series
   std::size_t offset = 0;  ///< of its first number in a row
-  bool is_stated = false;  ///< it has a value somewhere
+  bool is_stated = false;  ///< packets state a value of it somewhere; until then the model's holds
 
   std::size_t width() const { return kind >= Kind::pose ? 7 : 1; }
 };

@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::string_view kTrackMagic = "rocinante track 5\n";
+constexpr std::string_view kTrackMagic = "rocinante track 6\n";
 constexpr std::size_t kChecksumBytes = 16, kSizeBytes = 8;
 constexpr std::size_t kFootBytes = kChecksumBytes + kSizeBytes;
 

@@ -90,6 +90,7 @@ Status TrackRecorder::finish() {
   leaveOutUnread();
   for (auto& [name, device] : recordings_) {
     for (const std::size_t series : {kJoints, kPose}) store(device, series);
+    keepStated(device);
   }
   auto samples = store_.finish();
   if (!samples.ok()) return samples.error();
@@ -160,6 +161,7 @@ TrackRecorder::Recording& TrackRecorder::recording(const std::string& name, cons
     column.offset = 0;
   }
   made.joint_columns = made.track->series[kJoints].width;
+  made.stated_values.resize(made.joint_columns);
   made.track->series[kPose].width = 7;
   made.has_mimics = std::ranges::any_of(model->joints,
                                         [](const Joint& joint) { return joint.mimic.has_value(); });
@@ -259,7 +261,11 @@ void TrackRecorder::addJoints(Recording& device, const DeviceState* said, LogTim
 }
 
 bool TrackRecorder::takesJoints(Recording& device, const DeviceState& said) {
-  if (said.joints) return unfit_.takesValues(device.name, *device.model, said);
+  if (said.joints) {
+    if (!unfit_.takesValues(device.name, *device.model, said)) return false;
+    std::fill(device.stated_values.begin(), device.stated_values.end(), true);
+    return true;
+  }
   // Names are looked up once, not for each packet.
   bool is_known = said.named_joints.size() == device.named.size();
   auto known = device.named.begin();
@@ -273,6 +279,7 @@ bool TrackRecorder::takesJoints(Recording& device, const DeviceState& said) {
       NamedValue& value = device.named.emplace_back(NamedValue{name, {}});
       if (const auto place = device.model->findJointValue(name)) {
         value.column = zero.first_value[place->joint] + place->component;
+        device.stated_values[*value.column] = true;
       }
     }
     unfit_.takesValues(device.name, *device.model, said);
@@ -311,6 +318,7 @@ void TrackRecorder::addPose(Recording& device, const DeviceState* said, LogTime 
   if (isAbsent(said)) return;
   Pose stated;
   if (said->pose) {
+    device.is_pose_stated = true;
     stated = said->pose->value.pose;
   } else if (const CellDevice* of_cell = cell_.findDevice(device.name)) {
     stated = of_cell->pose;
@@ -344,6 +352,34 @@ void TrackRecorder::store(Recording& device, std::size_t series) {
   store_.append(std::as_bytes(std::span(block_)));
   pending.rows = 0;
   pending.numbers.clear();
+}
+
+/// What the model or the cell has where no packet states anything is compared, but is no item.
+void TrackRecorder::keepStated(Recording& device) const {
+  const JointVector zero = zeroJoints(*device.model);
+  const std::vector<Joint>& joints = device.model->joints;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    std::size_t driver = i;
+    for (std::size_t k = 0; k < joints.size() && joints[driver].mimic; ++k) {
+      driver = joints[driver].mimic->joint;
+    }
+    if (driver == i || valueCount(joints[i].type) == 0 || valueCount(joints[driver].type) == 0) {
+      continue;
+    }
+    if (device.stated_values[zero.first_value[driver]]) {
+      device.stated_values[zero.first_value[i]] = true;
+    }
+  }
+  for (TrackColumn& column : device.track->columns) {
+    if (column.kind == TrackColumn::Kind::link_pose) continue;
+    const auto first = device.stated_values.begin() + static_cast<std::ptrdiff_t>(column.offset);
+    const bool is_stated =
+        column.series == kPose
+            ? device.is_pose_stated
+            : std::any_of(first, first + static_cast<std::ptrdiff_t>(column.width()),
+                          [](bool value) { return value; });
+    column.is_stated = column.is_stated && is_stated;
+  }
 }
 
 void TrackRecorder::noteFacts(LogTime time) {

@@ -45,6 +45,8 @@ class TrackRecorder {
     Pending pending[2];  ///< by series
     std::size_t joint_columns = 0;
     std::vector<NamedValue> named;
+    std::vector<bool> stated_values;  ///< by column: some packet states it
+    bool is_pose_stated = false;
     bool has_mimics = false;
     bool has_its_model = false;  ///< packets do not say that it is another one
     std::optional<LinkPlacer> links;
@@ -69,6 +71,7 @@ class TrackRecorder {
   void leaveOutUnstated(const Recording& device, double* row) const;
   double* nextRow(Recording& device, std::size_t series, LogTime time);
   void store(Recording& device, std::size_t series);
+  void keepStated(Recording& device) const;
   void noteFacts(LogTime time);
   void leaveOutUnread();
 

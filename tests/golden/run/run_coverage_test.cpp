@@ -43,7 +43,8 @@ TEST_F(RunCoverageTest, WhatIsNotJudgedIsNeverTheSame) {
   ASSERT_TRUE(unfit.ok());
   const RunJudgement judged = judgeRun({}, {&*accepted}, *unfit);
   ASSERT_FALSE(judged.findings.empty());
-  EXPECT_NE(judged.rule.find("arm/joint1: no"), std::string::npos) << textOfFindings(judged);
+  EXPECT_NE(judged.rule.find("arm: not judged, since it states 7 values"), std::string::npos)
+      << textOfFindings(judged);
   EXPECT_NE(whyLeftOut(judged.coverage.left_out, "arm").find("it states 7 values"),
             std::string::npos);
   // Accepted so, nothing of the joints is judged, and nobody takes it for more.
@@ -67,6 +68,39 @@ TEST_F(RunCoverageTest, WhatIsNotJudgedIsNeverTheSame) {
   EXPECT_FALSE(none.comparable) << none.rule;
   EXPECT_NE(none.rule.find("nothing was judged"), std::string::npos) << none.rule;
   EXPECT_NE(none.rule.find("`arm`"), std::string::npos) << none.rule;
+}
+
+/// A value that rests where the model has it is as good as any other.
+TEST_F(RunCoverageTest, AValueIsJudgedWhereItIsStatedAndAPoseTheSame) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  const auto saying = [&](const std::string& body) {
+    SaidSession session;
+    for (int i = 0; i < 200; ++i) {
+      session.packets.push_back({i * 0.01, "s", "RK1 s 0 -", body});
+    }
+    const auto track = trackOf(cell, session);
+    EXPECT_TRUE(track.ok());
+    return *track;
+  };
+  const SessionTrack both =
+      saying("joint arm joint1=0.5\njoint arm joint2=0\npose gantry 0 0 0 0 0 0 1\n");
+  const SessionTrack one = saying("joint arm joint1=0.5\n");
+  RunSpec spec;
+  spec.align = RunAlign::origin;
+  const RunJudgement less = judgeRun(spec, {&both}, one);
+  const std::string lost = textOfFindings(less);
+  EXPECT_NE(lost.find("arm/joint2: not judged"), std::string::npos) << lost;
+  EXPECT_NE(lost.find("gantry: not judged"), std::string::npos) << lost;
+  EXPECT_EQ(less.coverage.lost, (std::set<std::string>{"arm/joint2", "gantry"}));
+  const std::string more = textOfFindings(judgeRun(spec, {&one}, both));
+  EXPECT_NE(more.find("arm/joint2: no accepted session states this value"), std::string::npos)
+      << more;
+  EXPECT_NE(more.find("gantry: no accepted session has this device"), std::string::npos) << more;
+  const SessionTrack posed = saying("joint arm joint1=0.5\npose arm 0 0 0 0 0 0 1\n");
+  const std::string pose = textOfFindings(judgeRun(spec, {&one}, posed));
+  EXPECT_NE(pose.find("arm: no accepted session states its pose"), std::string::npos) << pose;
+  expectSilent("itself", judgeRun(spec, {&both}, both));
+  expectSilent("either", judgeRun(spec, {&both, &one}, both));
 }
 
 TEST_F(RunCoverageTest, ADeviceOfAnyAcceptedSessionIsJudged) {
