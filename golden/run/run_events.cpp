@@ -152,6 +152,32 @@ class EventJudge {
     add(std::move(finding));
   }
 
+  /// The event where the run has it in another order.
+  const Event* nearest(const Event& event, LogTime expected) const {
+    const Event* found = nullptr;
+    for (const Event& other : found_.run.only_b) {
+      if (other.text != event.text || other.source != event.source) continue;
+      if (std::ranges::find(told_, &other) != told_.end()) continue;
+      if (found == nullptr ||
+          std::chrono::abs(other.time - expected) < std::chrono::abs(found->time - expected)) {
+        found = &other;
+      }
+    }
+    return found;
+  }
+
+  /// Whether it comes within `event_ms` of where it is expected, so that only events of other
+  /// sources changed places with it: their order is that of arrival.
+  bool isSoon(const Event& moved, LogTime expected) const {
+    const Nanoseconds limit(std::llround(spec_.limitsOf(itemOf(moved)).event_ms * 1e6));
+    if (std::chrono::abs(moved.time - expected) > limit) return false;
+    const auto [from, until] = std::minmax(moved.time, expected);
+    return std::ranges::none_of(run_.events, [&](const Event& other) {
+      return other.source == moved.source && other.text != moved.text && other.time >= from &&
+             other.time <= until;
+    });
+  }
+
   void judgeMissing() {
     for (std::size_t i = 0; i < first_.events.size(); ++i) {
       const bool is_common =
@@ -160,15 +186,17 @@ class EventJudge {
       const Event& event = first_.events[i];
       const LogTime expected = found_.run_map.inRun(event.time);
       RunFinding finding = findingAt(event, event.time, expected);
-      const auto moved = std::ranges::find_if(found_.run.only_b, [&](const Event& other) {
-        return other.text == event.text && other.source == event.source;
-      });
-      if (moved != found_.run.only_b.end()) {
+      const Event* const moved = nearest(event, expected);
+      if (moved != nullptr && isSoon(*moved, expected)) {
+        told_.push_back(moved);
+        continue;
+      }
+      if (moved != nullptr) {
         finding.first_run = finding.at_run = moved->time - run_.origin;
         finding.what = fmt::format("event \"{}\" of {} is out of order: at {} (accepted {})",
                                    event.text, event.source, timeText(finding.first_run),
                                    timeText(finding.first_accepted));
-        told_.push_back(&*moved);
+        told_.push_back(moved);
       } else {
         // Before the log begins nothing is known.
         if (expected < run_.start) continue;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -76,6 +77,28 @@ void judgeShare(const RunTimes& times, RunJudgement& judged) {
   judged.findings.push_back(std::move(finding));
 }
 
+/// A log that ends early is the cause of what is missing after its end, and of what stands still
+/// there.
+void judgeEnd(const RunTimes& times, std::vector<RunFinding>& findings) {
+  const Nanoseconds short_by(times.end() - times.runEnd());
+  if (short_by <= kTellsOfMore) return;
+  const Nanoseconds from = times.sinceOrigin(times.runEnd()) - kInterpolated;
+  std::optional<Nanoseconds> first;
+  for (const RunFinding& finding : findings) {
+    const bool has_time = finding.kind >= RunFinding::Kind::event;
+    if (!has_time && finding.item == "session") return;  // judgeShare() has told it
+    if (!has_time || finding.first_accepted < from) continue;
+    first = std::min(first.value_or(finding.first_accepted), finding.first_accepted);
+  }
+  if (!first) return;
+  RunFinding finding = times.findingOfAll(RunFinding::Kind::rate, "session");
+  finding.first_accepted = finding.at_accepted = *first;
+  finding.first_run = finding.at_run = times.sinceRunOrigin(times.runEnd());
+  finding.sorts_at = *first - Nanoseconds(1);
+  finding.what = fmt::format("the log ends {:.1f} s before the accepted one", secondsOf(short_by));
+  findings.push_back(std::move(finding));
+}
+
 void judgeMotion(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged) {
   judgeShare(times, judged);
   addFastest(times, judgeDevices(times, parallel, judged), judged);
@@ -84,6 +107,7 @@ void judgeMotion(const RunTimes& times, const ParallelFor& parallel, RunJudgemen
     judgeFact(times, fact, judged.findings);
     ++judged.items;
   }
+  judgeEnd(times, judged.findings);
 }
 
 /// By what may have caused what: see RunFinding::sorts_at.

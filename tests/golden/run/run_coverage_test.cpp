@@ -148,6 +148,44 @@ TEST_F(RunCoverageTest, ADeviceWhoseModelIsNotThereIsNeverTheSame) {
   expectSilent("masked", judgeRun(spec, {&*track}, *track));
 }
 
+/// Which of two sources is heard first, nobody can say; in which order one speaks, everybody.
+TEST_F(RunCoverageTest, EventsOfTwoSourcesMayChangePlacesWithinTheLimit) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  const auto with = [&](double a, double b, const char* other) {
+    SaidSession session = SaidSession::read(kDemo / "session.mcap");
+    session.say("planner", a, "event \"one\"");
+    session.say(other, b, "event \"two\"");
+    const auto track = trackOf(cell, session);
+    EXPECT_TRUE(track.ok());
+    return *track;
+  };
+  const SessionTrack first = with(6.000, 6.005, "arm");
+  expectSilent("of two sources", judgeRun({}, {&first}, with(6.005, 6.000, "arm")));
+  const std::string far = textOfFindings(judgeRun({}, {&first}, with(6.4, 6.0, "arm")));
+  EXPECT_NE(far.find("out of order"), std::string::npos) << far;
+  const SessionTrack alone = with(6.000, 6.005, "planner");
+  const std::string same = textOfFindings(judgeRun({}, {&alone}, with(6.005, 6.000, "planner")));
+  EXPECT_NE(same.find("out of order"), std::string::npos) << same;
+}
+
+TEST_F(RunCoverageTest, TheEndOfALogComesBeforeWhatItCauses) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  const SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  const auto accepted = trackOf(cell, session);
+  SaidSession cut = session;
+  std::erase_if(cut.packets, [](const SaidSession::Said& said) { return said.at_s > 13; });
+  const auto run = trackOf(cell, cut);
+  ASSERT_TRUE(accepted.ok() && run.ok());
+  const RunJudgement judged = judgeRun({}, {&*accepted}, *run);
+  EXPECT_TRUE(judged.rule.starts_with("the log ends 7.0 s before the accepted one"))
+      << textOfFindings(judged);
+  // What was different before it is told before it.
+  cut.joint("gantry", 0, 5, 6, plus(0.1));
+  const auto moved = trackOf(cell, cut);
+  ASSERT_TRUE(moved.ok());
+  EXPECT_TRUE(judgeRun({}, {&*accepted}, *moved).rule.starts_with("gantry/x: "));
+}
+
 /// Each layer is a fact and an item of its own.
 TEST_F(RunCoverageTest, LayersAreTakenForThemselves) {
   const Cell cell = cellAt(kDemo / "demo.cell.toml");
