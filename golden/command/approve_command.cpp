@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <iostream>
 #include <optional>
+#include <set>
 
 #include "core/base/atomic_file.h"
 #include "golden/approval/approval.h"
 #include "golden/approval/approval_list.h"
 #include "golden/command/approve_artifact.h"
 #include "golden/command/approve_run.h"
+#include "golden/suite/suite_neighbours.h"
 #include "golden/why/frame_explainer.h"
 
 namespace rocinante {
@@ -86,6 +88,7 @@ class Approver {
       : session_(session),
         arguments_(arguments),
         list_(std::move(list)),
+        neighbours_(neighboursOf(session.suite())),
         approval_(session.folder(), session.manifest()),
         by_(userName()),
         at_(nowText()) {
@@ -182,8 +185,15 @@ class Approver {
       return {};
     }
     told_.push_back(frame.name);
+    tellOfShared(*frame.suite_case);
     ++counts_.approved;
     return {};
+  }
+
+  /// Once for each case.
+  void tellOfShared(const SuiteCase& made) {
+    const std::string shared = sharedGolden(neighbours_, GoldenKind::picture, made.name);
+    if (!shared.empty() && told_shared_.insert(shared).second) cli::warn(shared);
   }
 
   Error interrupted() const {
@@ -202,6 +212,8 @@ class Approver {
   SuiteSession& session_;
   const ApproveArguments& arguments_;
   std::optional<ApprovalList> list_;
+  std::vector<Suite> neighbours_;
+  std::set<std::string> told_shared_;
   Approval approval_;
   std::string by_, at_;
   Counts counts_;

@@ -15,6 +15,7 @@
 #include "golden/judge/suite_runs.h"
 #include "golden/report/report.h"
 #include "golden/run/track_cache.h"
+#include "golden/suite/suite_neighbours.h"
 #include "golden/why/accepted_cells.h"
 #include "golden/why/file_change.h"
 #include "golden/why/frame_explainer.h"
@@ -159,6 +160,9 @@ Result<cli::Exit> approveOneRun(const ApproveArguments& arguments, const std::st
              listed.empty() ? log->recording.string() : "its log",
              *approved == RunApproved::added ? "accepted" : "was accepted already", run->name,
              session->suite().goldens.lexically_normal().string());
+  const std::string shared =
+      sharedGolden(neighboursOf(session->suite()), GoldenKind::run, run->name);
+  if (!shared.empty()) cli::warn(shared);
   const bool is_first = arguments.replace || session->manifest().runsOf(run->name).empty();
   if (is_first && !hasLimits(run->spec)) {
     fmt::print(

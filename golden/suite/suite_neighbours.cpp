@@ -1,8 +1,11 @@
 #include "golden/suite/suite_neighbours.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/plain_text.h"
 #include "golden/suite/suite_plan.h"
 
 namespace rocinante {
@@ -57,6 +60,22 @@ std::vector<Suite> neighboursOf(const Suite& suite) {
     }
   }
   return neighbours;
+}
+
+std::string sharedGolden(const std::vector<Suite>& neighbours, GoldenKind kind,
+                         std::string_view name) {
+  const auto has = [&](const auto& list) {
+    return std::ranges::any_of(list, [&](const auto& one) { return one.name == name; });
+  };
+  for (const Suite& other : neighbours) {
+    if (!(kind == GoldenKind::run ? has(other.runs) : has(other.cases))) continue;
+    return fmt::format(
+        "{} {} of {} has the same goldens; a suite has its own with `goldens = "
+        "\"FOLDER\"`",
+        kind == GoldenKind::run ? "run" : "case", plainText(name),
+        plainText(other.file.filename().string()));
+  }
+  return {};
 }
 
 bool mayHaveFrame(const Suite& suite, std::string_view name) {

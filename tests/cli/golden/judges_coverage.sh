@@ -43,3 +43,4 @@ sed 's/^mask.*/align = "origin"/' runs.toml >origin.toml
 rocinante golden approve origin.toml --run lift -m x --log degrees.mcap || echo "exit $?"
 rocinante golden approve origin.toml --run lift -m "as it is" --log degrees.mcap --anyway >said.txt 2>&1 || echo "exit $?"
 tail -1 said.txt
+grep 'has the same goldens' said.txt
