@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// A judged frame as bytes, for another process of the same build; not a file format. Data that the
-/// receiver has from its own suite (the frame, its limits and expectation) is left out.
+/// A judged frame as bytes, for another process of the same build; not a file format. The frame,
+/// which the receiver has from its own suite, and why it differs are left out.
 Bytes wireBytes(const JudgedFrame& judged);
 /// Fills in what wireBytes() wrote. damaged when the bytes are invalid; `judged` is then
 /// unspecified.

@@ -3,184 +3,54 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
-#include <type_traits>
 
 #include "core/base/hash.h"
+#include "core/report/account_wire.h"
 
 namespace rocinante {
-namespace {
 
-constexpr std::string_view kTrackMagic = "rocinante track 6\n";
-constexpr std::size_t kChecksumBytes = 16, kSizeBytes = 8;
-constexpr std::size_t kFootBytes = kChecksumBytes + kSizeBytes;
-
-/// Visits the fields of a track; `Wire` reads or writes.
-template <class Wire, class Track>
-void trackFields(Wire& wire, Track& track) {
-  wire.item(track.origin);
-  wire.item(track.start);
-  wire.item(track.end);
-  wire.item(track.devices);
-  wire.item(track.facts);
-  wire.item(track.events);
-  wire.item(track.left_out);
+template <class Fields>
+void fields(Fields& io, Taken<Fields, TrackColumn>& column) {
+  auto& [part, kind, series, offset, is_stated] = column;
+  io(part, kind, series, offset, is_stated);
 }
 
-class TrackWriter {
- public:
-  template <class T>
-  requires std::is_trivially_copyable_v<T>
-  void item(const T& value) { append(&value, sizeof value); }
-  void item(const std::string& text) {
-    item(static_cast<std::uint64_t>(text.size()));
-    append(text.data(), text.size());
-  }
-  template <class T>
-  void item(const std::vector<T>& values) {
-    item(static_cast<std::uint64_t>(values.size()));
-    if constexpr (std::is_arithmetic_v<T>) {
-      append(values.data(), values.size() * sizeof(T));
-    } else {
-      for (const T& value : values) item(value);
-    }
-  }
-  template <class T>
-  void item(const std::map<std::string, T, std::less<>>& values) {
-    item(static_cast<std::uint64_t>(values.size()));
-    for (const auto& [name, value] : values) {
-      item(name);
-      item(value);
-    }
-  }
-  void item(const Account& account) { item(accountLines(account)); }
-  void item(const TrackColumn& column) {
-    item(column.part);
-    item(column.kind);
-    item(column.series);
-    item(column.offset);
-    item(column.is_stated);
-  }
-  void item(const TrackSeries& series) {
-    item(series.width);
-    item(series.rows);
-    item(series.blocks);
-  }
-  void item(const DeviceTrack& device) {
-    item(device.columns);
-    item(device.series);
-    item(device.updates);
-  }
-  void item(const FactChange& change) {
-    item(change.at);
-    item(change.text);
-    item(change.shape);
-    item(change.is_restated);
-  }
-  void item(const Event& event) {
-    item(event.time);
-    item(event.source);
-    item(event.text);
-  }
-  Bytes bytes;
+template <class Fields>
+void fields(Fields& io, Taken<Fields, TrackSeries>& series) {
+  auto& [width, rows, blocks] = series;
+  io(width, rows, blocks);
+}
 
- private:
-  void append(const void* data, std::size_t size) {
-    const auto* begin = static_cast<const std::byte*>(data);
-    bytes.insert(bytes.end(), begin, begin + size);
-  }
-};
+template <class Fields>
+void fields(Fields& io, Taken<Fields, DeviceTrack>& device) {
+  auto& [columns, series, updates] = device;
+  io(columns, series, updates);
+}
 
-class TrackReader {
- public:
-  explicit TrackReader(ByteView bytes) : bytes_(bytes) {}
+template <class Fields>
+void fields(Fields& io, Taken<Fields, FactChange>& change) {
+  auto& [at, text, shape, is_restated] = change;
+  io(at, text, shape, is_restated);
+}
 
-  template <class T>
-  requires std::is_trivially_copyable_v<T>
-  void item(T& value) { take(&value, sizeof value); }
-  void item(std::string& text) {
-    text.resize(count(1));
-    take(text.data(), text.size());
-  }
-  template <class T>
-  void item(std::vector<T>& values) {
-    if constexpr (std::is_arithmetic_v<T>) {
-      const std::size_t size = count(sizeof(T)) * sizeof(T);
-      if (!sound_ || size == 0) return;
-      // Not resized first: zeros would be written before what is there.
-      const ByteView taken = bytes_.first(size);
-      values.reserve(size / sizeof(T));
-      for (std::size_t at = 0; at < size; at += sizeof(T)) {
-        T value;
-        std::memcpy(&value, taken.data() + at, sizeof value);
-        values.push_back(value);
-      }
-      bytes_ = bytes_.subspan(size);
-    } else {
-      values.resize(count(8));
-      for (T& value : values) item(value);
-    }
-  }
-  template <class T>
-  void item(std::map<std::string, T, std::less<>>& values) {
-    for (std::size_t i = count(8); i > 0 && sound_; --i) {
-      std::string name;
-      item(name);
-      item(values[name]);
-    }
-  }
-  void item(Account& account) {
-    std::string lines;
-    item(lines);
-    account = accountOfLines(lines);
-  }
-  void item(TrackColumn& column) {
-    item(column.part);
-    item(column.kind);
-    item(column.series);
-    item(column.offset);
-    item(column.is_stated);
-  }
-  void item(TrackSeries& series) {
-    item(series.width);
-    item(series.rows);
-    item(series.blocks);
-  }
-  void item(DeviceTrack& device) {
-    item(device.columns);
-    item(device.series);
-    item(device.updates);
-  }
-  void item(FactChange& change) {
-    item(change.at);
-    item(change.text);
-    item(change.shape);
-    item(change.is_restated);
-  }
-  void item(Event& event) {
-    item(event.time);
-    item(event.source);
-    item(event.text);
-  }
-  bool readAll() const { return sound_ && bytes_.empty(); }
+template <class Fields>
+void fields(Fields& io, Taken<Fields, Event>& event) {
+  auto& [time, source, text] = event;
+  io(time, source, text);
+}
 
- private:
-  /// Bounded by what remains: each item takes at least `least_bytes`.
-  std::size_t count(std::size_t least_bytes) {
-    std::uint64_t many = 0;
-    item(many);
-    if (many > bytes_.size() / least_bytes) sound_ = false;
-    return sound_ ? static_cast<std::size_t>(many) : 0;
-  }
-  void take(void* data, std::size_t size) {
-    if (size > bytes_.size()) sound_ = false;
-    if (!sound_ || size == 0) return;
-    std::memcpy(data, bytes_.data(), size);
-    bytes_ = bytes_.subspan(size);
-  }
+/// Its samples lie apart.
+template <class Fields>
+void fields(Fields& io, Taken<Fields, SessionTrack>& track) {
+  auto& [origin, start, end, devices, facts, events, left_out, samples] = track;
+  io(origin, start, end, devices, facts, events, left_out);
+}
 
-  ByteView bytes_;
-  bool sound_ = true;
-};
+namespace {
+
+constexpr std::string_view kTrackMagic = "rocinante track 7";
+constexpr std::size_t kChecksumBytes = 16, kSizeBytes = 8;
+constexpr std::size_t kFootBytes = kChecksumBytes + kSizeBytes;
 
 /// True when the blocks of a series lie within `bytes` of samples.
 bool isSound(const TrackSeries& series, std::uint64_t bytes) {
@@ -215,18 +85,16 @@ bool isSound(const SessionTrack& track, std::uint64_t bytes) {
 }  // namespace
 
 Bytes encodeTrackTail(const SessionTrack& track, std::string_view key) {
-  TrackWriter writer;
-  const auto head = bytesOf(kTrackMagic);
-  writer.bytes.assign(head.begin(), head.end());
-  writer.item(std::string(key));
-  trackFields(writer, track);
-  writer.item(static_cast<std::uint64_t>(track.samples->view().size()));
+  StructWriter writer;
+  writer(std::string(kTrackMagic), std::string(key), track,
+         std::uint64_t{track.samples->view().size()});
+  Bytes bytes = writer.take();
   Xxh3 hash;
   hash.add(track.samples->view());
-  hash.add(writer.bytes);
+  hash.add(bytes);
   const auto checksum = hash.digest();
-  writer.bytes.insert(writer.bytes.end(), checksum.begin(), checksum.end());
-  return std::move(writer.bytes);
+  bytes.insert(bytes.end(), checksum.begin(), checksum.end());
+  return bytes;
 }
 
 std::optional<SessionTrack> decodeTrack(MappedFile file, std::string_view key) {
@@ -236,18 +104,13 @@ std::optional<SessionTrack> decodeTrack(MappedFile file, std::string_view key) {
   if (!std::ranges::equal(xxh3(content), bytes.last(kChecksumBytes))) return std::nullopt;
   std::uint64_t samples = 0;
   std::memcpy(&samples, content.last(kSizeBytes).data(), kSizeBytes);
-  const auto head = bytesOf(kTrackMagic);
   if (samples > content.size() - kSizeBytes) return std::nullopt;
-  const ByteView tail = content.subspan(samples, content.size() - kSizeBytes - samples);
-  if (tail.size() < head.size() || !std::ranges::equal(tail.first(head.size()), head)) {
-    return std::nullopt;
-  }
-  TrackReader reader(tail.subspan(head.size()));
-  std::string its_key;
-  reader.item(its_key);
-  if (its_key != key) return std::nullopt;
+  StructReader reader(content.subspan(samples, content.size() - kSizeBytes - samples));
+  std::string magic, its_key;
+  reader(magic, its_key);
+  if (magic != kTrackMagic || its_key != key) return std::nullopt;
   SessionTrack track;
-  trackFields(reader, track);
+  reader(track);
   if (!reader.readAll() || !isSound(track, samples)) return std::nullopt;
   track.samples = std::make_shared<const SampleBytes>(std::move(file), samples);
   return track;

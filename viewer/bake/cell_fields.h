@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
+#include "core/base/struct_wire.h"
 #include "core/cell/cell.h"
 
 // What the structs of a cell consist of, in the order of docs/baked-cell.md; for FieldWriter and
@@ -10,10 +10,6 @@
 // the struct does not compile here until it is baked too (and BakedFile::kFormat counted up).
 
 namespace rocinante {
-
-/// `Struct` as `Fields` needs it: a reader changes it.
-template <class Fields, class Struct>
-using Taken = std::conditional_t<Fields::kReads, Struct, const Struct>;
 
 inline std::uint8_t enumeratorCount(InsetCorner) { return 4; }
 inline std::uint8_t enumeratorCount(CollisionLook) { return 3; }

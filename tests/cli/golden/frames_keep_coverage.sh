@@ -88,3 +88,14 @@ echo "-- a revision that judges less"
 git add goldens && git -c user.name=a -c user.email=a@b commit -qm new
 cp old/manifest.json goldens
 golden diff HEAD suite.toml | sed 's/ on 20[^ ]*Z//'
+echo "-- two processes say what one says"
+for jobs in 1 2; do golden run suite.toml --jobs $jobs --json jobs_$jobs.json >jobs_$jobs.txt 2>&1 || true; done
+diff jobs_1.txt jobs_2.txt
+python3 - <<'PYTHON'
+import json, re
+def told(jobs):
+    text = re.sub(r'("\w*_ms": |"\w*_at": |"\w*seconds": )[^,\n]*', r"\1", open(f"jobs_{jobs}.json").read())
+    return [line for line in text.splitlines() if '"jobs"' not in line]
+one, two = told(1), told(2)
+print(len(one) > 100, [pair for pair in zip(one, two) if pair[0] != pair[1]])
+PYTHON

@@ -497,6 +497,7 @@ TEST_F(FrameJudgeTest, PassesBetweenProcessesWhole) {
   manifest_.accept("pick", accepted);
   covered_.emplace().judged = {"arm"};
   covered_->masked = {"hood"};
+  covered_->unstated = {"arm/elbow"};
   covered_->left_out.leaveOut({.kind = "value", .name = "lamp", .reason = "dark", .count = 3});
   Picture drawn = evenPicture(10);
   setPixel(drawn, 3, 3, 99);
@@ -515,6 +516,9 @@ TEST_F(FrameJudgeTest, PassesBetweenProcessesWhole) {
   EXPECT_EQ(received.coverage->judged, sent.coverage->judged);
   EXPECT_EQ(received.coverage->lost, std::set<std::string>{"lamp"});
   EXPECT_EQ(received.coverage->masked, sent.coverage->masked);
+  EXPECT_EQ(received.coverage->unstated, sent.coverage->unstated);
+  EXPECT_EQ(received.limit_from, sent.limit_from);
+  EXPECT_EQ(received.own_masks, sent.own_masks);
   EXPECT_EQ(accountLines(received.coverage->left_out), accountLines(sent.coverage->left_out));
   EXPECT_EQ(received.drawn, sent.drawn);
   EXPECT_EQ(received.accepted, sent.accepted);
