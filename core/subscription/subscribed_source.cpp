@@ -1,10 +1,9 @@
 #include "core/subscription/subscribed_source.h"
 
-#include <sys/random.h>
-
 #include <chrono>
 #include <utility>
 
+#include "core/base/random_id.h"
 namespace rocinante {
 namespace {
 
@@ -12,14 +11,6 @@ namespace {
 constexpr int kBatches = 16;
 
 SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
-
-std::uint64_t randomNumber() {
-  std::uint64_t number = 0;
-  // Eight bytes come whole, unless a signal interrupts the wait of a system that has just booted.
-  while (::getrandom(&number, sizeof number, 0) != static_cast<ssize_t>(sizeof number)) {
-  }
-  return number;
-}
 
 }  // namespace
 

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <sys/random.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -10,8 +9,8 @@
 #include <cstdio>
 
 #include "core/base/duration_text.h"
-#include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/base/random_id.h"
 #include "core/cli/no_wait.h"
 #include "core/cli/program.h"
 #include "player/relay/relay_program.h"
@@ -206,16 +205,10 @@ Status readEndpoints(const std::vector<std::string>& texts, std::vector<Endpoint
   return {};
 }
 
-std::string randomName() {
-  std::array<unsigned char, 2> random{};
-  if (::getrandom(random.data(), random.size(), 0) != 2) random[0] = 1;
-  return hexOf(std::as_bytes(std::span(random)));
-}
-
 std::string defaultName() {
   std::array<char, 200> host{};
-  if (::gethostname(host.data(), host.size() - 1) != 0 || host[0] == 0) return randomName();
-  return std::string(host.data()) + "-" + randomName();
+  if (::gethostname(host.data(), host.size() - 1) != 0 || host[0] == 0) return randomId(2);
+  return std::string(host.data()) + "-" + randomId(2);
 }
 
 Result<RelayProgramOptions> readOptions(const Arguments& my) {
@@ -243,7 +236,7 @@ Result<RelayProgramOptions> readOptions(const Arguments& my) {
   const bool named = options.name.size() <= 200 && options.name.find(':') == std::string::npos &&
                      options.name == plainText(options.name);
   if (!named) return bad("--name is at most 200 bytes of text without a colon", options.name);
-  options.run = randomName();
+  options.run = randomId(5);
   if (!my.decoders.empty()) {
     auto decoders = decode::readDecoders(my.decoders);
     if (!decoders) return decoders.error();

@@ -1,16 +1,14 @@
 #include "recorder/capture/record_sink.h"
 
 #include <fmt/format.h>
-#include <sys/random.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 
-#include "core/base/hash.h"
+#include "core/base/random_id.h"
 #include "core/base/size_text.h"
 #include "core/recording/record_path.h"
 #include "recorder/pieces/piece_maker.h"
@@ -25,16 +23,6 @@ constexpr std::uint64_t kChunksInPiece = 16;
 constexpr std::uint64_t kLeastChunkBytes = 4'096;
 /// Pieces per disk quota: deleting the oldest loses a small part of the whole.
 constexpr std::uint64_t kPiecesInQuota = 8;
-
-std::string newSessionId() {
-  std::array<std::byte, 16> bytes{};
-  // 16 bytes are read whole or not at all; only early boot makes it wait.
-  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-    std::memcpy(bytes.data(), &now, sizeof now);
-  }
-  return hexOf(bytes);
-}
 
 std::uint64_t cellBytes(const RecordOptions& options) {
   std::uint64_t bytes = 0;
@@ -111,7 +99,7 @@ Result<RecordSink> makeSink(const RecordOptions& options, LogTime now, NoteBox& 
     making.writing.chunk_bytes =
         std::min(making.writing.chunk_bytes, static_cast<std::size_t>(wanted));
   }
-  making.session_id = newSessionId();
+  making.session_id = randomId(16);
   making.cell = options.cell;
   making.attach_once = options.attach_once;
   making.decoders = options.decoders;

@@ -2,17 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <memory>
 #include <utility>
 
-#include "core/base/hash.h"
+#include "core/base/random_id.h"
 #include "core/base/size_text.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/check/log_account.h"
@@ -71,12 +69,6 @@ class OpenLog {
   std::uint64_t size_ = 0;
 };
 
-std::string randomText() {
-  std::array<unsigned char, 4> random{};
-  if (::getrandom(random.data(), random.size(), 0) != 4) random[0] = 1;
-  return hexOf(std::as_bytes(std::span(random)));
-}
-
 Result<Cell> loadServedCell(const ServeRequest& request, const ServeSurroundings& surroundings) {
   CellOptions options;
   static_cast<ModelSearch&>(options) = request;
@@ -118,7 +110,7 @@ Result<std::unique_ptr<LiveSession>> listen(const ServeRequest& request, const C
   auto feed = Feed::start(std::move(options), [&server] { server.wake(); });
   if (!feed) return feed.error();
   LiveHub::Options hub;
-  hub.run = randomText();
+  hub.run = randomId(5);
   hub.name = "serve-" + hub.run;
   hub.rate_hz = request.rate_hz;
   return std::make_unique<LiveSession>(std::move(*feed), std::move(hub), cell);

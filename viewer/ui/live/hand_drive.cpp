@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/plain_text.h"
+#include "core/base/random_id.h"
 #include "core/packet/packet_text.h"
 #include "core/packet/restatement.h"
 #include "core/transport/open_sink.h"
@@ -46,7 +47,7 @@ Result<HandDrive> HandDrive::open(const Endpoint& to, const DriveSettings& setti
 Result<HandDrive> HandDrive::into(std::unique_ptr<DatagramSink> sink,
                                   const DriveSettings& settings) {
   DriveSettings own = settings;
-  if (own.run.empty()) own.run = SendingSource::freshRun();
+  if (own.run.empty()) own.run = randomId(5);
   if (own.source.empty() || own.source.size() > kMostBytes ||
       !isReadable(PacketTextWriter(headerOf(own, 0, WallTime{})).text())) {
     return Error{ErrorKind::bad_argument,

@@ -1,13 +1,11 @@
 #include "viewer/ui/live/kept_pieces.h"
 
 #include <fmt/format.h>
-#include <sys/random.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "core/base/hash.h"
+#include "core/base/random_id.h"
 #include "core/foreign/decode/carried_decoders.h"
 #include "core/log/log_profile.h"
 
@@ -18,13 +16,6 @@ constexpr std::uint64_t kPieces = 10;
 /// A restatement is abandoned after a second, so only an unbroken chain of them delays a seam
 /// longer.
 constexpr Nanoseconds kMaxWait = std::chrono::seconds(1);
-
-std::string newSessionId() {
-  std::array<std::byte, 16> bytes{};
-  // 16 bytes are read whole or not at all.
-  (void)!::getrandom(bytes.data(), bytes.size(), 0);
-  return hexOf(bytes);
-}
 
 RetentionLimits retentionOf(const KeepLimits& limits) {
   RetentionLimits kept;
@@ -40,7 +31,7 @@ KeptPieces::KeptPieces(std::filesystem::path folder, const KeepLimits& limits,
     : folder_(std::move(folder)),
       limits_(limits),
       decoders_(std::move(decoders)),
-      session_id_(newSessionId()),
+      session_id_(randomId(16)),
       retention_(retentionOf(limits)) {}
 
 std::filesystem::path KeptPieces::first() const {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <random>
 #include <utility>
 
 #include "core/base/bytes.h"
 #include "core/base/plain_text.h"
+#include "core/base/random_id.h"
 #include "core/packet/packet_text.h"
 #include "core/transport/open_sink.h"
 
@@ -19,11 +19,6 @@ constexpr Nanoseconds kLongestPause = std::chrono::milliseconds(80);
 
 }  // namespace
 
-std::string SendingSource::freshRun() {
-  std::random_device random;
-  return fmt::format("{:08x}{:02x}", random(), random() & 0xFFU);
-}
-
 Result<SendingSource> SendingSource::open(const Endpoint& to, const SendingSettings& settings) {
   auto sink = openSink(to);
   if (!sink) return sink.error();
@@ -33,7 +28,7 @@ Result<SendingSource> SendingSource::open(const Endpoint& to, const SendingSetti
 Result<SendingSource> SendingSource::into(std::unique_ptr<DatagramSink> sink,
                                           const SendingSettings& settings) {
   auto trouble = std::make_unique<std::string>();
-  const std::string run = settings.run.empty() ? freshRun() : settings.run;
+  const std::string run = settings.run.empty() ? randomId(5) : settings.run;
   SourceSettings how;
   how.source = settings.source;
   how.run = run;

@@ -25,8 +25,6 @@ class SendingSource {
  public:
   /// At most this often is what changed sent.
   static constexpr Nanoseconds kPeriod{1'000'000'000 / 30};
-  /// A RUN, different at each start, so that receivers can tell a restart from late packets.
-  static std::string freshRun();
 
   /// Fails as openSink() does; bad_argument for an invalid SOURCE.
   static Result<SendingSource> open(const Endpoint& to, const SendingSettings& settings);
