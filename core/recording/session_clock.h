@@ -14,9 +14,12 @@ struct ClockReading {
   SteadyTime after;
 };
 
+/// The clocks, read at almost one moment: the narrowest of a few readings.
+ClockReading readClocks();
+
 /// The session's own steady time line: the wall time of the first reading, plus the steady time
 /// since. Later changes of the wall clock do not affect it (docs/log-format.md, "Time and order").
-/// Pure: readings come from outside.
+/// Readings come from outside.
 class SessionClock {
  public:
   explicit SessionClock(const ClockReading& first);

@@ -4,27 +4,6 @@
 #include "recorder/pieces/thread_without_signals.h"
 
 namespace rocinante {
-namespace {
-
-constexpr Nanoseconds kNarrowLook = std::chrono::microseconds(2);
-
-}  // namespace
-
-ClockReading readClocks() {
-  // An interrupted reading measures the offset poorly.
-  ClockReading best{};
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    ClockReading reading;
-    reading.before = std::chrono::steady_clock::now();
-    reading.wall = std::chrono::time_point_cast<Nanoseconds>(std::chrono::system_clock::now());
-    reading.after = std::chrono::steady_clock::now();
-    const bool narrower = reading.after - reading.before < best.after - best.before;
-    if (attempt == 0 || narrower) best = reading;
-    if (best.after - best.before <= kNarrowLook) break;
-  }
-  return best;
-}
-
 Reception::Reception(const std::vector<DatagramSource*>& sources, InputLoop& loop)
     : sources_(sources),
       loop_(loop),

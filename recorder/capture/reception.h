@@ -14,9 +14,6 @@
 
 namespace rocinante {
 
-/// The clocks, read at almost one moment: the narrowest of a few readings.
-ClockReading readClocks();
-
 /// The receiving half of a recording: a thread that moves datagrams into a HandOver during the
 /// whole lifetime of this object.
 class Reception {

@@ -29,7 +29,6 @@ constexpr int kPollMs = 10, kSilentPollMs = 100;
 constexpr std::size_t kSampleBytes = 24;
 /// One endpoint under a flood must not keep the others waiting.
 constexpr int kBatchesATurn = 64;
-constexpr Nanoseconds kNarrowLook = std::chrono::microseconds(2);
 
 /// Datagrams of the last second, in tenths.
 class RateMeter {
@@ -57,21 +56,6 @@ class RateMeter {
   std::array<std::uint64_t, kTenths> counts_{};
   std::int64_t newest_ = 0;
 };
-
-/// The clocks, read at almost one moment: the narrowest of a few readings.
-ClockReading readClocks() {
-  ClockReading best{};
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    ClockReading reading;
-    reading.before = std::chrono::steady_clock::now();
-    reading.wall = std::chrono::time_point_cast<Nanoseconds>(std::chrono::system_clock::now());
-    reading.after = std::chrono::steady_clock::now();
-    const bool narrower = reading.after - reading.before < best.after - best.before;
-    if (attempt == 0 || narrower) best = reading;
-    if (best.after - best.before <= kNarrowLook) break;
-  }
-  return best;
-}
 
 SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
 
