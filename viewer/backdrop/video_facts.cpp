@@ -72,7 +72,7 @@ Result<VideoFacts> parseVideoFacts(std::string_view text) {
   }
   if (facts.width < 1 || facts.height < 1 || facts.width > kMaxLensSide ||
       facts.height > kMaxLensSide || facts.width > kMaxLensPixels / facts.height) {
-    return badVideo(fmt::format("pictures of {}x{} are no backdrop: at most 7680x4320", facts.width,
+    return badVideo(fmt::format("the video is {}x{}; at most 7680x4320 is supported", facts.width,
                                 facts.height));
   }
   std::ranges::sort(facts.times);

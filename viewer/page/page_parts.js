@@ -75,7 +75,7 @@ function readLog(viewer, say) {
   const size = Number(piece.dataset.bytes);
   if (!(size >= 0)) throw fault("the page's log was changed");
   const log = {at: size < kMostBytes ? viewer._malloc(Math.max(size, 1)) : 0, size, there: 0};
-  if (!log.at) throw new Error("it has not the memory for a log of " + Math.round(size / 1e6) + " MB");
+  if (!log.at) throw new Error("not enough memory in this browser for a log of " + Math.round(size / 1e6) + " MB");
   const take = () => {
     const before = log.there;
     while (piece && (piece.nextElementSibling || isRead())) {

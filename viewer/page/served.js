@@ -34,7 +34,7 @@ async function readLog(viewer, say) {
     throw new Error(`a page holds a log of at most ${kMostBytes / 1e6} MB, and this one has ${Math.round(size / 1e6)} MB`);
   }
   const log = {at: viewer._malloc(Math.max(size, 1)), size, there: 0};
-  if (!log.at) throw new Error("it has not the memory for a log of " + Math.round(size / 1e6) + " MB");
+  if (!log.at) throw new Error("not enough memory in this browser for a log of " + Math.round(size / 1e6) + " MB");
   for (let next = first; ; next = await piece(log.there, kPieceBytes)) {
     const bytes = next.bytes.subarray(0, size - log.there);
     viewer.HEAPU8.set(bytes, log.at + log.there);

@@ -231,7 +231,7 @@ std::optional<AccessRefusal> LwsServer::refusalOf(lws* wsi, bool is_socket) cons
   }
   if (clients_.size() < options_.clients) return {};
   return AccessRefusal{
-      503, fmt::format("{} look already, as many as --clients allows.", options_.clients)};
+      503, fmt::format("{} viewers are connected, the limit of --clients.", options_.clients)};
 }
 
 /// The connection asks for nothing now; one that has asked for nothing longer may end for it.

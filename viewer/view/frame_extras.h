@@ -28,7 +28,7 @@ struct Trail {
   std::vector<std::vector<Point>> runs;
 };
 
-/// The nearest points of two devices that the cell keeps apart, in the world.
+/// The nearest points of two devices whose distance `check` judges, in the world.
 struct ClearanceLine {
   Vec3 from{}, to{};
   double distance_m = 0;

@@ -22,7 +22,7 @@ constexpr std::array kKeys{
     StyleKey{"labels", "beside|apart", "apart: labels that do not cover each other"},
     StyleKey{"ghosts", "plain|clear", "clear: ghosts in one tone, behind the actual device"},
     StyleKey{"limits", "on|off", "links near a joint's limit amber, beyond it red"},
-    StyleKey{"clearance", "on|off", "distances of what the cell keeps apart, red where too near"},
+    StyleKey{"clearance", "on|off", "distances of links that `check` judges, red where too near"},
     StyleKey{"scale-bar", "on|off", "a scale bar, true at the camera's target"},
     StyleKey{"camera-cone", "on|off", "what the picture shows, in insets without perspective"},
     StyleKey{"layer-looks", "on|off", "off: ignore the cell's styles of layers"},

@@ -56,8 +56,9 @@ struct RenderStyle {
   EdgeStyle edges = EdgeStyle::none;
   LabelStyle labels = LabelStyle::beside;
   GhostStyle ghosts = GhostStyle::plain;
-  bool limits = false;       ///< links whose joint is near a limit amber, beyond it red
-  bool clearance = false;    ///< lines between the nearest points of what the cell keeps apart
+  bool limits = false;  ///< links whose joint is near a limit amber, beyond it red
+  bool clearance =
+      false;  ///< lines between the nearest points of links whose distance `check` judges
   bool scale_bar = false;    ///< true at the camera's target
   bool camera_cone = false;  ///< what the picture shows, drawn in insets without perspective
   /// Use the looks of the cell's layers (LayerLook), which this style overrides.

@@ -63,7 +63,7 @@ class DatagramDecoders {
   }
   /// See FieldReader::undeclared(), for the decoder that would read the datagram; empty for none.
   std::vector<FoundField> undeclared(const Route& route, ByteView payload, std::size_t most);
-  /// Whether this decoder is one for the datagram, by all that its declaration says but `where`.
+  /// Whether the datagram passes `match`, ignoring `where`.
   bool fits(std::size_t decoder, const Route& route, ByteView payload) const {
     return fits(set_->decoders[decoder].match, route, payload);
   }

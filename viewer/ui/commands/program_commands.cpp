@@ -187,7 +187,7 @@ std::vector<Command> programCommands() {
        .means = "hide or show the panels",
        .run = setPanels,
        .shortcuts = {{"tab", "", ""}}},
-      {.name = "reset-panels", .means = "panels where they lie by themselves", .run = resetPanels},
+      {.name = "reset-panels", .means = "reset the panels' layout", .run = resetPanels},
       {.name = "theme",
        .arguments = "[dark|light]",
        .means = "dark or light panels",

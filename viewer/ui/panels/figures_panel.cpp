@@ -123,7 +123,7 @@ void drawBeside(const ViewModel& model) {
   }
   ImGui::TextUnformatted(("beside: " + name).c_str());
   if (!beside->covers(model.shownTime())) {
-    ImGui::TextDisabled("which has not this moment");
+    ImGui::TextDisabled("which does not reach this moment");
   } else if (beside->elsewhere().empty()) {
     ImGui::TextUnformatted("everything is where it is here");
   } else {
