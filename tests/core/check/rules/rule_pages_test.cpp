@@ -57,7 +57,8 @@ std::set<std::string> rulesFiredBy(const test::RuleExample& example) {
 class RulePages : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(RulePages, ShowWhatFiresTheRuleAndWhatDoesNot) {
-  const Result<std::vector<test::RuleText>>& page = rulesOf(placeOfRule(GetParam()).first);
+  const std::string of_page = placeOfRule(GetParam()).first;
+  const Result<std::vector<test::RuleText>>& page = rulesOf(of_page);
   ASSERT_TRUE(page.ok()) << page.error().text();
   const auto text = std::ranges::find(*page, GetParam(), &test::RuleText::rule);
   ASSERT_NE(text, page->end()) << "its page has no heading of this id";
@@ -169,7 +170,8 @@ TEST(RulePageIndex, TheProgramHoldsWhatThePagesHave) {
   for (const Rule& rule : allRules()) {
     const RulePage* const held = findRulePage(rule.id);
     ASSERT_NE(held, nullptr) << rule.id;
-    const Result<std::vector<test::RuleText>>& page = rulesOf(placeOfRule(rule.id).first);
+    const std::string of_page = placeOfRule(rule.id).first;
+    const Result<std::vector<test::RuleText>>& page = rulesOf(of_page);
     ASSERT_TRUE(page.ok()) << page.error().text();
     const auto text = std::ranges::find(*page, rule.id, &test::RuleText::rule);
     ASSERT_NE(text, page->end()) << rule.id;
