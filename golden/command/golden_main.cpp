@@ -1,5 +1,7 @@
 // rocinante-golden: visual regression (docs/programs/golden.md).
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
 
 #include "core/cli/program.h"
 #include "golden/command/add_command.h"
@@ -33,54 +35,39 @@ constexpr char kExamples[] =
     "  rocinante golden report shard-1 shard-2 shard-3 --report out/report --junit out/junit.xml\n"
     "  rocinante golden compare before.png after.png --tier cpu\n";
 
+using Chosen = std::function<Result<cli::Exit>()>;
+
+/// Declares a subcommand; `chosen` does it once it was asked for.
+template <class Arguments>
+CLI::App& add(CLI::App& app, Chosen& chosen, CLI::App* (*declare)(CLI::App&, Arguments&),
+              Result<cli::Exit> (*run)(const Arguments&)) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *declare(app, *arguments);
+  command.callback(
+      [&chosen, arguments, run] { chosen = [arguments, run] { return run(*arguments); }; });
+  return command;
+}
+
 int goldenMain(int argc, char** argv) {
   CLI::App app("Visual regression: frames of a cell and a log against accepted pictures.",
                "rocinante-golden");
   app.require_subcommand(1);
-  RunArguments run_arguments;
-  CLI::App* run = addRunCommand(app, run_arguments);
-  ApproveArguments approve_arguments;
-  CLI::App* approve = addApproveCommand(app, approve_arguments);
-  ListArguments list_arguments;
-  CLI::App* list = addListCommand(app, list_arguments);
-  AddArguments add_arguments;
-  CLI::App* add = addCaseCommand(app, add_arguments);
-  DiffArguments diff_arguments;
-  CLI::App* diff = addDiffCommand(app, diff_arguments);
-  ReportArguments report_arguments;
-  CLI::App* report = addReportCommand(app, report_arguments);
-  CompareArguments compare_arguments;
-  CLI::App* compare = addCompareCommand(app, compare_arguments);
-  BisectArguments bisect_arguments;
-  CLI::App* bisect = addBisectCommand(app, bisect_arguments);
-  SessionArguments session_arguments;
-  CLI::App* session = addSessionCommand(app, session_arguments);
-
-  SuggestArguments suggest_arguments;
-  CLI::App* suggest = addSuggestCommand(app, suggest_arguments);
-  PushArguments push_arguments;
-  CLI::App* push = addPushCommand(app, push_arguments);
-  GcArguments gc_arguments;
-  CLI::App* gc = addGcCommand(app, gc_arguments);
-
-  // Subcommands that draw.
-  for (CLI::App* command : {run, approve, diff, bisect, session}) addContextOption(*command);
-
-  return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
+  Chosen chosen;
+  addContextOption(add(app, chosen, addRunCommand, runSuiteCommand));
+  addContextOption(add(app, chosen, addApproveCommand, runApproveCommand));
+  add(app, chosen, addListCommand, runListCommand);
+  add(app, chosen, addCaseCommand, runAddCommand);
+  addContextOption(add(app, chosen, addDiffCommand, runDiffCommand));
+  add(app, chosen, addReportCommand, runReportCommand);
+  add(app, chosen, addCompareCommand, runCompareCommand);
+  addContextOption(add(app, chosen, addBisectCommand, runBisectCommand));
+  addContextOption(add(app, chosen, addSessionCommand, runSessionCommand));
+  add(app, chosen, addSuggestCommand, runSuggestCommand);
+  add(app, chosen, addPushCommand, runPushCommand);
+  add(app, chosen, addGcCommand, runGcCommand);
+  return cli::run(app, argc, argv, kExamples, [&] {
     cli::catchStopSignals();
-    if (run->parsed()) return runSuiteCommand(run_arguments);
-    if (approve->parsed()) return runApproveCommand(approve_arguments);
-    if (list->parsed()) return runListCommand(list_arguments);
-    if (add->parsed()) return runAddCommand(add_arguments);
-    if (diff->parsed()) return runDiffCommand(diff_arguments);
-    if (report->parsed()) return runReportCommand(report_arguments);
-    if (compare->parsed()) return runCompareCommand(compare_arguments);
-    if (bisect->parsed()) return runBisectCommand(bisect_arguments);
-    if (push->parsed()) return runPushCommand(push_arguments);
-    if (gc->parsed()) return runGcCommand(gc_arguments);
-    if (suggest->parsed()) return runSuggestCommand(suggest_arguments);
-    if (session->parsed()) return runSessionCommand(session_arguments);
-    return cli::Exit::could_not_run;
+    return chosen();
   });
 }
 
