@@ -16,6 +16,10 @@ std::string base64Of(ByteView bytes) {
 }
 
 std::optional<Bytes> bytesOfBase64(std::string_view text) {
+  // libsodium takes some characters with their highest bit set for those without.
+  if (std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
+    return std::nullopt;
+  }
   Bytes bytes(text.size() / 4 * 3 + 3);
   std::size_t size = 0;
   const char* end = nullptr;

@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/base64.h"
 #include "core/packet/text_lines.h"
 #include "core/packet/text_number.h"
-#include "core/signing/base64.h"
 
 namespace rocinante {
 namespace {

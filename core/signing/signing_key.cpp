@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "core/base/atomic_file.h"
-#include "core/signing/base64.h"
+#include "core/base/base64.h"
 
 namespace rocinante {
 namespace {

@@ -1,10 +1,9 @@
 #include "golden/report/page_pictures.h"
 
-#include <sodium/utils.h>
-
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "core/base/base64.h"
 #include "core/base/json_parse.h"
 #include "golden/why/frame_why.h"
 
@@ -19,15 +18,9 @@ constexpr int kListPicturePixels = 112;
 std::optional<Picture> pictureIn(const PagesJson& frame, const char* key) {
   const auto found = frame.find(key);
   if (found == frame.end() || !found->is_string()) return std::nullopt;
-  const std::string& text = found->get_ref<const std::string&>();
-  Bytes bytes(text.size() / 4 * 3);
-  std::size_t size = 0;
-  if (sodium_base642bin(reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), text.data(),
-                        text.size(), nullptr, &size, nullptr,
-                        sodium_base64_VARIANT_ORIGINAL) != 0) {
-    return std::nullopt;
-  }
-  auto picture = decodePng(ByteView(bytes).first(size), key);
+  const auto bytes = bytesOfBase64(found->get_ref<const std::string&>());
+  if (!bytes) return std::nullopt;
+  auto picture = decodePng(*bytes, key);
   if (!picture.ok()) return std::nullopt;
   return std::move(*picture);
 }
@@ -36,27 +29,19 @@ std::optional<Picture> pictureIn(const PagesJson& frame, const char* key) {
 
 Picture listPicture(const Picture& picture) { return reducedPicture(picture, kListPicturePixels); }
 
-std::string base64Text(ByteView bytes) {
-  std::string text(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
-  sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                    bytes.size(), sodium_base64_VARIANT_ORIGINAL);
-  text.resize(std::char_traits<char>::length(text.c_str()));
-  return text;
-}
-
 std::string pagePicturesJson(const SuiteReport& report) {
   PagesJson frames = PagesJson::object();
   for (const JudgedFrame& judged : report.frames) {
     PagesJson frame = PagesJson::object();
-    if (judged.thumbnail) frame["small"] = base64Text(encodePng(listPicture(*judged.thumbnail)));
+    if (judged.thumbnail) frame["small"] = base64Of(encodePng(listPicture(*judged.thumbnail)));
     if (judged.why && !judged.why->blame.mask.rgba.empty()) {
-      frame["blame"] = base64Text(encodePng(judged.why->blame.mask));
+      frame["blame"] = base64Of(encodePng(judged.why->blame.mask));
     }
     if (judged.unmasked && !isFine(judged.verdict)) {
-      frame["compared"] = base64Text(encodePng(*judged.unmasked));
+      frame["compared"] = base64Of(encodePng(*judged.unmasked));
     }
     if (judged.areas && canApprove(judged)) {
-      frame["areas"] = base64Text(encodePng(*judged.areas));
+      frame["areas"] = base64Of(encodePng(*judged.areas));
     }
     if (!frame.empty()) frames[judged.frame.name] = std::move(frame);
   }

@@ -20,6 +20,5 @@ void addPagePictures(std::string_view json, SuiteReport& report);
 
 /// `picture` reduced to the size of the page's list.
 Picture listPicture(const Picture& picture);
-std::string base64Text(ByteView bytes);
 
 }  // namespace rocinante

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/base64.h"
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/base/hash.h"
@@ -30,7 +31,7 @@ class PagePictures {
     const auto [found, is_new] = number_.try_emplace(pictureXxh3(picture), number_.size());
     if (is_new) {
       html_ += fmt::format("<script type=\"text/plain\" id=\"picture-{}\">{}</script>\n",
-                           found->second, base64Text(encodePng(picture)));
+                           found->second, base64Of(encodePng(picture)));
     }
     return found->second;
   }
