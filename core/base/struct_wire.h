@@ -96,7 +96,7 @@ class StructWriter {
 };
 
 /// Reads what StructWriter wrote. Takes no more memory than a small multiple of the bytes; after
-/// the first fault it changes nothing.
+/// the first fault readAll() is false, and what was read is unspecified.
 class StructReader {
  public:
   static constexpr bool kReads = true;

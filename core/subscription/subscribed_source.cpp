@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/random_id.h"
+
 namespace rocinante {
 namespace {
 

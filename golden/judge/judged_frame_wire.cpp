@@ -46,8 +46,7 @@ void fields(Fields& io, Taken<Fields, RunCoverage>& coverage) {
   io(judged, lost, masked, left_out, unstated);
 }
 
-/// The receiver has the frame from its own suite; why it differs and what a report says of it are
-/// found out there.
+/// The receiver has the frame from its own suite, and finds out why it differs.
 template <class Fields>
 void fields(Fields& io, Taken<Fields, JudgedFrame>& judged) {
   auto& [frame, verdict, rule, tolerance, limit_from, expectation, comparison, masks, own_masks,

@@ -113,6 +113,17 @@ struct DeviceToJudge {
   std::uint64_t rows = 0;
 };
 
+/// Some accepted session does without the value.
+bool mayBeAbsent(const RunTimes& times, const std::string& name, const TrackColumn& column) {
+  return std::ranges::any_of(times.accepted, [&](const SessionTrack* track) {
+    const DeviceTrack* device = statedDevice(*track, name);
+    if (device == nullptr) return true;
+    const bool is_link = column.kind == TrackColumn::Kind::link_pose;
+    const TrackColumn* its = device->find(column.part, is_link);
+    return its == nullptr || !its->is_stated;
+  });
+}
+
 std::vector<DeviceToJudge::Item> itemsToJudge(const RunTimes& times, const std::string& name,
                                               const DeviceTrack& own,
                                               const std::vector<TrackColumn>& columns,
@@ -127,6 +138,7 @@ std::vector<DeviceToJudge::Item> itemsToJudge(const RunTimes& times, const std::
     to_judge.column = column;
     if (its != nullptr && its->kind == column.kind && its->is_stated) continue;
     to_judge.is_judged = false;
+    if (its != nullptr && !its->is_stated && mayBeAbsent(times, name, column)) continue;
     RunFinding finding = times.findingOfAll(RunFinding::Kind::coverage, item);
     if (its != nullptr && its->kind == column.kind) {
       const std::string why = whyLeftOut(left_out, name);
@@ -150,7 +162,9 @@ void judgeNewColumns(const RunTimes& times, const std::string& name, const Devic
                      const std::vector<TrackColumn>& accepted, RunJudgement& judged) {
   for (const TrackColumn& column : own.columns) {
     const std::string item = itemOf(name, column);
-    const auto isIt = [&](const TrackColumn& other) { return other.part == column.part; };
+    const auto isIt = [&](const TrackColumn& other) {
+      return other.part == column.part && other.kind != TrackColumn::Kind::link_pose;
+    };
     if (!column.is_stated || column.kind == TrackColumn::Kind::link_pose ||
         std::ranges::any_of(accepted, isIt) || times.spec.isMaskedThroughout(item)) {
       continue;

@@ -19,6 +19,17 @@ bool isOfDevice(const LeftOut& left_out, std::string_view device) {
          (left_out.name.starts_with(device) && left_out.name[device.size()] == '/');
 }
 
+/// The joint values and poses that a session states. A fact may have the name of a pose.
+std::set<std::string> motionsOf(const SessionTrack& track) {
+  std::set<std::string> items;
+  for (const auto& [name, device] : track.devices) {
+    for (const TrackColumn& column : device.columns) {
+      if (column.is_stated) items.insert(itemOf(name, column));
+    }
+  }
+  return items;
+}
+
 /// What a mask or a limit may name besides what sessions state.
 std::set<std::string> namesOf(const Cell& cell) {
   std::set<std::string> names;
@@ -53,12 +64,7 @@ bool isStated(const DeviceTrack& device) {
 }
 
 std::set<std::string> itemsOf(const SessionTrack& track) {
-  std::set<std::string> items;
-  for (const auto& [name, device] : track.devices) {
-    for (const TrackColumn& column : device.columns) {
-      if (column.is_stated) items.insert(itemOf(name, column));
-    }
-  }
+  std::set<std::string> items = motionsOf(track);
   for (const auto& [fact, changes] : track.facts) items.insert(itemOfFact(fact));
   for (const Event& event : track.events) items.insert(itemOf(event));
   return items;
@@ -68,16 +74,18 @@ RunCoverage coverageOf(const RunSpec& spec, const std::vector<const SessionTrack
                        const SessionTrack& run) {
   RunCoverage coverage;
   std::set<std::string> all;
-  for (const SessionTrack* track : accepted) all.merge(itemsOf(*track));
-  const std::set<std::string> now = itemsOf(run);
+  // Of events and facts the absence is judged; what some accepted session lacks may be absent.
+  std::set<std::string> needed = motionsOf(*accepted.front());
+  for (const SessionTrack* track : accepted) {
+    all.merge(itemsOf(*track));
+    const std::set<std::string> its = motionsOf(*track);
+    std::erase_if(needed, [&](const std::string& item) { return !its.contains(item); });
+  }
+  const std::set<std::string> now = motionsOf(run);
   for (const std::string& item : all) {
-    // Of events and facts the absence is judged.
-    const bool is_moved = std::ranges::any_of(accepted, [&](const SessionTrack* track) {
-      return track->devices.contains(deviceOf(item));
-    });
-    (spec.isMaskedThroughout(item)     ? coverage.masked
-     : now.contains(item) || !is_moved ? coverage.judged
-                                       : coverage.lost)
+    (spec.isMaskedThroughout(item)                  ? coverage.masked
+     : now.contains(item) || !needed.contains(item) ? coverage.judged
+                                                    : coverage.lost)
         .insert(item);
   }
   coverage.left_out = run.left_out;

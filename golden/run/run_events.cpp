@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "core/base/duration_text.h"
 #include "golden/run/run_coverage.h"
@@ -166,16 +168,29 @@ class EventJudge {
     return found;
   }
 
-  /// Whether it comes within `event_ms` of where it is expected, so that only events of other
-  /// sources changed places with it: their order is that of arrival.
-  bool isSoon(const Event& moved, LogTime expected) const {
+  /// What its source says before and after an event.
+  static std::pair<std::string_view, std::string_view> besides(const std::vector<Event>& events,
+                                                               const Event& event) {
+    std::pair<std::string_view, std::string_view> texts;
+    bool is_past = false;
+    for (const Event& other : events) {
+      if (other.source != event.source) continue;
+      if (is_past) {
+        texts.second = other.text;
+        break;
+      }
+      is_past = other.time == event.time && other.text == event.text;
+      if (!is_past) texts.first = other.text;
+    }
+    return texts;
+  }
+
+  /// Whether it comes within `event_ms` of where it is expected, in its source's order: then only
+  /// events of other sources changed places with it, and which is heard first nobody can say.
+  bool isSoon(const Event& event, const Event& moved, LogTime expected) const {
     const Nanoseconds limit(std::llround(spec_.limitsOf(itemOf(moved)).event_ms * 1e6));
-    if (std::chrono::abs(moved.time - expected) > limit) return false;
-    const auto [from, until] = std::minmax(moved.time, expected);
-    return std::ranges::none_of(run_.events, [&](const Event& other) {
-      return other.source == moved.source && other.text != moved.text && other.time >= from &&
-             other.time <= until;
-    });
+    return std::chrono::abs(moved.time - expected) <= limit &&
+           besides(first_.events, event) == besides(run_.events, moved);
   }
 
   void judgeMissing() {
@@ -187,7 +202,7 @@ class EventJudge {
       const LogTime expected = found_.run_map.inRun(event.time);
       RunFinding finding = findingAt(event, event.time, expected);
       const Event* const moved = nearest(event, expected);
-      if (moved != nullptr && isSoon(*moved, expected)) {
+      if (moved != nullptr && isSoon(event, *moved, expected)) {
         told_.push_back(moved);
         continue;
       }

@@ -65,16 +65,19 @@ std::set<std::string> factsOf(const RunTimes& times) {
   return names;
 }
 
-/// A session that has little of the accepted time says little of it.
-void judgeShare(const RunTimes& times, RunJudgement& judged) {
+/// A session that has little of the accepted time says little of it. False: it has most of it.
+bool judgeShare(const RunTimes& times, RunJudgement& judged) {
   const double whole = static_cast<double>(times.end()) * 1e-9;
   const std::int64_t from = std::max<std::int64_t>(0, times.runBegin());
   const double share = static_cast<double>(std::min(times.runEnd(), times.end()) - from) * 1e-9;
-  if (share >= kLeastShare * whole || whole - share < secondsOf(kTellsOfMore)) return;
+  if (share >= kLeastShare * whole || whole - share < secondsOf(kTellsOfMore)) {
+    return false;
+  }
   RunFinding finding = times.findingOfAll(RunFinding::Kind::coverage, "session");
   finding.what = fmt::format("the log has {:.1f} s of the {:.1f} s that were accepted",
                              std::max(share, 0.0), whole);
   judged.findings.push_back(std::move(finding));
+  return true;
 }
 
 /// A log that ends early is the cause of what is missing after its end, and of what stands still
@@ -86,7 +89,6 @@ void judgeEnd(const RunTimes& times, std::vector<RunFinding>& findings) {
   std::optional<Nanoseconds> first;
   for (const RunFinding& finding : findings) {
     const bool has_time = finding.kind >= RunFinding::Kind::event;
-    if (!has_time && finding.item == "session") return;  // judgeShare() has told it
     if (!has_time || finding.first_accepted < from) continue;
     first = std::min(first.value_or(finding.first_accepted), finding.first_accepted);
   }
@@ -100,14 +102,14 @@ void judgeEnd(const RunTimes& times, std::vector<RunFinding>& findings) {
 }
 
 void judgeMotion(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged) {
-  judgeShare(times, judged);
+  const bool is_short = judgeShare(times, judged);
   addFastest(times, judgeDevices(times, parallel, judged), judged);
   for (const std::string& fact : factsOf(times)) {
     if (times.spec.isMaskedThroughout(itemOfFact(fact))) continue;
     judgeFact(times, fact, judged.findings);
     ++judged.items;
   }
-  judgeEnd(times, judged.findings);
+  if (!is_short) judgeEnd(times, judged.findings);
 }
 
 /// By what may have caused what: see RunFinding::sorts_at.

@@ -263,7 +263,16 @@ void TrackRecorder::addJoints(Recording& device, const DeviceState* said, LogTim
 bool TrackRecorder::takesJoints(Recording& device, const DeviceState& said) {
   if (said.joints) {
     if (!unfit_.takesValues(device.name, *device.model, said)) return false;
-    std::fill(device.stated_values.begin(), device.stated_values.end(), true);
+    if (said.joints->value.size() == device.model->positionalCount()) {
+      std::fill(device.stated_values.begin(), device.stated_values.end(), true);
+      return true;
+    }
+    const JointVector zero = zeroJoints(*device.model);
+    for (const auto& [name, item] : said.named_joints) {
+      const auto place = device.model->findJointValue(name);
+      if (!place) continue;
+      device.stated_values[zero.first_value[place->joint] + place->component] = true;
+    }
     return true;
   }
   // Names are looked up once, not for each packet.

@@ -100,7 +100,22 @@ TEST_F(RunCoverageTest, AValueIsJudgedWhereItIsStatedAndAPoseTheSame) {
   const std::string pose = textOfFindings(judgeRun(spec, {&one}, posed));
   EXPECT_NE(pose.find("arm: no accepted session states its pose"), std::string::npos) << pose;
   expectSilent("itself", judgeRun(spec, {&both}, both));
+  // What some accepted session does without may be absent.
   expectSilent("either", judgeRun(spec, {&both, &one}, both));
+  expectSilent("the other", judgeRun(spec, {&both, &one}, one));
+  expectSilent("the other first", judgeRun(spec, {&one, &both}, one));
+
+  // A fact of the same name does not stand for the pose.
+  const SessionTrack placed = saying("color gantry #808080ff\npose gantry 1 2 3 0 0 0 1\n");
+  const SessionTrack coloured = saying("color gantry #808080ff\n");
+  const RunJudgement fact = judgeRun(spec, {&placed}, coloured);
+  EXPECT_EQ(fact.coverage.lost, std::set<std::string>{"gantry"}) << textOfFindings(fact);
+  EXPECT_FALSE(fact.findings.empty());
+
+  // Values that the model does not take state nothing.
+  const SessionTrack unfit = saying("joints arm 0 0\njoint arm joint1=0.5\n");
+  const std::string refused = textOfFindings(judgeRun(spec, {&both}, unfit));
+  EXPECT_NE(refused.find("arm/joint2: not judged"), std::string::npos) << refused;
 }
 
 TEST_F(RunCoverageTest, ADeviceOfAnyAcceptedSessionIsJudged) {
@@ -164,8 +179,24 @@ TEST_F(RunCoverageTest, EventsOfTwoSourcesMayChangePlacesWithinTheLimit) {
   const std::string far = textOfFindings(judgeRun({}, {&first}, with(6.4, 6.0, "arm")));
   EXPECT_NE(far.find("out of order"), std::string::npos) << far;
   const SessionTrack alone = with(6.000, 6.005, "planner");
-  const std::string same = textOfFindings(judgeRun({}, {&alone}, with(6.005, 6.000, "planner")));
-  EXPECT_NE(same.find("out of order"), std::string::npos) << same;
+  for (const RunAlign align : {RunAlign::events, RunAlign::origin}) {
+    RunSpec spec;
+    spec.align = align;
+    const std::string same =
+        textOfFindings(judgeRun(spec, {&alone}, with(6.003, 5.995, "planner")));
+    EXPECT_NE(same.find("out of order"), std::string::npos) << same;
+  }
+  // Two in one packet keep their order.
+  const auto twice = [&](double a, double b) {
+    SaidSession session = SaidSession::read(kDemo / "session.mcap");
+    session.say("planner", a, "event \"one\"\nevent \"two\"");
+    session.say("arm", b, "event \"three\"\nevent \"four\"");
+    const auto track = trackOf(cell, session);
+    EXPECT_TRUE(track.ok());
+    return *track;
+  };
+  const SessionTrack pairs = twice(6.000, 6.005);
+  expectSilent("two a packet", judgeRun({}, {&pairs}, twice(6.006, 6.005)));
 }
 
 TEST_F(RunCoverageTest, TheEndOfALogComesBeforeWhatItCauses) {
