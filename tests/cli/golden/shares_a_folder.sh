@@ -15,4 +15,4 @@ for name in first second; do
 done
 echo "-- the second is gone"
 rm second.toml
-rocinante golden run first.toml
+rocinante golden run first.toml | sed -E 's/\.[0-9a-f]{8}\.png/.KEY.png/'
