@@ -75,18 +75,23 @@ RunCoverage coverageOf(const RunSpec& spec, const std::vector<const SessionTrack
   RunCoverage coverage;
   std::set<std::string> all;
   // Of events and facts the absence is judged; what some accepted session lacks may be absent.
+  std::set<std::string> moved;
   std::set<std::string> needed = motionsOf(*accepted.front());
   for (const SessionTrack* track : accepted) {
     all.merge(itemsOf(*track));
     const std::set<std::string> its = motionsOf(*track);
     std::erase_if(needed, [&](const std::string& item) { return !its.contains(item); });
+    moved.insert(its.begin(), its.end());
   }
   const std::set<std::string> now = motionsOf(run);
   for (const std::string& item : all) {
-    (spec.isMaskedThroughout(item)                  ? coverage.masked
-     : now.contains(item) || !needed.contains(item) ? coverage.judged
-                                                    : coverage.lost)
-        .insert(item);
+    if (spec.isMaskedThroughout(item)) {
+      coverage.masked.insert(item);
+    } else if (now.contains(item) || !moved.contains(item)) {
+      coverage.judged.insert(item);
+    } else if (needed.contains(item)) {
+      coverage.lost.insert(item);
+    }
   }
   coverage.left_out = run.left_out;
   return coverage;

@@ -102,7 +102,10 @@ TEST_F(RunCoverageTest, AValueIsJudgedWhereItIsStatedAndAPoseTheSame) {
   expectSilent("itself", judgeRun(spec, {&both}, both));
   // What some accepted session does without may be absent.
   expectSilent("either", judgeRun(spec, {&both, &one}, both));
-  expectSilent("the other", judgeRun(spec, {&both, &one}, one));
+  const RunJudgement absent = judgeRun(spec, {&both, &one}, one);
+  expectSilent("the other", absent);
+  EXPECT_TRUE(absent.coverage.lost.empty());
+  EXPECT_FALSE(absent.coverage.judged.contains("arm/joint2")) << "nothing of it was compared";
   expectSilent("the other first", judgeRun(spec, {&one, &both}, one));
 
   // A fact of the same name does not stand for the pose.
