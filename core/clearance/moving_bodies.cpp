@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/clearance/tree_distance.h"
 #include "core/math/transform.h"
 
 namespace rocinante {
