@@ -9,7 +9,6 @@
 #include "core/report/json_text.h"
 #include "golden/compare/compare_files.h"
 #include "golden/compare/comparison_text.h"
-#include "golden/compare/picture_figures.h"
 
 namespace rocinante {
 namespace {
@@ -23,8 +22,7 @@ Json pictureJson(const std::filesystem::path& path, const FinePicture& fine) {
 }
 
 /// Scripts rely on the keys up to pixels_over; later versions only add keys.
-Json answerJson(const CompareArguments& arguments, const FilesComparison& files,
-                const std::optional<PictureFigures>& figures) {
+Json answerJson(const CompareArguments& arguments, const FilesComparison& files) {
   const Comparison& found = files.comparison;
   Json answer = {
       {"format", 1},
@@ -42,12 +40,6 @@ Json answerJson(const CompareArguments& arguments, const FilesComparison& files,
       {"masked", found.masked}};
   if (files.frame) answer["frame"] = pictureJson(arguments.frame, *files.frame);
   if (files.golden) answer["golden"] = pictureJson(arguments.golden, *files.golden);
-  if (figures) {
-    answer["rmse"] = figures->rmse;
-    answer["psnr"] = orNull(figures->psnr);
-    answer["ssim"] = orNull(figures->ssim);
-    answer["flip"] = nullptr;  // until 1.0: programs may look for the key
-  }
   if (files.frame && !files.frame->samples.empty()) {
     answer["samples"] = {{"differing", found.fine_differing}, {"max", found.fine_max}};
   }
@@ -59,18 +51,18 @@ Json answerJson(const CompareArguments& arguments, const FilesComparison& files,
   return answer;
 }
 
-void printAnswer(const FilesComparison& files, const std::optional<PictureFigures>& figures) {
+void printAnswer(const FilesComparison& files, bool quiet) {
   const Comparison& found = files.comparison;
   fmt::print("{}: {}\n", nameOf(found.verdict), found.rule);
   for (const std::string& note : files.notes) fmt::print("note: {}\n", note);
-  if (!figures) return;
+  if (quiet || !files.comparable()) return;
   if (found.masked > 0)
     fmt::print("masked: {}\n", countText(static_cast<std::uint64_t>(found.masked), "pixel"));
   if (found.fine_differing > 0) {
     fmt::print("differing samples: {} of {}, by at most {:g}\n", found.fine_differing,
                files.frame->samples.size(), found.fine_max);
   }
-  fmt::print("{}", differenceText(found, *figures, files.judged(), files.golden->picture));
+  fmt::print("{}", differenceText(found, files.judged(), files.golden->picture));
 }
 
 }  // namespace
@@ -87,7 +79,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
       ->allow_extra_args(false);
   command->add_option("--difference", arguments.difference, "write a picture of the differences");
   command->add_flag("--force", arguments.force, "replace an existing --difference file");
-  command->add_flag("-q,--quiet", arguments.quiet, "only the verdict, no figures or map; faster");
+  command->add_flag("-q,--quiet", arguments.quiet, "only the verdict, no figures or map");
   command->add_flag("--json", arguments.json, "print all figures as JSON");
   return command;
 }
@@ -111,19 +103,15 @@ Result<cli::Exit> runCompareCommand(const CompareArguments& arguments) {
       compareFiles(fileOf(arguments.frame), fileOf(arguments.golden), *tolerance, masks);
   // With --json, print an answer in every case.
   if (files.unreadable && !arguments.json) return *files.unreadable;
-  std::optional<PictureFigures> figures;
-  if (files.comparable() && !arguments.quiet) {
-    figures = pictureFigures(files.judged(), files.golden->picture);
-  }
   if (files.comparable() && !arguments.difference.empty()) {
     const Picture shown = differencePicture(files.judged(), files.golden->picture);
     const Status written = writePng(arguments.difference, shown, arguments.force);
     if (!written.ok()) return written.error();
   }
   if (arguments.json) {
-    std::cout << jsonText(answerJson(arguments, files, figures));
+    std::cout << jsonText(answerJson(arguments, files));
   } else {
-    printAnswer(files, figures);
+    printAnswer(files, arguments.quiet);
   }
   return exitOf(files.comparison.verdict);
 }

@@ -10,8 +10,6 @@
 #include "core/base/atomic_file.h"
 #include "core/base/count_text.h"
 #include "core/base/plain_text.h"
-#include "golden/compare/cdash_lines.h"
-#include "golden/report/report_cdash.h"
 #include "golden/report/report_ci.h"
 #include "golden/report/report_folder.h"
 
@@ -28,8 +26,7 @@ Status appendToFile(const std::string& path, const std::string& text) {
 }  // namespace
 
 void addReportFiles(CLI::App& command, ReportFiles& files) {
-  CLI::Option* const folder =
-      command.add_option("--report", files.folder, "folder for index.html and the pictures");
+  command.add_option("--report", files.folder, "folder for index.html and the pictures");
   command.add_option("--junit", files.junit, "write JUnit XML");
   command.add_option("--sarif", files.sarif, "write SARIF 2.1.0, for code scanning");
   command.add_option("--summary", files.summary,
@@ -40,11 +37,6 @@ void addReportFiles(CLI::App& command, ReportFiles& files) {
           ->expected(0, 1)
           ->default_str("-");
   command.add_flag("--github", files.github, "annotate the suite file in GitHub Actions")
-      ->excludes(json);
-  command
-      .add_flag("--cdash", files.cdash,
-                "print the report's pictures for CTest to upload, as in a dashboard's test")
-      ->needs(folder)
       ->excludes(json);
 }
 
@@ -74,11 +66,7 @@ Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
       return written;
     }
   }
-  if (files.folder.empty()) return {};
-  if (auto written = writeReport(report, files.folder); !written) return written;
-  const bool is_told = files.cdash || (isUnderDashboard() && files.json_file != "-");
-  if (is_told) fmt::print("{}", reportCdash(report, files.folder));
-  return {};
+  return files.folder.empty() ? Status() : writeReport(report, files.folder);
 }
 
 void printReportSummary(const SuiteReport& report) {

@@ -16,11 +16,10 @@ struct ReportFiles {
   std::string sarif{};    ///< a file
   std::string summary{};  ///< a file that Markdown is appended to
   bool github = false;    ///< annotations on standard output
-  bool cdash = false;     ///< the pictures of `folder` for CTest on standard output
 };
 
-/// Adds --report, --junit, --json, --sarif, --summary, --github and --cdash to a subcommand;
-/// parsing fills `files`, which must outlive it.
+/// Adds --report, --junit, --json, --sarif, --summary and --github to a subcommand; parsing fills
+/// `files`, which must outlive it.
 void addReportFiles(CLI::App& command, ReportFiles& files);
 
 Status writeReportFiles(const SuiteReport& report, const ReportFiles& files);

@@ -7,8 +7,7 @@
 
 namespace rocinante {
 
-std::string differenceText(const Comparison& found, const PictureFigures& figures,
-                           const Picture& judged, const Picture& golden) {
+std::string differenceText(const Comparison& found, const Picture& judged, const Picture& golden) {
   if (found.differing == 0) return "";
   const std::int64_t pixels = std::int64_t{golden.width} * golden.height;
   const auto share = [&](std::int64_t count) {
@@ -25,10 +24,6 @@ std::string differenceText(const Comparison& found, const PictureFigures& figure
   text += fmt::format("worst 16x16 tile: mean {:.2f} at ({}, {}); at most {} of a tile over 32\n",
                       found.worst_tile_mean, found.worst_tile_x, found.worst_tile_y,
                       countText(static_cast<std::uint64_t>(found.worst_tile_over), "pixel"));
-  text += fmt::format(
-      "RMSE {:.4f}, PSNR {}, SSIM {}\n", figures.rmse,
-      figures.psnr ? fmt::format("{:.2f} dB", *figures.psnr) : "infinite",
-      figures.ssim ? fmt::format("{:.6f}", *figures.ssim) : "none (a side under 11 pixels)");
   for (const std::string& line : differenceMap(judged, golden)) {
     text += fmt::format("    |{}|\n", line);
   }

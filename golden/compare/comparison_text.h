@@ -3,13 +3,11 @@
 #include <string>
 
 #include "golden/compare/compare.h"
-#include "golden/compare/picture_figures.h"
 
 namespace rocinante {
 
 /// Text of the differences: figures and the map, each line with its newline. `judged` is the frame
 /// as judged. Empty when no pixel differs.
-std::string differenceText(const Comparison& found, const PictureFigures& figures,
-                           const Picture& judged, const Picture& golden);
+std::string differenceText(const Comparison& found, const Picture& judged, const Picture& golden);
 
 }  // namespace rocinante

@@ -6,9 +6,7 @@
 #include <cstring>
 #include <ostream>
 
-#include "golden/compare/cdash_lines.h"
 #include "golden/compare/comparison_text.h"
-#include "golden/compare/picture_figures.h"
 
 namespace rocinante {
 namespace {
@@ -108,31 +106,21 @@ GoldenAnswer checkGolden(const PictureView& frame, std::string_view name,
     if (golden.error().kind != ErrorKind::not_found) {
       return {false, "the golden cannot be read: " + golden.error().text()};
     }
-    std::string text = fmt::format("no golden was accepted yet: {}\n", golden_file.string()) +
+    return {false, fmt::format("no golden was accepted yet: {}\n", golden_file.string()) +
                        written("frame", stem + ".frame.png", shown) +
-                       "look at it, then accept it with ROCINANTE_APPROVE=1\n";
-    if (isUnderDashboard()) text += cdashPicture(kCdashFrame, stem + ".frame.png");
-    return {false, text};
+                       "look at it, then accept it with ROCINANTE_APPROVE=1\n"};
   }
   const Comparison found = compareFine(fine, *golden, tolerance);
   if (found.verdict == Verdict::same) return {true, found.rule};
   if (place.approve) return approved(shown, golden_file);
   std::string text = fmt::format("{}: {}\n", nameOf(found.verdict), found.rule);
   const bool comparable = found.verdict == Verdict::different;
-  if (comparable) {
-    text += differenceText(found, pictureFigures(shown, golden->picture), shown, golden->picture);
-  }
+  if (comparable) text += differenceText(found, shown, golden->picture);
   text += fmt::format("golden: {}\n", golden_file.string());
   text += written("frame", stem + ".frame.png", shown);
   if (comparable) {
     text +=
         written("difference", stem + ".difference.png", differencePicture(shown, golden->picture));
-  }
-  if (isUnderDashboard()) {
-    // Lines of their own, as CTest looks for them.
-    text += cdashPicture(kCdashFrame, stem + ".frame.png");
-    text += cdashPicture(kCdashGolden, golden_file);
-    if (comparable) text += cdashPicture(kCdashDifference, stem + ".difference.png");
   }
   return {false, text};
 }

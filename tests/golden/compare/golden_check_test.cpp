@@ -51,26 +51,6 @@ TEST_F(GoldenCheck, WhatWasAcceptedPassesAndNothingIsWritten) {
   EXPECT_FALSE(exists(folder_ / "results"));
 }
 
-TEST_F(GoldenCheck, InADashboardsTestTheFailureUploadsItsPictures) {
-  accept(plainPicture(30, 20, 10, 20, 30));
-  const Picture frame = plainPicture(30, 20, 90, 20, 30);
-  ::setenv("DASHBOARD_TEST_FROM_CTEST", "1", 1);
-  const GoldenAnswer different = check(frame);
-  const GoldenAnswer missing =
-      checkGolden(viewOf(frame), "new", {}, {folder_ / "goldens", folder_ / "res<ults", false});
-  ::unsetenv("DASHBOARD_TEST_FROM_CTEST");
-  const std::string results = (folder_ / "results").string();
-  EXPECT_THAT(different.text,
-              HasSubstr("\n<DartMeasurementFile name=\"TestImage\" type=\"image/png\">" + results +
-                        "/gauge.frame.png</DartMeasurementFile>\n"));
-  EXPECT_THAT(different.text, HasSubstr("name=\"ValidImage\" type=\"image/png\">" +
-                                        (folder_ / "goldens" / "gauge.png").string() + "<"));
-  EXPECT_THAT(different.text, HasSubstr("name=\"DifferenceImage2\" type=\"image/png\">" + results +
-                                        "/gauge.difference.png<"));
-  EXPECT_THAT(missing.text, Not(HasSubstr("DartMeasurement"))) << "a path that no tag can hold";
-  EXPECT_THAT(check(frame).text, Not(HasSubstr("DartMeasurement"))) << "elsewhere";
-}
-
 TEST_F(GoldenCheck, ADifferentFrameFailsWithFiguresAMapAndFiles) {
   accept(plainPicture(30, 20, 10, 20, 30));
   Picture frame = plainPicture(30, 20, 10, 20, 30);

@@ -7,7 +7,6 @@
 
 #include "core/base/atomic_file.h"
 #include "golden/report/difference_sheet.h"
-#include "golden/report/report_cdash.h"
 #include "golden/report/report_ci.h"
 #include "golden/report/report_folder.h"
 #include "golden/report/report_html.h"
@@ -109,25 +108,6 @@ TEST_F(ReportTest, TheSheetOfDifferencesIsBoundedAndGoesWithThem) {
   add(FrameVerdict::same);
   ASSERT_TRUE(writeReport(report_, folder.path()).ok());
   EXPECT_FALSE(std::filesystem::exists(folder / "differences.png"));
-}
-
-TEST_F(ReportTest, CtestIsToldThePicturesThatTheReportWrote) {
-  add(FrameVerdict::same);
-  add(FrameVerdict::different);
-  add(FrameVerdict::different);
-  report_.frames.back().frame.name = "other";
-  const test::TemporaryFolder folder;
-  ASSERT_TRUE(writeReport(report_, folder.path()).ok());
-  const std::string text = reportCdash(report_, folder.path());
-  const auto line = [&](const std::string& role, const std::string& file) {
-    return "<DartMeasurementFile name=\"" + role + "\" type=\"image/png\">" +
-           (folder / file).string() + "</DartMeasurementFile>\n";
-  };
-  EXPECT_EQ(text, line("TestImage", "pick.frame.png") + line("ValidImage", "pick.golden.png") +
-                      line("DifferenceImage2", "pick.difference.png") +
-                      line("TestImage other", "other.frame.png") +
-                      line("ValidImage other", "other.golden.png") +
-                      line("DifferenceImage2 other", "other.difference.png"));
 }
 
 TEST_F(ReportTest, JsonHoldsTheFigures) {
