@@ -11,7 +11,6 @@
 #include "core/copy/output_file.h"
 #include "core/foreign/recordings/bag_folder.h"
 #include "core/foreign/recordings/capture_import.h"
-#include "core/foreign/recordings/recording_inputs.h"
 #include "core/foreign/recordings/recording_kind.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/copy_options.h"
@@ -77,13 +76,13 @@ Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& m
   std::vector<std::unique_ptr<ros::BagReader>> bags;
   for (const std::filesystem::path& path : paths) {
     if (captures > 0) break;
-    Result<std::unique_ptr<ros::BagReader>> bag = openInput(path, my.device);
+    Result<std::unique_ptr<ros::BagReader>> bag = openRecording(path, my.device);
     if (!bag) return bag.error();
     bags.push_back(std::move(*bag));
   }
   const Result<std::optional<GivenCell>> cell = readCell(my);
   if (!cell) return cell.error();
-  Result<std::string> session_id = sessionIdOfInputs(paths);
+  Result<std::string> session_id = ros::importedSessionId(paths);
   if (!session_id) return session_id.error();
   ros::ImportOptions options;
   options.device = my.device;
@@ -147,9 +146,8 @@ LogCommand addImportCommand(CLI::App& program) {
   CLI::App* const app = program.add_subcommand(
       "import", "make a log of what other programs recorded, with its packets");
   app->add_option("IN", my->inputs,
-                  "ROS bags (MCAP, .db3, .bag, or the folder of one), LCM logs, CSV, JSON lines, "
-                  "folders with a datagram a file; or a capture; told by content; several become "
-                  "one")
+                  "ROS bags (MCAP, .db3, .bag, or the folder of one), LCM logs, CSV, JSON lines; "
+                  "or a capture; told by content; several become one")
       ->required();
   app->add_option(
          "--cell", my->cell,

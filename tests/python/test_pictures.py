@@ -188,15 +188,14 @@ def test_a_session_of_which_nothing_is_judged_is_not_accepted(pytester, tmp_path
     assert not (pytester.path / "goldens").exists()
 
 
-def test_a_folder_of_datagrams_is_accepted_as_it_is(pytester, tmp_path, monkeypatch):
+def test_a_folder_that_is_a_bag_is_accepted_as_it_is(pytester, tmp_path, monkeypatch):
     monkeypatch.delenv("CI", raising=False)
-    arm, _ = foreign(tmp_path, "csv")
-    for name, step in (("swing", 0.01), ("other", 0.02)):
+    for name, add in (("swing", 0), ("other", 0.05)):
+        arm, bag = foreign(tmp_path, "bag.mcap", name, add)
         (tmp_path / name).mkdir()
-        for i in range(50):
-            (tmp_path / name / f"{1770000000 + i / 20:.6f}.txt").write_text(
-                f"RK1 me@a {i} -\njoint arm shoulder={i * step}\n")
+        bag.rename(tmp_path / name / f"{name}_0.mcap")
+        (tmp_path / name / "metadata.yaml").touch()
     swing(pytester, tmp_path / "swing", arm, "--golden-approve").assert_outcomes(passed=1)
-    assert len(list((pytester.path / "goldens/swing").iterdir())) == 50
+    assert len(list((pytester.path / "goldens/swing").iterdir())) == 2
     swing(pytester, tmp_path / "swing", arm).assert_outcomes(passed=1)
     swing(pytester, tmp_path / "other", arm).assert_outcomes(failed=1)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import rocinante
-from foreign import FORMS, foreign
+from foreign import FORMS, capture, foreign
 
 
 def test_a_session_tells_what_it_holds(demo):
@@ -68,13 +68,11 @@ def test_a_verdict_is_short_and_its_text_has_the_reasons(tmp_path):
 
 
 def test_all_events_are_there(tmp_path):
-    folder = tmp_path / "datagrams"
-    folder.mkdir()
-    for i in range(15):
-        lines = "".join(f'event "step {i * 100 + j}"\n' for j in range(100))
-        (folder / f"{i:03}.txt").write_text(f"RK1 me@a {i} -\n{lines}")
-    log = tmp_path / "session.mcap"
-    subprocess.run([rocinante.program(), "log", "import", folder, "-o", log], check=True, capture_output=True)
+    def lines(i):
+        return "".join(f'event "step {i * 100 + j}"\n' for j in range(100))
+    traffic, log = tmp_path / "traffic.pcap", tmp_path / "session.mcap"
+    capture(traffic, [(i, f"RK1 me@a {i} -\n{lines(i)}") for i in range(15)])
+    subprocess.run([rocinante.program(), "log", "import", traffic, "-o", log], check=True, capture_output=True)
     assert [event.text for event in rocinante.Session(log).events] == [f"step {i}" for i in range(1500)]
 
 

@@ -168,6 +168,12 @@ std::vector<fs::path> filesOfBagFolder(const fs::path& folder) {
   return listed.empty() ? files : listed;
 }
 
+std::vector<fs::path> filesOfRecording(const fs::path& recording) {
+  std::vector<fs::path> files = filesOfBagFolder(recording);
+  if (files.empty()) files.push_back(recording);
+  return files;
+}
+
 std::vector<std::string> damageOfBagFolder(const fs::path& folder) {
   std::vector<std::string> damage;
   if (!hasMetadata(folder)) return damage;

@@ -12,6 +12,9 @@ namespace rocinante {
 /// all where none of those is there; empty for any other folder.
 std::vector<std::filesystem::path> filesOfBagFolder(const std::filesystem::path& folder);
 
+/// What is read for a recording: its own path, or the files of a folder that is a ROS 2 bag.
+std::vector<std::filesystem::path> filesOfRecording(const std::filesystem::path& recording);
+
 /// Where the files of the folder and those of its metadata.yaml differ: sentences. Empty for any
 /// other folder.
 std::vector<std::string> damageOfBagFolder(const std::filesystem::path& folder);

@@ -9,10 +9,8 @@
 #include "core/bundle/cell_or_log.h"
 #include "core/foreign/recordings/bag_folder.h"
 #include "core/foreign/recordings/capture_import.h"
-#include "core/foreign/recordings/datagram_folder.h"
 #include "core/foreign/recordings/file_digest.h"
 #include "core/foreign/recordings/import_cache.h"
-#include "core/foreign/recordings/recording_inputs.h"
 #include "core/foreign/recordings/recording_kind.h"
 #include "core/foreign/ros/bag_import.h"
 #include "core/foreign/ros/robot_description.h"
@@ -86,9 +84,7 @@ class RecordingOpening {
     };
     add(kImportFormat);
     add(version());
-    // Damage names it; messages about a folder of datagrams name its path.
-    add(kind_ == RecordingKind::datagrams ? request_.recording.string()
-                                          : request_.recording.filename().string());
+    add(request_.recording.filename().string());  // damage names it
     add(request_.device);
     for (const std::string& sentence : damageOfBagFolder(request_.recording)) add(sentence);
     for (const ros::StatedMessages& each : statedOfBagFolder(request_.recording, 0)) {
@@ -98,12 +94,6 @@ class RecordingOpening {
     }
     addNames(add);
     if (Status described = addDescription(add); !described) return described.error();
-    if (kind_ == RecordingKind::datagrams) {
-      const Result<std::string> id = datagramFolderId(request_.recording);
-      if (!id) return id.error();
-      add(*id);
-      return hexOf(hash.finish());
-    }
     for (std::size_t i = 0; i < files_.size(); ++i) {
       if (Status added = addOneFile(hash, i); !added) return added.error();
     }
@@ -167,7 +157,7 @@ class RecordingOpening {
   Status make(const fs::path& log) const {
     Result<NewLogFile> file = NewLogFile::make(log, true);
     if (!file) return file.error();
-    Result<std::string> session_id = sessionIdOfInputs(files_);
+    Result<std::string> session_id = ros::importedSessionId(files_);
     if (!session_id) return session_id.error();
     ros::ImportOptions options;
     options.cell = names_ ? &*names_ : nullptr;
@@ -184,7 +174,7 @@ class RecordingOpening {
     } else {
       std::vector<std::unique_ptr<ros::BagReader>> all;
       for (const fs::path& input : files_) {
-        auto recording = openInput(input, request_.device);
+        auto recording = openRecording(input, request_.device);
         if (!recording) return recording.error();
         all.push_back(std::move(*recording));
       }
@@ -233,9 +223,11 @@ Error OpenedRecording::named(Error error) const {
 Result<OpenedRecording> openedRecording(const RecordingRequest& request) {
   const RecordingKind kind = recordingKindOf(request.recording);
   std::error_code none;
-  if (kind == RecordingKind::none && fs::is_regular_file(request.recording, none)) {
-    if (auto refusal = refusalOf(request.recording)) {
-      return Error{ErrorKind::unsupported, std::move(*refusal), request.recording.string()};
+  const fs::path& path = request.recording;
+  if (kind == RecordingKind::none &&
+      (fs::is_regular_file(path, none) || fs::is_directory(path, none))) {
+    if (auto refusal = refusalOf(path)) {
+      return Error{ErrorKind::unsupported, std::move(*refusal), path.string()};
     }
   }
   if (!isForeign(kind)) {
@@ -267,8 +259,7 @@ Result<CellAndRecording> openedCellAndRecording(RecordingRequest request) {
 }
 
 bool isForeignRecording(const std::filesystem::path& path) {
-  const RecordingKind kind = recordingKindOf(path);
-  return isForeign(kind) && kind != RecordingKind::datagrams;
+  return isForeign(recordingKindOf(path));
 }
 
 }  // namespace rocinante

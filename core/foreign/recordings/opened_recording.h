@@ -42,8 +42,7 @@ struct OpenedRecording {
 /// describes is attached, so that the two can be compared.
 Result<OpenedRecording> openedRecording(const RecordingRequest& request);
 
-/// True for what openedRecording() imports and nobody takes for a cell: a file, or a folder that is
-/// a ROS 2 bag, but not any folder, although it may be one of datagrams.
+/// True for what openedRecording() imports.
 bool isForeignRecording(const std::filesystem::path& path);
 
 /// What a program that takes CELL and LOG shall read in their place. Without a LOG, a CELL that is

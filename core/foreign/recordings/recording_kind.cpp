@@ -4,7 +4,6 @@
 #include <array>
 
 #include "core/foreign/recordings/bag_folder.h"
-#include "core/foreign/recordings/datagram_folder.h"
 #include "core/foreign/recordings/json_lines.h"
 #include "core/foreign/recordings/lcm_log.h"
 #include "core/foreign/recordings/table_recording.h"
@@ -74,9 +73,7 @@ RecordingKind recordingKindOf(ByteView first_bytes) {
 
 RecordingKind recordingKindOf(const std::filesystem::path& path) {
   std::error_code fault;
-  if (std::filesystem::is_directory(path, fault)) {
-    return filesOfBagFolder(path).empty() ? RecordingKind::datagrams : RecordingKind::bag;
-  }
+  if (!filesOfBagFolder(path).empty()) return RecordingKind::bag;
   if (!std::filesystem::is_regular_file(path, fault)) return RecordingKind::none;
   const Result<Bytes> first = firstBytesOf(path);
   if (!first) return RecordingKind::none;
@@ -96,9 +93,22 @@ std::optional<std::string> refusalOf(ByteView first_bytes) {
   return tableRefusal(text);
 }
 
+std::optional<std::string> folderRefusal(const std::filesystem::path& folder) {
+  if (!filesOfBagFolder(folder).empty()) return std::nullopt;
+  std::error_code fault;
+  if (std::filesystem::exists(folder / "metadata.yaml", fault)) {
+    return "a ROS 2 bag without a .db3 or .mcap file; files compressed as .zstd are unpacked "
+           "first: zstd -d FILE";
+  }
+  return "a folder is read only if it is a ROS 2 bag, with metadata.yaml and its .db3 or .mcap "
+         "files; any other recording is a file: name that";
+}
+
 }  // namespace
 
 std::optional<std::string> refusalOf(const std::filesystem::path& path) {
+  std::error_code fault;
+  if (std::filesystem::is_directory(path, fault)) return folderRefusal(path);
   const Result<Bytes> first = firstBytesOf(path);
   return first ? refusalOf(*first) : std::nullopt;
 }
@@ -109,6 +119,10 @@ bool isForeign(RecordingKind kind) {
 
 Result<std::unique_ptr<ros::BagReader>> openRecording(const std::filesystem::path& path,
                                                       const std::string& device) {
+  std::error_code fault;
+  if (std::filesystem::is_directory(path, fault)) {
+    return Error{ErrorKind::unsupported, *folderRefusal(path), path.string()};
+  }
   const Result<Bytes> first = firstBytesOf(path);
   if (!first) return first.error();
   switch (recordingKindOf(*first)) {
@@ -122,7 +136,6 @@ Result<std::unique_ptr<ros::BagReader>> openRecording(const std::filesystem::pat
     case RecordingKind::log:
       return ros::openBag(path);
     case RecordingKind::capture:
-    case RecordingKind::datagrams:
     case RecordingKind::none:
       break;
   }

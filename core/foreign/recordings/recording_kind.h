@@ -22,7 +22,6 @@ enum class RecordingKind : std::uint8_t {
   capture,     ///< pcap or pcapng
   table,       ///< CSV with a column `t` or `time`
   json_lines,  ///< a JSON object a line
-  datagrams,   ///< any other folder: a datagram a file
 };
 
 RecordingKind recordingKindOf(const std::filesystem::path& path);
@@ -31,7 +30,7 @@ RecordingKind recordingKindOf(const std::filesystem::path& path);
 RecordingKind recordingKindOf(ByteView first_bytes);
 
 /// Why text that has the form of a table or of JSON lines cannot be read as one, as a sentence with
-/// what is missing; empty for any other file.
+/// what is missing; why a folder is no recording; empty for any other file.
 std::optional<std::string> refusalOf(const std::filesystem::path& path);
 
 /// Whether programs that read logs import it first: all kinds but `none` and `log`.

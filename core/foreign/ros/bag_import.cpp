@@ -166,9 +166,7 @@ class Import {
     const BagTopic& topic = input.bag->topics()[number];
     const std::string name = topicInLog(topic.name);
     std::map<std::string, std::string> metadata = topic.metadata;
-    if (!topic.captured) {
-      metadata.insert_or_assign(std::string(profile::kImportedKey), std::string(input.bag->kind()));
-    }
+    metadata.insert_or_assign(std::string(profile::kImportedKey), std::string(input.bag->kind()));
     Outlet outlet;
     const Result<ChannelId> channel =
         session_.addChannel(name, topic.encoding, metadata, topic.schema);
@@ -290,8 +288,6 @@ class Import {
       if (Status copied = input.bag->copyExtras(session_.log()); !copied) return copied.error();
       const std::vector<std::string> damage = input.bag->damage();
       report_.damage.insert(report_.damage.end(), damage.begin(), damage.end());
-      const std::vector<std::string> remarks = input.bag->remarks();
-      report_.notes.insert(report_.notes.end(), remarks.begin(), remarks.end());
       report_.account.add(input.bag->account());
       for (std::size_t i = 0; i < input.outlets.size(); ++i) {
         const std::optional<Outlet>& outlet = input.outlets[i];

@@ -33,8 +33,6 @@ struct BagTopic {
   /// What makes the packets of its messages, when the reader does it itself; empty: RosTranslator,
   /// where it knows the type.
   std::string decoder;
-  /// Its messages are datagrams as they were received, not another program's: no `imported`.
-  bool captured = false;
 
   /// Empty for messages that are neither CDR nor of ROS 1.
   std::optional<FieldCursor::Layout> layout() const;
@@ -72,8 +70,6 @@ class BagReader {
   virtual double part() const = 0;
   /// What could not be used so far, as sentences with the file's name.
   virtual std::vector<std::string> damage() const = 0;
-  /// What the user should know, though nothing is lost: sentences, valid after the last message.
-  virtual std::vector<std::string> remarks() const { return {}; }
   /// What became neither a message nor a packet; valid after the last message.
   virtual Account account() const { return {}; }
   /// Copies what the file holds beside messages.

@@ -22,7 +22,6 @@ class ExpandedMessages final : public BagReader {
   std::string_view kind() const override { return bag_->kind(); }
   const std::vector<BagTopic>& topics() const override { return bag_->topics(); }
   double part() const override { return bag_->part(); }
-  std::vector<std::string> remarks() const override { return bag_->remarks(); }
   Account account() const override { return bag_->account(); }
   Status copyExtras(LogWriter& log) override { return bag_->copyExtras(log); }
   void useDevices(const DeviceFinder& devices) override { bag_->useDevices(devices); }

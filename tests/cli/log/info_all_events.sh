@@ -1,9 +1,12 @@
 # `event_list` holds the first 1,000 events, and every one with --all-events; the count is of all either way.
-mkdir datagrams
-for i in $(seq 0 14); do
-  { echo "RK1 me@a $i -"; for j in $(seq 1 100); do echo "event \"step $((i * 100 + j))\""; done; } >datagrams/$(printf %03d $i).txt
-done
-rocinante log import datagrams -o session.mcap >/dev/null
+python3 - "$SRC/tests/support" <<'PY'
+import sys
+sys.path.insert(0, sys.argv[1])
+from udp_capture import write_capture
+events = lambda i: "".join(f'event "step {i * 100 + j}"\n' for j in range(1, 101))
+write_capture("traffic.pcap", [(i, f"RK1 me@a {i} -\n{events(i)}".encode(), 5000) for i in range(15)], 19960)
+PY
+rocinante log import traffic.pcap -o session.mcap >/dev/null
 rocinante log mark session.mcap 0s last >/dev/null
 for option in "" --all-events; do
   rocinante log info --json $option session.mcap >info.json

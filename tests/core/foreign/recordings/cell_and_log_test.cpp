@@ -16,7 +16,10 @@ class CellAndLog : public testing::Test {
   CellAndLog() {
     std::ofstream(cell_) << "format = 1\n";
     std::ofstream(table_) << "t,arm.a\n0,1\n";
-    std::filesystem::create_directory(folder_ / "datagrams");
+    std::filesystem::create_directory(folder_ / "bag");
+    for (const char* const name : {"bag/metadata.yaml", "bag/bag_0.db3"}) {
+      std::ofstream(folder_ / name) << "";
+    }
   }
   bool exchanged(std::string cell, std::string log) const {
     const std::pair before(cell, log);
@@ -33,7 +36,8 @@ class CellAndLog : public testing::Test {
 TEST_F(CellAndLog, MayBeGivenInEitherOrder) {
   EXPECT_FALSE(exchanged(cell_, table_));
   EXPECT_TRUE(exchanged(table_, cell_));
-  EXPECT_TRUE(exchanged(folder_ / "datagrams", cell_));
+  EXPECT_TRUE(exchanged(folder_ / "bag", cell_));
+  EXPECT_FALSE(exchanged(folder_.path(), cell_)) << "a folder that is no bag";
 }
 
 TEST_F(CellAndLog, StayAsTheyAreWhereTheContentDoesNotTell) {

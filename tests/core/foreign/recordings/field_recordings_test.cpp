@@ -5,7 +5,7 @@
 
 #include "core/check/log_account.h"
 #include "core/foreign/recordings/bag_folder.h"
-#include "core/foreign/recordings/recording_inputs.h"
+#include "core/foreign/recordings/recording_kind.h"
 #include "core/foreign/ros/bag_import.h"
 #include "core/log/import_record.h"
 #include "core/mcap/byte_sink.h"
@@ -41,7 +41,7 @@ TEST_P(FieldRecording, IsReadAsItsReportAsks) {
   const auto recording = folder / field.recording;
   std::vector<std::unique_ptr<ros::BagReader>> bags;
   for (const auto& file : filesOfRecording(recording)) {
-    auto bag = openInput(file, {});
+    auto bag = openRecording(file, {});
     ASSERT_TRUE(bag.ok()) << bag.error().text();
     bags.push_back(std::move(*bag));
   }

@@ -49,30 +49,7 @@ class CacheHere {
   ~CacheHere() { ::unsetenv("XDG_CACHE_HOME"); }
 };
 
-TEST(OpenedFolder, OfDatagramsBecomesALog) {
-  const TemporaryFolder folder;
-  const CacheHere cache(folder);
-  fs::create_directory(folder / "raw");
-  putFile(folder / "raw/1700000001.x", "RK1 a@b 1 -\njoints arm 1\n");
-  putFile(folder / "raw/1700000002.x", "octets");
-  RecordingRequest request;
-  request.recording = folder / "raw";
-  const auto first = openedRecording(request);
-  ASSERT_TRUE(first.ok()) << first.error().text();
-  EXPECT_TRUE(first->imported);
-  EXPECT_EQ(first->log.parent_path(), folder / "rocinante/imports");
-  EXPECT_EQ(LogReader::open(first->log)->summary().messages, 2U);
-  EXPECT_THAT(filesIn(folder / "raw"), SizeIs(2));
-  // However it is named; and a changed one is another.
-  request.recording = (folder / "raw").string() + "/";
-  EXPECT_EQ(openedRecording(request)->log, first->log);
-  putFile(folder / "raw/1700000003.x", "more");
-  EXPECT_EQ(LogReader::open(openedRecording(request)->log)->summary().messages, 3U);
-  // Nobody takes a folder in the place of a cell for datagrams.
-  EXPECT_FALSE(isForeignRecording(folder / "raw"));
-}
-
-TEST(OpenedFolder, OfRecordingsIsRefused) {
+TEST(OpenedFolder, ThatIsNoBagIsRefused) {
   const TemporaryFolder folder;
   RecordingRequest request;
   request.recording = folder.path();
@@ -80,7 +57,8 @@ TEST(OpenedFolder, OfRecordingsIsRefused) {
   EXPECT_THAT(openedRecording(request).error().text(), HasSubstr("zstd -d FILE"));
   fs::remove(folder / "metadata.yaml");
   putFile(folder / "one.bag", "#ROSBAG V2.0\n");
-  EXPECT_THAT(openedRecording(request).error().text(), HasSubstr("name those files"));
+  EXPECT_THAT(openedRecording(request).error().text(),
+              HasSubstr("any other recording is a file: name that"));
 }
 
 TEST(OpenedRecording, ThatIsStoppedLeavesNothing) {

@@ -1,0 +1,12 @@
+# needs: shared
+# A folder that is a ROS 2 bag is imported as one; any other is refused with what is taken.
+mkdir bag
+touch bag/metadata.yaml
+ln -s "$SHARED/bags/rosbag2_test_0.db3" bag/
+rocinante log import bag -o folder.mcap | sed 1d
+rocinante log import "$SHARED/bags/rosbag2_test_0.db3" -o file.mcap >/dev/null
+for log in folder file; do rocinante log info $log.mcap --json | grep content_sha256; done | uniq | wc -l
+mkdir empty raw
+printf 'RK1 a@b 1 -\njoints arm 0.5\n' >raw/1700000001.txt
+for folder in empty raw; do rocinante log import $folder -o no.mcap || echo "exit $?"; done
+rocinante play raw --to udp://127.0.0.1:9 || echo "exit $?"
