@@ -2,7 +2,6 @@
 
 #include "core/check/judges/fault_rules.h"
 #include "core/report/json_text.h"
-#include "recorder/spy/spy_reasons.h"
 
 namespace rocinante {
 namespace {
@@ -149,12 +148,9 @@ std::string spyJson(const SpyReport& report, bool indented) {
   }
   for (const auto& each : report.faults) json["faults"].push_back(faultJson(each));
   for (const Finding& each : report.reasons) {
-    const std::string_view old_id = oldReasonOf(each.rule);
-    json["reasons"].push_back({{"reason", old_id},
-                               {"text", each.text},
+    json["reasons"].push_back({{"text", each.text},
                                {"hint", each.hint},
                                {"id", each.rule},
-                               {"old_id", old_id},
                                {"severity", nameOf(each.severity)},
                                {"count", each.count},
                                {"example", each.example}});

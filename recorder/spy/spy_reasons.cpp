@@ -20,6 +20,13 @@ using cli::counted;
 constexpr std::array<std::string_view, 4> kByTwoSenders = {"source.late", "source.duplicate",
                                                            "source.restart", "source.clock-step"};
 
+/// Whether lines with this fault are what a rule of `check` finds.
+bool isOf(std::string_view rule, PacketFault fault) {
+  if (rule == "packet.not-finite") return fault == PacketFault::bad_number;
+  if (rule == "packet.unknown-protocol") return fault == PacketFault::not_a_packet;
+  return rule == ruleOf(fault).rule;
+}
+
 class Reasons {
  public:
   Reasons(SpyReport& report, Findings judged) : report_(report), judged_(std::move(judged)) {}
@@ -144,9 +151,8 @@ class Reasons {
 
   /// A stream has packet numbers for nobody: the first offending line is shown with its sender.
   void nameSender(Finding& finding) const {
-    const std::string_view old = oldReasonOf(finding.rule);
     for (const SpyFault& fault : report_.faults) {
-      if (nameOf(fault.kind) != old) continue;
+      if (!isOf(finding.rule, fault.kind)) continue;
       if (!finding.example.empty() && finding.example != fault.line) continue;
       finding.example = fmt::format("{}, line {}: {}", fault.sender, fault.line_number, fault.line);
       return;
@@ -166,43 +172,8 @@ class Reasons {
   Findings judged_;
 };
 
-// By rule; those of packet faults are their names.
-constexpr auto kOldReasons = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"live.constant", "constant"},
-    {"live.incomplete", "incomplete"},
-    {"live.malformed", "malformed"},
-    {"live.no-device", "no_device"},
-    {"live.nothing-decoded", "not_packet_text"},
-    {"live.nothing-received", "nothing_arrives"},
-    {"live.refused", "refused"},
-    {"live.silent", "silent"},
-    {"live.two-senders", "two_senders"},
-    {"log.loss", "kernel_drops"},
-    {"packet.after-remove", "removed"},
-    {"packet.not-finite", "bad_number"},
-    {"packet.two-sources", "two_sources"},
-    {"packet.unknown-protocol", "not_a_packet"},
-    {"source.clock-skew", "clock"},
-    {"source.gap", "gap"},
-    {"source.late", "late"},
-    {"source.restart", "restarts"},
-    {"source.two-senders", "two_senders"},
-    {"source.unrestated", "never_restates"},
-});
-
 }  // namespace
 
 void addReasons(SpyReport& report, Findings judged) { Reasons(report, std::move(judged)).find(); }
-
-std::string_view oldReasonOf(std::string_view rule) {
-  for (const auto& [id, old] : kOldReasons) {
-    if (id == rule) return old;
-  }
-  for (std::size_t i = 0; i < kPacketFaultCount; ++i) {
-    const auto fault = static_cast<PacketFault>(i);
-    if (ruleOf(fault).rule == rule) return nameOf(fault);
-  }
-  return rule;
-}
 
 }  // namespace rocinante

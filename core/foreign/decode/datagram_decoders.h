@@ -27,8 +27,6 @@ struct DecodeCounts {
   std::uint64_t refused = 0;       ///< not of the declared form, or their packet is too long
   std::uint64_t empty = 0;         ///< no line applied: its fields were missing
   std::string_view last_reason{};  ///< of the last one refused
-
-  std::uint64_t notDecoded() const { return refused + empty; }
 };
 
 /// A packet made of a datagram. Borrowed until the next decode().
@@ -56,11 +54,6 @@ class DatagramDecoders {
   const DecoderSet& set() const { return *set_; }
   /// By decoder.
   const std::vector<DecodeCounts>& counts() const { return counts_; }
-  /// The values of the last datagram that this decoder's match fits, by field; borrowed until the
-  /// next decode().
-  const std::vector<FieldValue>& values(std::size_t decoder) const {
-    return readers_[decoder].values;
-  }
   /// See FieldReader::undeclared(), for the decoder that would read the datagram; empty for none.
   std::vector<FoundField> undeclared(const Route& route, ByteView payload, std::size_t most);
   /// Whether the datagram passes `match`, ignoring `where`.
