@@ -13,10 +13,14 @@ namespace rocinante {
 namespace {
 
 using State = SelfTestFact::State;
-constexpr std::array kStates{State::ok, State::limited, State::missing};
+using FactJson = nlohmann::ordered_json;
+// By State.
+constexpr std::array<std::string_view, 3> kStateNames{"ok", "limited", "missing"};
 
-nlohmann::ordered_json jsonOf(std::span<const SelfTestFact> facts) {
-  auto json = nlohmann::ordered_json::array();
+std::string_view nameOf(State state) { return kStateNames[static_cast<std::size_t>(state)]; }
+
+FactJson jsonOf(std::span<const SelfTestFact> facts) {
+  FactJson json = FactJson::array();
   for (const SelfTestFact& fact : facts) {
     json.push_back({{"name", fact.name},
                     {"state", nameOf(fact.state)},
@@ -26,65 +30,30 @@ nlohmann::ordered_json jsonOf(std::span<const SelfTestFact> facts) {
   return json;
 }
 
-std::string dumped(const nlohmann::ordered_json& json, int indent) {
+std::string dumped(const FactJson& json, int indent) {
   // It contains file names, which need not be UTF-8.
-  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-std::optional<State> stateNamed(std::string_view name) {
-  for (const State state : kStates) {
-    if (nameOf(state) == name) return state;
-  }
-  return std::nullopt;
-}
-
-std::optional<SelfTestFact> factOf(const nlohmann::json& json) {
-  if (!json.is_object()) return std::nullopt;
-  for (const char* key : {"name", "state", "says", "advice"}) {
-    if (!json.contains(key) || !json[key].is_string()) return std::nullopt;
-  }
-  const std::optional<State> state = stateNamed(json["state"].get<std::string>());
-  if (!state) return std::nullopt;
-  return SelfTestFact{json["name"].get<std::string>(), *state, json["says"].get<std::string>(),
-                      json["advice"].get<std::string>()};
+  return json.dump(indent, ' ', false, FactJson::error_handler_t::replace);
 }
 
 }  // namespace
 
-std::string_view nameOf(SelfTestFact::State state) {
-  switch (state) {
-    case State::ok:
-      return "ok";
-    case State::limited:
-      return "limited";
-    case State::missing:
-      return "missing";
-  }
-  return "missing";
-}
-
 std::string factsText(std::span<const SelfTestFact> facts) {
   std::string text;
+  std::array<int, kStateNames.size()> counts{};
   for (const SelfTestFact& fact : facts) {
     const std::string advice = fact.advice.empty() ? "" : "; " + fact.advice;
     text += fmt::format("{:<8} {:<15} {}\n", nameOf(fact.state), fact.name,
                         plainText(fact.says + advice));
+    ++counts[static_cast<std::size_t>(fact.state)];
   }
-  std::string counts;
-  for (const State state : kStates) {
-    const auto count = std::count_if(facts.begin(), facts.end(), [state](const SelfTestFact& fact) {
-      return fact.state == state;
-    });
-    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, nameOf(state));
-  }
-  return text + counts + "\n";
+  return text + fmt::format("{} ok, {} limited, {} missing\n", counts[0], counts[1], counts[2]);
 }
 
 std::string factsJson(std::span<const SelfTestFact> facts) {
-  nlohmann::ordered_json json;
+  FactJson json;
   json["format"] = 1;
-  json["ok"] = std::all_of(facts.begin(), facts.end(),
-                           [](const SelfTestFact& fact) { return fact.state == State::ok; });
+  json["ok"] =
+      std::ranges::all_of(facts, [](const SelfTestFact& fact) { return fact.state == State::ok; });
   json["facts"] = jsonOf(facts);
   return dumped(json, 2) + "\n";
 }
@@ -92,13 +61,19 @@ std::string factsJson(std::span<const SelfTestFact> facts) {
 std::string factsWire(std::span<const SelfTestFact> facts) { return dumped(jsonOf(facts), -1); }
 
 std::optional<std::vector<SelfTestFact>> factsOfWire(std::string_view line) {
-  const auto json = parseJsonOrDiscard<nlohmann::json>(line);
+  const FactJson json = parseJsonOrDiscard<FactJson>(line, kSmallJson);
   if (!json.is_array()) return std::nullopt;
   std::vector<SelfTestFact> facts;
-  for (const auto& each : json) {
-    std::optional<SelfTestFact> fact = factOf(each);
-    if (!fact) return std::nullopt;
-    facts.push_back(std::move(*fact));
+  for (const FactJson& each : json) {
+    std::vector<std::string> words;
+    for (const char* const key : {"name", "state", "says", "advice"}) {
+      if (!each.contains(key) || !each[key].is_string()) return std::nullopt;
+      words.push_back(each[key].get<std::string>());
+    }
+    const auto state = std::ranges::find(kStateNames, words[1]);
+    if (state == kStateNames.end()) return std::nullopt;
+    facts.push_back(
+        {words[0], static_cast<State>(state - kStateNames.begin()), words[2], words[3]});
   }
   return facts;
 }

@@ -25,14 +25,12 @@ struct SelfTestFact {
   bool operator==(const SelfTestFact&) const = default;
 };
 
-std::string_view nameOf(SelfTestFact::State state);
-
 /// One line per fact, and the count of each state.
 std::string factsText(std::span<const SelfTestFact> facts);
 /// The same as a JSON object: `format`, `facts`, `ok`.
 std::string factsJson(std::span<const SelfTestFact> facts);
 
-/// How a program that checks some of the facts passes them to the one that reports all: a JSON
+/// How a process that checks some of the facts passes them to the one that reports all: a JSON
 /// array on one line.
 std::string factsWire(std::span<const SelfTestFact> facts);
 /// Empty when `line` is not one.

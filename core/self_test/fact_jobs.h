@@ -14,13 +14,14 @@ namespace rocinante {
 /// costs only these facts.
 struct FactJob {
   std::vector<std::string> names;  ///< of the facts that it answers, in their order
-  /// Called in a child process.
+  /// Called in a child process, which prints what is returned, or becomes another program that
+  /// prints factsWire().
   std::function<std::vector<SelfTestFact>()> find;
-  /// When not empty, this program is run instead; it prints factsWire().
-  std::filesystem::path program;
-  std::vector<std::string> arguments;
-  std::string without_program;  ///< the advice when it is not installed
 };
+
+/// Runs `program --only NAME,...`. `advice`: of its facts, where it is not installed.
+FactJob jobOfProgram(std::vector<std::string> names, const std::filesystem::path& program,
+                     const std::string& advice);
 
 /// All of them at once, in the order of the jobs. A job that has not answered after `limit` is
 /// killed. Each fact of a job that did not answer is missing, with the reason. Call it before any

@@ -16,24 +16,22 @@ using State = SelfTestFact::State;
 constexpr Nanoseconds kLong = std::chrono::seconds(60);
 
 FactJob answering(const char* name) {
-  return {{name},
-          [name] {
-            return std::vector{SelfTestFact{name, State::ok, "fine", ""}};
-          },
-          {},
-          {},
-          {}};
+  return {{name}, [name] { return std::vector{SelfTestFact{name, State::ok, "fine", ""}}; }};
 }
 
 FactJob doing(const char* name, std::function<void()> what) {
-  return {{name},
-          [what] {
+  return {{name}, [what] {
             what();
             return std::vector<SelfTestFact>();
-          },
-          {},
-          {},
-          {}};
+          }};
+}
+
+/// As jobOfProgram(), of a line for the shell.
+FactJob shell(std::vector<std::string> names, const char* line) {
+  return {std::move(names), [line]() -> std::vector<SelfTestFact> {
+            ::execl("/bin/sh", "sh", "-c", line, nullptr);
+            ::_exit(127);
+          }};
 }
 
 TEST(FactJobs, AnswerInTheOrderOfTheJobs) {
@@ -58,7 +56,7 @@ TEST(FactJobs, OneThatNeverAnswersIsEndedAndTheOthersStand) {
 }
 
 TEST(FactJobs, OneThatAnsweredAndDoesNotEndIsEndedToo) {
-  const FactJob job{{"stuck"}, {}, "/bin/sh", {"-c", "exec >&- 2>&-; sleep 600"}, {}};
+  const FactJob job = shell({"stuck"}, "exec >&- 2>&-; sleep 600");
   const auto facts = findFacts({job}, std::chrono::milliseconds(300));
   ASSERT_EQ(facts.size(), 1U);
   EXPECT_THAT(facts[0].says, testing::HasSubstr("no answer within"));
@@ -78,8 +76,7 @@ TEST(FactJobs, ACrashCostsItsOwnFactsAndIsNamed) {
 }
 
 TEST(FactJobs, AProgramThatCannotStartSaysWhy) {
-  const FactJob job{
-      {"context", "key"}, {}, "/bin/sh", {"-c", "echo 'libX.so.1: cannot open' >&2; exit 127"}, {}};
+  const FactJob job = shell({"context", "key"}, "echo 'libX.so.1: cannot open' >&2; exit 127");
   const auto facts = findFacts({job}, kLong);
   ASSERT_EQ(facts.size(), 2U);
   EXPECT_THAT(facts[0].says, testing::HasSubstr("it ended with exit 127"));
@@ -88,7 +85,7 @@ TEST(FactJobs, AProgramThatCannotStartSaysWhy) {
 }
 
 TEST(FactJobs, AProgramThatIsNotThereIsNoCrash) {
-  const FactJob job{{"frame"}, {}, "/no/such/rocinante-draw", {}, "install it"};
+  const FactJob job = jobOfProgram({"frame"}, "/no/such/rocinante-draw", "install it");
   const auto facts = findFacts({job}, kLong);
   EXPECT_EQ(facts,
             (std::vector{SelfTestFact{"frame", State::missing,
@@ -96,14 +93,10 @@ TEST(FactJobs, AProgramThatIsNotThereIsNoCrash) {
 }
 
 TEST(FactJobs, WhatADriverPrintsIsNotTakenForAnAnswer) {
-  const FactJob job{
-      {"frame"},
-      {},
-      "/bin/sh",
-      {"-c",
-       "echo MESA: warning; echo '[{\"name\":\"frame\"}]'; echo '[{\"name\":\"frame\","
-       "\"state\":\"limited\",\"says\":\"a\",\"advice\":\"b\"}]'; echo bye >&2"},
-      {}};
+  const FactJob job =
+      shell({"frame"},
+            "echo MESA: warning; echo '[{\"name\":\"frame\"}]'; echo '[{\"name\":\"frame\","
+            "\"state\":\"limited\",\"says\":\"a\",\"advice\":\"b\"}]'; echo bye >&2");
   const auto facts = findFacts({job}, kLong);
   EXPECT_EQ(facts, (std::vector{SelfTestFact{"frame", State::limited, "a", "b"}}));
 }

@@ -3,9 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/self_test/file_capability.h"
-#include "core/self_test/network_facts.h"
-#include "core/self_test/system_facts.h"
+#include "core/self_test/machine_facts.h"
 
 namespace rocinante {
 namespace {
@@ -54,22 +52,6 @@ TEST(SelfTestFact, AReceiveBufferIsJudgedByWhatWasAskedFor) {
 TEST(SelfTestFact, AClockThatNothingSetsIsLimited) {
   EXPECT_EQ(judgeClock(true, 12'345).says, "synchronised, wrong by 12.3 ms at most");
   EXPECT_EQ(judgeClock(false, 16'000'000).state, State::limited);
-}
-
-TEST(FileCapability, IsReadFromTheAttribute) {
-  // Revision 2, effective; permitted 1 << 13 (cap_net_raw), inheritable none; the upper words zero.
-  const unsigned char net_raw[20] = {1, 0, 0, 2, 0, 0x20, 0, 0};
-  const auto bytes = std::as_bytes(std::span(net_raw));
-  EXPECT_TRUE(givesCapability(bytes, 13));
-  EXPECT_FALSE(givesCapability(bytes, 23));
-  EXPECT_FALSE(givesCapability(bytes.first(11), 13));
-  // `setcap cap_net_raw+p`: permitted, but not effective from the start.
-  unsigned char not_effective[20] = {0, 0, 0, 2, 0, 0x20, 0, 0};
-  EXPECT_FALSE(givesCapability(std::as_bytes(std::span(not_effective)), 13));
-  // Bit 5 of the upper permitted word is 37.
-  const unsigned char upper[20] = {1, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0x20, 0, 0, 0};
-  EXPECT_TRUE(givesCapability(std::as_bytes(std::span(upper)), 37));
-  EXPECT_FALSE(givesCapability(std::as_bytes(std::span(upper)).first(12), 37));
 }
 
 }  // namespace
