@@ -1,5 +1,3 @@
-#include "golden/command/add_command.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,6 +9,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/session/moment_name.h"
+#include "golden/command/commands.h"
 #include "golden/suite/suite.h"
 #include "golden/suite/suite_append.h"
 #include "viewer/picture/picture_size.h"

@@ -1,5 +1,3 @@
-#include "golden/command/approve_artifact.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +5,8 @@
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "golden/approval/approval.h"
-#include "golden/command/approve_run.h"
-#include "golden/report/report_artifact.h"
+#include "golden/command/commands.h"
+#include "golden/report/report_reader.h"
 #include "golden/why/file_change.h"
 
 namespace rocinante {

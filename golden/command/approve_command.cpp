@@ -1,5 +1,3 @@
-#include "golden/command/approve_command.h"
-
 #include <fmt/format.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -13,8 +11,7 @@
 #include "core/base/atomic_file.h"
 #include "golden/approval/approval.h"
 #include "golden/approval/approval_list.h"
-#include "golden/command/approve_artifact.h"
-#include "golden/command/approve_run.h"
+#include "golden/command/commands.h"
 #include "golden/suite/suite_neighbours.h"
 #include "golden/why/frame_explainer.h"
 

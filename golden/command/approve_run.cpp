@@ -1,5 +1,3 @@
-#include "golden/command/approve_run.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "core/check/check.h"
 #include "core/cli/worker_threads.h"
 #include "golden/approval/run_approval.h"
+#include "golden/command/commands.h"
 #include "golden/judge/suite_runs.h"
 #include "golden/report/report.h"
 #include "golden/run/track_cache.h"

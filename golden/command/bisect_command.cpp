@@ -1,5 +1,3 @@
-#include "golden/command/bisect_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +14,7 @@
 #include "core/cli/search_options.h"
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/report/json_text.h"
+#include "golden/command/commands.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/session/bisect.h"
 #include "golden/store/child_output.h"

@@ -1,5 +1,3 @@
-#include "golden/command/diff_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +7,7 @@
 #include "core/base/count_text.h"
 #include "core/base/plain_text.h"
 #include "golden/approval/golden_folder.h"
+#include "golden/command/commands.h"
 #include "golden/command/compare_command.h"
 #include "golden/command/git_revision.h"
 #include "golden/command/report_output.h"

@@ -4,17 +4,8 @@
 #include <memory>
 
 #include "core/cli/program.h"
-#include "golden/command/add_command.h"
-#include "golden/command/approve_command.h"
-#include "golden/command/bisect_command.h"
+#include "golden/command/commands.h"
 #include "golden/command/compare_command.h"
-#include "golden/command/diff_command.h"
-#include "golden/command/list_command.h"
-#include "golden/command/report_command.h"
-#include "golden/command/run_command.h"
-#include "golden/command/session_command.h"
-#include "golden/command/store_command.h"
-#include "golden/command/suggest_command.h"
 #include "viewer/gl/context_option.h"
 #include "viewer/gl/renderer_key.h"
 

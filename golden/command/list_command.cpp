@@ -1,5 +1,3 @@
-#include "golden/command/list_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +7,7 @@
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
 #include "core/report/json_text.h"
+#include "golden/command/commands.h"
 #include "golden/judge/housekeeping.h"
 #include "golden/suite/suite_neighbours.h"
 

@@ -1,13 +1,11 @@
-#include "golden/command/report_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "golden/command/commands.h"
 #include "golden/command/compare_command.h"
 #include "golden/command/report_output.h"
-#include "golden/report/merged_report.h"
 #include "golden/report/report_reader.h"
 
 namespace rocinante {

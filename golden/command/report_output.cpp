@@ -10,8 +10,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/count_text.h"
 #include "core/base/plain_text.h"
-#include "golden/report/report_ci.h"
-#include "golden/report/report_folder.h"
+#include "golden/report/report_formats.h"
 
 namespace rocinante {
 namespace {

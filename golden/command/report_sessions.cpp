@@ -1,13 +1,12 @@
-#include "golden/command/report_sessions.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/cli/worker_threads.h"
+#include "golden/command/report_output.h"
 #include "golden/why/frame_why.h"
+#include "viewer/page/page_file.h"
 #include "viewer/page/page_job.h"
-#include "viewer/page/page_link.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "golden/command/run_command.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -13,9 +11,9 @@
 #include "core/base/plain_text.h"
 #include "core/base/shell_word.h"
 #include "core/cli/worker_threads.h"
+#include "golden/command/commands.h"
 #include "golden/command/compare_command.h"
 #include "golden/command/report_output.h"
-#include "golden/command/report_sessions.h"
 #include "golden/judge/housekeeping.h"
 #include "golden/judge/suite_jobs.h"
 #include "golden/judge/suite_runs.h"

@@ -1,5 +1,3 @@
-#include "golden/command/session_command.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,8 +9,9 @@
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "core/foreign/recordings/cell_and_log.h"
+#include "golden/command/commands.h"
 #include "golden/command/suite_arguments.h"
-#include "golden/report/report_folder.h"
+#include "golden/report/report_formats.h"
 #include "golden/session/session_comparison_text.h"
 #include "viewer/picture/picture_size.h"
 

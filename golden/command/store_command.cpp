@@ -1,11 +1,10 @@
-#include "golden/command/store_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
 #include "golden/approval/golden_folder.h"
 #include "golden/approval/manifest.h"
+#include "golden/command/commands.h"
 #include "golden/suite/suite.h"
 
 namespace rocinante {

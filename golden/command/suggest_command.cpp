@@ -1,5 +1,3 @@
-#include "golden/command/suggest_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +7,7 @@
 #include "core/base/plain_text.h"
 #include "core/cli/opened_session.h"
 #include "core/cli/worker_threads.h"
+#include "golden/command/commands.h"
 #include "golden/run/limit_suggestion.h"
 #include "golden/run/link_tracks.h"
 #include "golden/run/run_judge.h"

@@ -1,7 +1,7 @@
-#include "golden/report/difference_sheet.h"
-
 #include <algorithm>
 #include <array>
+
+#include "golden/report/report_pictures.h"
 
 namespace rocinante {
 namespace {

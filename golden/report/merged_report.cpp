@@ -1,5 +1,3 @@
-#include "golden/report/merged_report.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <set>
 
 #include "golden/judge/housekeeping.h"
+#include "golden/report/report_reader.h"
 
 namespace rocinante {
 namespace {

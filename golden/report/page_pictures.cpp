@@ -1,10 +1,9 @@
-#include "golden/report/page_pictures.h"
-
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "core/base/base64.h"
 #include "core/base/json_parse.h"
+#include "golden/report/report_pictures.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {

@@ -1,5 +1,3 @@
-#include "golden/report/report_artifact.h"
-
 #include <fmt/format.h>
 
 #include <string>
@@ -9,7 +7,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/plain_text.h"
 #include "core/bundle/private_folder.h"
-#include "golden/report/page_pictures.h"
+#include "golden/report/report_pictures.h"
 #include "golden/report/report_reader.h"
 #include "golden/suite/suite_case.h"
 

@@ -1,5 +1,3 @@
-#include "golden/report/report_ci.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +14,8 @@
 #include "core/check/reports/report_formats.h"
 #include "core/report/json_text.h"
 #include "golden/report/cause_groups.h"
-#include "golden/report/difference_sheet.h"
+#include "golden/report/report_formats.h"
+#include "golden/report/report_pictures.h"
 #include "golden/report/report_runs.h"
 #include "golden/why/frame_why.h"
 

@@ -1,11 +1,8 @@
-#include "golden/report/report_folder.h"
-
 #include <set>
 
 #include "core/base/atomic_file.h"
-#include "golden/report/difference_sheet.h"
-#include "golden/report/page_pictures.h"
-#include "golden/report/report_html.h"
+#include "golden/report/report_formats.h"
+#include "golden/report/report_pictures.h"
 #include "golden/report/report_reader.h"
 #include "golden/why/run_pictures.h"
 

@@ -1,5 +1,3 @@
-#include "golden/report/report_html.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,8 +11,9 @@
 #include "core/base/plain_text.h"
 #include "core/base/shell_word.h"
 #include "golden/report/cause_groups.h"
-#include "golden/report/page_pictures.h"
+#include "golden/report/report_formats.h"
 #include "golden/report/report_page.h"
+#include "golden/report/report_pictures.h"
 #include "golden/report/report_runs.h"
 #include "golden/why/frame_why.h"
 

@@ -7,7 +7,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "core/base/json_parse.h"
-#include "golden/report/page_pictures.h"
+#include "golden/report/report_pictures.h"
 #include "golden/report/report_runs.h"
 #include "golden/suite/suite_case.h"
 #include "golden/suite/suite_plan.h"

@@ -1,11 +1,10 @@
-#include "recorder/contents/log_attach.h"
-
 #include <fmt/format.h>
 
 #include <set>
 
 #include "core/base/plain_text.h"
 #include "core/log/log_profile.h"
+#include "recorder/contents/attachments.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "recorder/contents/log_extract.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_folder.h"
+#include "recorder/contents/attachments.h"
 
 namespace rocinante {
 namespace {

@@ -62,4 +62,10 @@ Result<LogInfo> logInfo(const std::filesystem::path& path,
                         const std::function<void(double)>& progress = {},
                         std::size_t max_events = kMaxEvents);
 
+/// One JSON object for scripts, indented or on one line, with LF.
+std::string logInfoJson(const LogInfo& info, bool indented);
+
+/// Several lines for the user, each with LF.
+std::string logInfoText(const LogInfo& info);
+
 }  // namespace rocinante

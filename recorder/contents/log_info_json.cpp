@@ -1,9 +1,8 @@
-#include "recorder/contents/log_info_json.h"
-
 #include <cmath>
 
 #include "core/base/duration_text.h"
 #include "core/report/json_text.h"
+#include "recorder/contents/log_info.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "recorder/contents/log_info_text.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +8,8 @@
 #include "core/base/size_text.h"
 #include "core/cli/text_table.h"
 #include "core/log/log_profile.h"
-#include "recorder/contents/message_text.h"
+#include "recorder/contents/log_info.h"
+#include "recorder/contents/message_printer.h"
 
 namespace rocinante {
 namespace {

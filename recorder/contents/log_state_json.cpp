@@ -1,9 +1,8 @@
-#include "recorder/contents/log_state_json.h"
-
 #include <fmt/format.h>
 
 #include "core/base/hash.h"
 #include "core/report/json_text.h"
+#include "recorder/contents/log_state.h"
 
 namespace rocinante {
 namespace {

@@ -1,11 +1,10 @@
-#include "recorder/contents/log_state_text.h"
-
 #include <fmt/format.h>
 
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "core/packet/item_text.h"
 #include "core/packet/packet_text.h"
+#include "recorder/contents/log_state.h"
 
 namespace rocinante {
 namespace {

@@ -6,12 +6,15 @@
 
 #include "core/base/base64.h"
 #include "core/base/duration_text.h"
+#include "core/base/hash.h"
+#include "core/base/plain_text.h"
 #include "core/log/log_profile.h"
 #include "core/report/json_text.h"
-#include "recorder/contents/message_text.h"
 
 namespace rocinante {
 namespace {
+
+constexpr std::size_t kHexBytes = 32;
 
 /// RFC 4180: quoted where necessary, quotes doubled.
 std::string csvField(std::string_view text) {
@@ -25,6 +28,28 @@ std::string csvField(std::string_view text) {
 }
 
 }  // namespace
+
+std::string payloadLine(ByteView payload, bool is_text) {
+  if (!is_text) {
+    std::string line = hexOf(payload.first(std::min(payload.size(), kHexBytes)));
+    if (payload.size() > kHexBytes) line += "...";
+    return fmt::format("{} ({} bytes)", line, payload.size());
+  }
+  std::string_view text = textOf(payload);
+  while (text.ends_with('\n') || text.ends_with('\r') || text.ends_with('\0')) {
+    text.remove_suffix(1);
+  }
+  std::string line;
+  while (true) {
+    const std::size_t end = text.find('\n');
+    std::string_view each = text.substr(0, end);
+    if (each.ends_with('\r')) each.remove_suffix(1);
+    line += plainText(each);
+    if (end == std::string_view::npos) return line;
+    line += " | ";
+    text.remove_prefix(end + 1);
+  }
+}
 
 void MessagePrinter::makeRoomFor(const LogChannel& channel) {
   topic_width_ = std::max(topic_width_, plainText(channel.topic).size());

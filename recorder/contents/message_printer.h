@@ -2,7 +2,10 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
+#include "core/base/bytes.h"
+#include "core/base/plain_text.h"
 #include "core/log/log_types.h"
 
 namespace rocinante {
@@ -35,5 +38,9 @@ class MessagePrinter {
   LogTime origin_;
   std::size_t topic_width_ = 0;
 };
+
+/// A payload on one line. Lines of packet text are joined by " | "; other payloads are shown as
+/// their first 32 bytes in hexadecimal, with the length.
+std::string payloadLine(ByteView payload, bool is_text);
 
 }  // namespace rocinante

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "recorder/diff/message_match.h"
-#include "recorder/diff/state_diff.h"
 
 namespace rocinante {
 namespace {

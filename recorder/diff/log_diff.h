@@ -74,4 +74,14 @@ enum class DiffBy { payload, time, state, all };
 Result<LogDiff> diffLogs(LogReader& a, LogReader& b, DiffBy by,
                          const std::function<void(double)>& progress = {});
 
+/// Folds two logs side by side from their beginnings, and finds the first log time at which their
+/// states differ.
+Result<StateDiff> diffStates(LogReader& a, LogReader& b,
+                             const std::function<void(LogTime)>& progress);
+
+/// Several lines for the user, each with LF.
+std::string diffText(const LogDiff& diff);
+/// One JSON object for scripts, with LF.
+std::string diffJson(const LogDiff& diff);
+
 }  // namespace rocinante

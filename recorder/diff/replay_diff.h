@@ -63,4 +63,9 @@ struct ReplayDiff {
 Result<ReplayDiff> diffReplay(LogReader& a, LogReader& b, const ReplayOptions& options,
                               const std::function<void(double)>& progress = {});
 
+/// Several lines for the user, each with LF.
+std::string replayText(const ReplayDiff& diff);
+/// One JSON object for scripts, with LF.
+std::string replayJson(const ReplayDiff& diff);
+
 }  // namespace rocinante

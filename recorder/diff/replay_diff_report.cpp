@@ -1,5 +1,3 @@
-#include "recorder/diff/replay_diff_report.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
 #include "core/report/json_text.h"
+#include "recorder/diff/replay_diff.h"
 
 namespace rocinante {
 namespace {

@@ -1,10 +1,9 @@
-#include "recorder/diff/state_diff.h"
-
 #include <algorithm>
 #include <cstdlib>
 
 #include "core/base/hash.h"
 #include "core/session/message_folder.h"
+#include "recorder/diff/log_diff.h"
 
 namespace rocinante {
 namespace {

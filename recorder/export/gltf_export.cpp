@@ -1,9 +1,8 @@
-#include "recorder/export/gltf_export.h"
-
 #include <algorithm>
 #include <array>
 
 #include "core/cell/scene_pose_cache.h"
+#include "recorder/export/exports.h"
 #include "recorder/export/session_census.h"
 
 namespace rocinante {

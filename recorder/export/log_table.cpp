@@ -1,10 +1,9 @@
-#include "recorder/export/log_table.h"
-
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <span>
 
+#include "recorder/export/exports.h"
 #include "recorder/export/session_census.h"
 
 namespace rocinante {

@@ -1,5 +1,3 @@
-#include "recorder/export/message_export.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/count_text.h"
 #include "core/foreign/session/moment_messages.h"
+#include "recorder/export/exports.h"
 #include "recorder/export/session_census.h"
 #include "recorder/export/shown_shapes.h"
 #include "recorder/export/timed_notes.h"

@@ -1,5 +1,3 @@
-#include "recorder/export/pcap_export.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "core/log/log_profile.h"
 #include "core/net/endpoint.h"
 #include "core/packet/text_number.h"
+#include "recorder/export/exports.h"
 #include "recorder/export/session_census.h"
 
 namespace rocinante {

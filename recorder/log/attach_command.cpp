@@ -1,5 +1,3 @@
-#include "recorder/log/attach_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,8 +9,9 @@
 #include "core/cli/load_progress.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
-#include "recorder/contents/log_attach.h"
-#include "recorder/log/copy_options.h"
+#include "recorder/contents/attachments.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

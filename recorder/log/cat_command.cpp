@@ -1,5 +1,3 @@
-#include "recorder/log/cat_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +5,7 @@
 #include "core/copy/nothing_chosen.h"
 #include "recorder/contents/log_cat.h"
 #include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

@@ -2,11 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <string>
 
 #include "core/base/duration_text.h"
 #include "core/base/rough_duration.h"
+#include "core/bundle/attached_cell.h"
+#include "core/bundle/cell_or_log.h"
+#include "core/cli/load_progress.h"
+#include "core/cli/program.h"
+#include "core/cli/search_options.h"
+#include "core/cli/worker_threads.h"
+#include "core/copy/copy_report.h"
+#include "core/recording/compression_text.h"
 
 namespace rocinante {
 
@@ -29,6 +40,115 @@ Result<Nanoseconds> readEvery(const std::string& text, Nanoseconds span, std::in
                  "--every"};
   }
   return every;
+}
+
+void addCopyArguments(CLI::App& app, CopyArguments& arguments) {
+  app.add_option("-o,--output", arguments.output, "the log to make")->type_name("OUT")->required();
+  app.add_flag("--force", arguments.force, "replace an existing output");
+  app.add_option("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
+      ->type_name("KIND")
+      ->capture_default_str();
+  app.add_flag("--json", arguments.json, "print what was made as JSON");
+}
+
+void addTimeArguments(CLI::App& app, SelectionOptions& selection) {
+  CLI::Option* const from =
+      app.add_option("--from", selection.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+          ->type_name("TIME");
+  CLI::Option* const until =
+      app.add_option("--until", selection.until, "end before this session time")->type_name("TIME");
+  app.add_option("--from-event", selection.from_event,
+                 "begin at the first event whose text matches; instead of --from")
+      ->type_name("PATTERN")
+      ->excludes(from);
+  app.add_option("--until-event", selection.until_event,
+                 "end before the first matching event after that; instead of --until")
+      ->type_name("PATTERN")
+      ->excludes(until);
+}
+
+void addChoiceArguments(CLI::App& app, SelectionOptions& selection) {
+  const auto add = [&app](const char* name, std::vector<std::string>& patterns,
+                          const char* description) {
+    app.add_option(name, patterns, description)->type_name("PATTERN")->allow_extra_args(false);
+  };
+  add("--channel", selection.channels,
+      "only topics that match this pattern; may be repeated, like those below");
+  add("--not-channel", selection.not_channels, "not the topics that match");
+  add("--source", selection.sources, "only packets of a SOURCE that matches");
+  add("--device", selection.devices, "only packets that say something about a device that matches");
+  add("--encoding", selection.encodings, "only messages of this encoding: rk1 or octets");
+}
+
+CopyProgress stoppableProgress(const std::string& doing) {
+  const auto line = std::make_shared<ProgressLine>(doing);
+  return [line](double part) -> Status {
+    line->show(part);
+    if (!cli::stopRequested()) return {};
+    return Error{ErrorKind::refused, kStopped, {}};
+  };
+}
+
+Result<MakeOptions> readCopyArguments(const CopyArguments& arguments) {
+  MakeOptions make;
+  make.output = arguments.output;
+  make.overwrite = arguments.force;
+  make.attachments = !arguments.without_attachments;
+  if (Status read = readCompression(arguments.compression, make.log); !read) return read.error();
+  return make;
+}
+
+Result<CopyReport> runCopy(const CopyArguments& arguments, const std::string& doing,
+                           const std::function<Result<CopyReport>(const MakeOptions&)>& work) {
+  Result<MakeOptions> make = readCopyArguments(arguments);
+  if (!make) return make.error();
+  cli::catchStopSignals();
+  make->progress = stoppableProgress(doing);
+  const cli::StopDeadline deadline(kStopped);
+  return work(*make);
+}
+
+Result<cli::Exit> tellCopy(const CopyArguments& arguments, const CopyReport& report) {
+  const Status told =
+      toStandardOutput(arguments.json ? copyReportJson(arguments.output, report)
+                                      : copyReportText(arguments.output, report.counts));
+  if (!told) return told.error();
+  return tellGaps(report);
+}
+
+cli::Exit tellGaps(const CopyReport& report) {
+  for (const CopyGap& gap : report.gaps) cli::warn(gapText(gap));
+  for (const std::string& note : report.notes) cli::warn(note);
+  return report.gaps.empty() && report.notes.empty() ? cli::Exit::done : cli::Exit::no;
+}
+
+void addExportCellArguments(CLI::App& app, const char* name, ExportCellArguments& arguments) {
+  CLI::Option* const cell =
+      app.add_option(name, arguments.cell,
+                     "the cell or model of the session; by default the one that the log carries");
+  if (!cell->get_positional()) cell->type_name("CELL");
+  cli::addSearchOptions(app, arguments.search);
+}
+
+Result<std::shared_ptr<const Cell>> loadExportCell(const ExportCellArguments& arguments,
+                                                   const LogReader& log, bool geometry) {
+  std::filesystem::path path = arguments.cell;
+  if (path.empty()) {
+    const std::vector<std::string> words = cli::searchWords(arguments.search);
+    if (!words.empty()) return Error{ErrorKind::bad_argument, words.front() + " needs a cell", {}};
+    if (!carriesCell(log)) return std::shared_ptr<const Cell>();
+    path = log.name();
+  }
+  CellOptions options = arguments.search;
+  options.geometry = geometry;
+  options.parallel = cli::workerThreads();
+  options.progress = cli::loadProgress(path.string());
+  Result<Cell> cell = loadCellOrLog(path, options);
+  if (!cell) return cell.error();
+  for (const Finding& fault : cell->faults) {
+    if (fault.severity == Severity::error) cli::warn(cell->shown(fault.print()));
+  }
+  return std::make_shared<const Cell>(std::move(*cell));
 }
 
 }  // namespace rocinante

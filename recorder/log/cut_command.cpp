@@ -1,9 +1,8 @@
-#include "recorder/log/cut_command.h"
-
 #include <CLI/CLI.hpp>
 
 #include "core/copy/log_cut.h"
-#include "recorder/log/copy_options.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,11 +1,9 @@
-#include "recorder/log/decode_command.h"
-
 #include <CLI/CLI.hpp>
 
 #include "core/copy/copy_report.h"
 #include "core/copy/log_decode.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/copy_options.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

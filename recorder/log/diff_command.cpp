@@ -1,5 +1,3 @@
-#include "recorder/log/diff_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,10 +6,9 @@
 #include "core/base/duration_text.h"
 #include "core/cli/opened_session.h"
 #include "recorder/diff/log_diff.h"
-#include "recorder/diff/log_diff_report.h"
 #include "recorder/diff/replay_diff.h"
-#include "recorder/diff/replay_diff_report.h"
 #include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,10 +1,9 @@
-#include "recorder/log/doctor_command.h"
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "recorder/doctor/log_doctor.h"
 #include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

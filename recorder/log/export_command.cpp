@@ -1,5 +1,3 @@
-#include "recorder/log/export_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -18,12 +16,9 @@
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/foreign/ros_out/ros2_format.h"
 #include "core/report/json_text.h"
-#include "recorder/export/gltf_export.h"
-#include "recorder/export/message_export.h"
-#include "recorder/export/pcap_export.h"
+#include "recorder/export/exports.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/copy_options.h"
-#include "recorder/log/export_cell.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

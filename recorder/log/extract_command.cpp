@@ -1,5 +1,3 @@
-#include "recorder/log/extract_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,8 +5,9 @@
 #include "core/base/atomic_file.h"
 #include "core/base/plain_text.h"
 #include "core/report/json_text.h"
-#include "recorder/contents/log_extract.h"
+#include "recorder/contents/attachments.h"
 #include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "recorder/log/follow_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +7,7 @@
 
 #include "recorder/contents/log_follow.h"
 #include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,20 +1,23 @@
-#include "recorder/log/import_command.h"
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/check/log_account.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/search_options.h"
+#include "core/cli/text_table.h"
 #include "core/cli/worker_threads.h"
 #include "core/copy/output_file.h"
 #include "core/foreign/recordings/bag_folder.h"
 #include "core/foreign/recordings/capture_import.h"
 #include "core/foreign/recordings/recording_kind.h"
+#include "core/report/json_text.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/copy_options.h"
-#include "recorder/log/import_report.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {
@@ -120,6 +123,64 @@ std::string accountOf(const std::filesystem::path& log) {
   const Result<Cell> cell = loadCellOrLog(log, options);
   const Result<LogAccount> account = logAccount(log, cell ? &*cell : nullptr);
   return account ? account->sentence() : std::string();
+}
+
+std::string becameText(const ros::ImportedTopic& topic) {
+  if (!topic.translated) return "kept as they are";
+  return cli::counted(topic.packets, "packet");
+}
+
+/// For the user: what was made, then one line a topic.
+std::string importReportText(const std::string& output, const ros::ImportReport& report) {
+  std::string text = fmt::format(
+      "{}: {} of {}, {} s; {} became packets\n", plainText(output),
+      cli::counted(report.messages, "message"), cli::counted(report.topics.size(), "topic"),
+      secondsText(report.end - report.start, 3), cli::grouped(report.packets));
+  cli::TextTable table;
+  table.is_number = {false, false, true, false};
+  for (const ros::ImportedTopic& topic : report.topics) {
+    table.rows.push_back({plainText(topic.name), plainText(topic.type.empty() ? "-" : topic.type),
+                          cli::counted(topic.messages, "message"), becameText(topic)});
+  }
+  text += table.text();
+  if (!report.robot.empty()) {
+    text += fmt::format("  the robot description is the log's cell: device {}\n",
+                        plainText(report.robot));
+  }
+  return text;
+}
+
+/// One JSON object for scripts (docs/programs/log.md).
+std::string importReportJson(const std::string& output, const ros::ImportReport& report) {
+  Json topics = Json::array();
+  for (const ros::ImportedTopic& topic : report.topics) {
+    Json notes = Json::object();
+    for (const auto& [sentence, count] : topic.notes) notes[sentence] = count;
+    topics.push_back({{"topic", topic.name},
+                      {"type", topic.type},
+                      {"messages", topic.messages},
+                      {"translated", topic.translated},
+                      {"packets", topic.packets},
+                      {"malformed", topic.malformed},
+                      {"fault", topic.fault.empty() ? Json(nullptr) : Json(topic.fault)},
+                      {"notes", std::move(notes)}});
+  }
+  const Json out{{"format", 1},
+                 {"output", output},
+                 {"messages", report.messages},
+                 {"packets", report.packets},
+                 {"malformed", report.malformed},
+                 {"dropped", report.dropped},
+                 {"lost", report.lost},
+                 {"start_ns", nanosecondsOf(report.start)},
+                 {"end_ns", nanosecondsOf(report.end)},
+                 {"bytes", report.bytes},
+                 {"robot", report.robot.empty() ? Json(nullptr) : Json(report.robot)},
+                 {"topics", std::move(topics)},
+                 {"damage", report.damage},
+                 {"notes", report.notes},
+                 {"left_out", leftOutJson(report.account)}};
+  return jsonText(out);
 }
 
 Result<cli::Exit> runImport(const ImportArguments& my) {

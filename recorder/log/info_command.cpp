@@ -1,13 +1,10 @@
-#include "recorder/log/info_command.h"
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <limits>
 
 #include "recorder/contents/log_info.h"
-#include "recorder/contents/log_info_json.h"
-#include "recorder/contents/log_info_text.h"
 #include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

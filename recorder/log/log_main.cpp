@@ -1,26 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
-#include "recorder/log/attach_command.h"
-#include "recorder/log/cat_command.h"
-#include "recorder/log/cut_command.h"
-#include "recorder/log/decode_command.h"
-#include "recorder/log/diff_command.h"
-#include "recorder/log/doctor_command.h"
-#include "recorder/log/export_command.h"
-#include "recorder/log/extract_command.h"
-#include "recorder/log/follow_command.h"
-#include "recorder/log/import_command.h"
-#include "recorder/log/info_command.h"
-#include "recorder/log/log_command.h"
-#include "recorder/log/mark_command.h"
-#include "recorder/log/merge_command.h"
-#include "recorder/log/recover_command.h"
-#include "recorder/log/shift_command.h"
-#include "recorder/log/split_command.h"
-#include "recorder/log/state_command.h"
-#include "recorder/log/table_command.h"
-#include "recorder/log/verify_command.h"
+#include "recorder/log/commands.h"
 
 namespace {
 

@@ -1,5 +1,3 @@
-#include "recorder/log/mark_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +6,7 @@
 #include "core/base/plain_text.h"
 #include "recorder/contents/log_mark.h"
 #include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

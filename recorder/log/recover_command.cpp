@@ -1,5 +1,3 @@
-#include "recorder/log/recover_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,7 +5,7 @@
 #include "core/copy/copy_report.h"
 #include "core/copy/log_recover.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/copy_options.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,9 +1,8 @@
-#include "recorder/log/shift_command.h"
-
 #include <CLI/CLI.hpp>
 
 #include "core/copy/log_shift.h"
-#include "recorder/log/copy_options.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "recorder/log/state_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,9 +7,8 @@
 #include "core/session/moment_name.h"
 #include "core/session/timeline.h"
 #include "recorder/contents/log_state.h"
-#include "recorder/contents/log_state_json.h"
-#include "recorder/contents/log_state_text.h"
 #include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "recorder/log/table_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,10 +11,9 @@
 #include "core/copy/output_file.h"
 #include "core/report/json_text.h"
 #include "core/session/session_time.h"
-#include "recorder/export/log_table.h"
+#include "recorder/export/exports.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/copy_options.h"
-#include "recorder/log/export_cell.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

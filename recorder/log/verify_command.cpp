@@ -1,9 +1,8 @@
-#include "recorder/log/verify_command.h"
-
 #include <CLI/CLI.hpp>
 
 #include "recorder/contents/log_verify.h"
 #include "recorder/log/command_support.h"
+#include "recorder/log/commands.h"
 
 namespace rocinante {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "core/log/log_writer.h"
 #include "core/mcap/file_sink.h"
-#include "recorder/export/log_table.h"
+#include "recorder/export/exports.h"
 #include "tests/bench/bench_support.h"
 
 namespace {

@@ -1,11 +1,10 @@
-#include "viewer/model/cell_writer.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
 
 #include "core/document/toml_text.h"
+#include "viewer/model/model_writers.h"
 
 namespace rocinante {
 namespace {

@@ -1,10 +1,9 @@
-#include "viewer/model/clearance_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
-#include "viewer/model/pose_clearance.h"
+#include "viewer/model/commands.h"
+#include "viewer/model/pose_request.h"
 
 namespace rocinante {
 namespace {

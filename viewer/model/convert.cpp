@@ -6,9 +6,7 @@
 #include "core/base/plain_text.h"
 #include "core/cell/cell_files.h"
 #include "core/kinematics/kinematics.h"
-#include "viewer/model/cell_writer.h"
-#include "viewer/model/obj_writer.h"
-#include "viewer/model/stl_writer.h"
+#include "viewer/model/model_writers.h"
 
 namespace rocinante {
 namespace {

@@ -1,11 +1,10 @@
-#include "viewer/model/convert_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
+#include "viewer/model/commands.h"
 #include "viewer/model/convert.h"
 
 namespace rocinante {

@@ -1,8 +1,7 @@
-#include "viewer/model/fk_command.h"
-
 #include <CLI/CLI.hpp>
 
-#include "viewer/model/forward_kinematics.h"
+#include "viewer/model/commands.h"
+#include "viewer/model/pose_request.h"
 
 namespace rocinante {
 namespace {

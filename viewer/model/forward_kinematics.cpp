@@ -1,11 +1,10 @@
-#include "viewer/model/forward_kinematics.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
+#include "viewer/model/pose_request.h"
 
 namespace rocinante {
 namespace {

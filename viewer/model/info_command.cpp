@@ -1,9 +1,7 @@
-#include "viewer/model/info_command.h"
-
 #include <CLI/CLI.hpp>
 
-#include "viewer/model/model_info_json.h"
-#include "viewer/model/model_info_text.h"
+#include "viewer/model/commands.h"
+#include "viewer/model/model_info.h"
 
 namespace rocinante {
 namespace {

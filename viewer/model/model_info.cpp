@@ -10,8 +10,8 @@
 #include "core/base/angle_text.h"
 #include "core/cell/posed_scene.h"
 #include "core/math/transform.h"
+#include "viewer/model/model_writers.h"
 #include "viewer/model/pose_request.h"
-#include "viewer/model/posed_parts.h"
 
 namespace rocinante {
 namespace {

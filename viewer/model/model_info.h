@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/cell/cell.h"
 #include "core/kinematics/kinematics.h"
+#include "core/kinematics/model.h"
 
 namespace rocinante {
 
@@ -62,5 +63,16 @@ Result<ModelInfo> modelInfo(const Cell& cell, const std::string& device);
 
 /// "-166.003° to 166.003°", "unlimited"; empty for joints without bounds.
 std::string limitsText(const Joint& joint);
+
+/// The information as JSON.
+std::string modelInfoJson(const ModelInfo& info);
+
+/// The information as text.
+std::string modelInfoText(const ModelInfo& info);
+
+/// The links of a model as a tree, one per line, each with its joint, the joint's type and limits.
+/// Drawn with box-drawing characters or only ASCII. Beyond 64 levels lines are not indented further
+/// but show their depth.
+std::string treeText(const Model& model, bool ascii);
 
 }  // namespace rocinante

@@ -1,11 +1,10 @@
-#include "viewer/model/model_info_json.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "core/report/account.h"
 #include "core/report/json_text.h"
+#include "viewer/model/model_info.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/model/model_info_text.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "core/base/size_text.h"
 #include "core/cli/text_table.h"
 #include "core/report/account.h"
+#include "viewer/model/model_info.h"
 
 namespace rocinante {
 namespace {

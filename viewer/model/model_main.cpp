@@ -1,11 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
-#include "viewer/model/clearance_command.h"
-#include "viewer/model/convert_command.h"
-#include "viewer/model/fk_command.h"
-#include "viewer/model/info_command.h"
-#include "viewer/model/tree_command.h"
+#include "viewer/model/commands.h"
 
 namespace {
 

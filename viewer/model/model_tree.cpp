@@ -1,5 +1,3 @@
-#include "viewer/model/model_tree.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-#include "viewer/model/obj_writer.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <iterator>
 
 #include "core/mesh/map_placing.h"
+#include "viewer/model/model_writers.h"
 
 namespace rocinante {
 namespace {

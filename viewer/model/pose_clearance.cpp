@@ -1,5 +1,3 @@
-#include "viewer/model/pose_clearance.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "core/check/judges/clearance_report.h"
 #include "core/cli/text_table.h"
 #include "core/report/json_text.h"
+#include "viewer/model/pose_request.h"
 
 namespace rocinante {
 namespace {

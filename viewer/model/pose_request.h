@@ -8,8 +8,10 @@
 
 #include "core/base/result.h"
 #include "core/cell/cell.h"
+#include "core/check/rules/check_report.h"
 #include "core/packet/session_state.h"
 #include "core/session/state_damage.h"
+#include "viewer/model/link_poses.h"
 
 namespace rocinante {
 
@@ -31,5 +33,32 @@ struct PoseRequest {
 /// `damaged`, or the state with the damage added to `damage`.
 Result<SessionState> posedState(const Cell& cell, const PoseRequest& request,
                                 StateDamage* damage = nullptr);
+
+/// Poses of every link of the requested device, or of all present devices, in the order of cell and
+/// model. `damage` as in posedState().
+Result<std::vector<LinkPose>> forwardKinematics(const Cell& cell, const PoseRequest& request,
+                                                StateDamage* damage = nullptr);
+
+/// A table in metres.
+std::string forwardKinematicsText(const std::vector<LinkPose>& links);
+
+/// The least distances of a cell in one pose.
+struct PoseClearance {
+  std::vector<CheckedClearance> clearances;  ///< with no times but the pose's
+  std::vector<std::string> warnings;         ///< what was not measured, and why
+
+  bool areKept() const;
+};
+
+/// The `[[clearance]]`s of the cell; without any the clearance of every two devices, and of every
+/// device with itself, of which touching is the only violation. With a requested device only those
+/// of that device. bad_argument when there is nothing to measure; `damage` as in posedState().
+Result<PoseClearance> poseClearance(Cell& cell, const PoseRequest& request,
+                                    StateDamage* damage = nullptr);
+
+std::string poseClearanceText(const PoseClearance& measured);
+/// The keys are those of `check --json`, without times.
+std::string poseClearanceJson(const PoseClearance& measured,
+                              const std::vector<std::string>& warnings);
 
 }  // namespace rocinante

@@ -1,6 +1,5 @@
-#include "viewer/model/posed_parts.h"
-
 #include "core/math/transform.h"
+#include "viewer/model/model_writers.h"
 
 namespace rocinante {
 namespace {

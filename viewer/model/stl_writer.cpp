@@ -1,9 +1,8 @@
-#include "viewer/model/stl_writer.h"
-
 #include <array>
 #include <bit>
 
 #include "core/math/transform.h"
+#include "viewer/model/model_writers.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/model/tree_command.h"
-
 #include <fmt/format.h>
 #include <langinfo.h>
 
@@ -8,7 +6,8 @@
 #include <string_view>
 
 #include "core/base/plain_text.h"
-#include "viewer/model/model_tree.h"
+#include "viewer/model/commands.h"
+#include "viewer/model/model_info.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/page/page_cell.h"
-
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -7,6 +5,7 @@
 
 #include "viewer/bake/bake_cell.h"
 #include "viewer/detail/coarse_mesh.h"
+#include "viewer/page/page_parts.h"
 
 namespace rocinante {
 namespace {

@@ -1,12 +1,21 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/packet/session_state.h"
 
 namespace rocinante {
+
+/// A page is held in memory several times while it is made.
+constexpr std::uint64_t kMostPageBytes = std::uint64_t{1} << 30U;
+/// A page's memory ends at 2 GiB (cmake/web.cmake), and the log is in it whole. Also in served.js.
+constexpr std::uint64_t kMostLogInPageBytes = 2'000'000'000;
 
 /// What a page consists of (docs/programs/page.md).
 struct PageParts {
@@ -31,5 +40,11 @@ std::string servedPageOf(const PageParts& parts, bool is_live);
 /// The log that a page carries. unsupported when it is not one of ours; damaged when its log is cut
 /// or changed. Allocates no more than the page's size.
 Result<Bytes> logOfPage(std::string_view page, const std::string& name);
+
+/// Where a page opens: "#t=12.5&camera=overview&select=arm/link4", to be appended to its address.
+/// Seconds count from the session's origin. What is empty is left out; of `select` the second part
+/// may be.
+std::string pageLink(std::optional<Nanoseconds> moment, std::string_view camera,
+                     const Path& select);
 
 }  // namespace rocinante

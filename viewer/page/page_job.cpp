@@ -12,14 +12,8 @@
 #include "core/check/check.h"
 #include "core/log/log_reader.h"
 #include "core/session/timeline.h"
-#include "viewer/page/page_cell.h"
-#include "viewer/page/page_events.h"
 #include "viewer/page/page_file.h"
-#include "viewer/page/page_findings.h"
-#include "viewer/page/page_limits.h"
-#include "viewer/page/page_span.h"
-#include "viewer/page/page_viewer.h"
-#include "viewer/page/thin_page.h"
+#include "viewer/page/page_parts.h"
 
 namespace rocinante {
 namespace {

@@ -1,14 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "core/base/bytes.h"
 #include "core/base/model_search.h"
 #include "core/base/parallel_for.h"
 #include "core/base/result.h"
+#include "core/cell/cell.h"
 #include "core/check/log_account.h"
+#include "viewer/page/page_file.h"
 
 namespace rocinante {
 
@@ -49,5 +53,17 @@ Result<PageReport> makePage(const PageJob& job);
 /// Writes the log that a page carries. Returns its size.
 Result<std::uint64_t> extractLog(const std::filesystem::path& page,
                                  const std::filesystem::path& output, bool overwrite);
+
+/// The log that the page carries: the job's own, byte for byte, or what `rocinante log cut` makes
+/// of it for the job's span. The cell that a log carries is left out, since the page has its own; a
+/// damaged log keeps it. Warns in the report of damage that the cut had to leave out.
+Result<Bytes> carriedLog(const PageJob& job, PageReport& report);
+
+/// The page of these parts with a smaller cell, the largest of a few steps with which it has at
+/// most `job.most_bytes`: pictures of half the size, and half of the triangles, by turns. The last
+/// step's page when none is small enough. Sets the cell of `parts`, and what it lacks;
+/// `whole_bytes` is the size of the page with the whole cell.
+std::string thinPage(const Cell& cell, const PageJob& job, std::size_t whole_bytes,
+                     PageParts& parts);
 
 }  // namespace rocinante

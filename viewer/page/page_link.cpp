@@ -1,8 +1,7 @@
-#include "viewer/page/page_link.h"
-
 #include <fmt/format.h>
 
 #include "core/base/duration_text.h"
+#include "viewer/page/page_file.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/page/page_span.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -10,7 +8,8 @@
 #include "core/copy/log_cut.h"
 #include "core/log/log_profile.h"
 #include "core/log/log_reader.h"
-#include "viewer/page/page_limits.h"
+#include "viewer/page/page_file.h"
+#include "viewer/page/page_job.h"
 
 namespace rocinante {
 namespace {

@@ -7,7 +7,7 @@ const token = new URLSearchParams(location.search).get("token");
 const address = (path) => new URL(path + (token ? "?token=" + encodeURIComponent(token) : ""), location.href);
 
 const kPieceBytes = 4 << 20;
-const kMostBytes = 2e9;  // viewer/page/page_limits.h; beyond 2^32 an address would wrap around
+const kMostBytes = 2e9;  // viewer/page/page_file.h; beyond 2^32 an address would wrap around
 const kSilentMs = 5000;  // the server restates everything every two seconds
 const served = {kind, trouble: ""};
 

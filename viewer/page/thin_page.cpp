@@ -1,11 +1,10 @@
-#include "viewer/page/thin_page.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/base/size_text.h"
-#include "viewer/page/page_cell.h"
+#include "viewer/page/page_job.h"
+#include "viewer/page/page_parts.h"
 
 namespace rocinante {
 namespace {

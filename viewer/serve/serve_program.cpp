@@ -16,10 +16,8 @@
 #include "core/check/log_account.h"
 #include "core/foreign/live/cell_decoders.h"
 #include "core/log/log_reader.h"
-#include "viewer/page/page_cell.h"
 #include "viewer/page/page_file.h"
-#include "viewer/page/page_limits.h"
-#include "viewer/page/page_viewer.h"
+#include "viewer/page/page_parts.h"
 #include "viewer/serve/feed.h"
 #include "viewer/serve/live_session.h"
 

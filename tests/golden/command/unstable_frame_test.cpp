@@ -7,8 +7,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/cell/cell.h"
-#include "golden/command/approve_command.h"
-#include "golden/command/run_command.h"
+#include "golden/command/commands.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante {

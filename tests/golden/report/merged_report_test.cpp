@@ -1,6 +1,6 @@
-#include "golden/report/merged_report.h"
-
 #include <gtest/gtest.h>
+
+#include "golden/report/report_reader.h"
 
 namespace rocinante {
 namespace {

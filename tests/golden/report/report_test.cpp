@@ -6,10 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
-#include "golden/report/difference_sheet.h"
-#include "golden/report/report_ci.h"
-#include "golden/report/report_folder.h"
-#include "golden/report/report_html.h"
+#include "golden/report/report_formats.h"
+#include "golden/report/report_pictures.h"
 #include "golden/report/report_reader.h"
 #include "golden/why/frame_why.h"
 #include "tests/support/temporary_folder.h"

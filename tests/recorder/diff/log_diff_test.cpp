@@ -4,7 +4,6 @@
 
 #include <random>
 
-#include "recorder/diff/log_diff_report.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "recorder/diff/replay_diff_report.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {

@@ -10,9 +10,7 @@
 
 #include "core/foreign/foxglove/foxglove_format.h"
 #include "core/foreign/ros_out/ros2_format.h"
-#include "recorder/export/gltf_export.h"
-#include "recorder/export/message_export.h"
-#include "recorder/export/pcap_export.h"
+#include "recorder/export/exports.h"
 #include "tests/recorder/export/written_session.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,5 +1,3 @@
-#include "recorder/export/gltf_export.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 
 #include "core/math/transform.h"
 #include "core/mesh/glb_container.h"
+#include "recorder/export/exports.h"
 #include "tests/recorder/export/written_session.h"
 #include "tests/support/temporary_folder.h"
 

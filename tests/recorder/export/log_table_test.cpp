@@ -1,5 +1,3 @@
-#include "recorder/export/log_table.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +11,7 @@
 #include "core/foreign/table/row_spill.h"
 #include "core/foreign/table/stored_zip.h"
 #include "player/source/csv_stream.h"
+#include "recorder/export/exports.h"
 #include "tests/recorder/export/written_session.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,8 +1,7 @@
-#include "recorder/export/message_export.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "recorder/export/exports.h"
 #include "tests/recorder/export/written_session.h"
 #include "tests/support/temporary_folder.h"
 

@@ -9,8 +9,8 @@
 #include "core/mesh/map_placing.h"
 #include "tests/core/cell/cell_fixture.h"
 #include "tests/support/shared_data.h"
-#include "viewer/model/forward_kinematics.h"
 #include "viewer/model/model_info.h"
+#include "viewer/model/pose_request.h"
 
 namespace rocinante {
 namespace {

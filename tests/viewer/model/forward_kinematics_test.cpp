@@ -1,5 +1,3 @@
-#include "viewer/model/forward_kinematics.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +5,7 @@
 #include "core/base/number_list.h"
 #include "core/math/trigonometry.h"
 #include "tests/core/cell/cell_fixture.h"
+#include "viewer/model/pose_request.h"
 
 namespace rocinante {
 namespace {

@@ -6,9 +6,6 @@
 
 #include "tests/core/cell/cell_fixture.h"
 #include "tests/support/shared_data.h"
-#include "viewer/model/model_info_json.h"
-#include "viewer/model/model_info_text.h"
-#include "viewer/model/model_tree.h"
 
 namespace rocinante {
 namespace {

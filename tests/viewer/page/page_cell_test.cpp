@@ -1,5 +1,3 @@
-#include "viewer/page/page_cell.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -8,6 +6,7 @@
 
 #include "core/bundle/baked_file.h"
 #include "viewer/bake/bake_cell.h"
+#include "viewer/page/page_parts.h"
 
 namespace rocinante {
 namespace {

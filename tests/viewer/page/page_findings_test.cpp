@@ -1,6 +1,6 @@
-#include "viewer/page/page_findings.h"
-
 #include <gtest/gtest.h>
+
+#include "viewer/page/page_parts.h"
 
 namespace rocinante {
 namespace {

@@ -1,6 +1,6 @@
-#include "viewer/page/page_link.h"
-
 #include <gtest/gtest.h>
+
+#include "viewer/page/page_file.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/page/page_span.h"
-
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -10,6 +8,7 @@
 #include "core/log/log_reader.h"
 #include "core/recording/session_writer.h"
 #include "tests/support/temporary_folder.h"
+#include "viewer/page/page_job.h"
 
 namespace rocinante::test {
 namespace {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -8,10 +10,32 @@
 #include <utility>
 #include <vector>
 
+#include "core/cell/cell.h"
+#include "core/cell/posed_scene.h"
 #include "core/report/account.h"
-#include "viewer/model/posed_parts.h"
 
 namespace rocinante {
+
+/// A run of triangles of one material with its world transform. Borrows from scene and model.
+struct PosedPart {
+  const PosedDevice* device = nullptr;
+  std::size_t link = 0;  ///< of the device's model
+  const Mesh* mesh = nullptr;
+  const MeshPart* part = nullptr;
+  Material material;      ///< with overrides of cell or session
+  bool tinted = false;    ///< by the mesh's vertex colours
+  Mat4 to_world{1.0};     ///< with the visual's scale
+  bool mirrored = false;  ///< to_world flips the winding
+};
+
+/// Calls `each` for every part of one device's visuals, links in model order. `shown_only` leaves
+/// out hidden ones.
+void forEachPart(const PosedDevice& device, bool shown_only,
+                 const std::function<void(const PosedPart&)>& each);
+
+/// A mesh point in world space, and a normal there (unit length; zero stays zero).
+Vec3 worldPoint(const PosedPart& part, const glm::vec3& point);
+Vec3 worldNormal(const PosedPart& part, const glm::vec3& normal);
 
 /// Makes unique names of letters, digits, `_`, `.` and `-`, which need no quotes in any file and
 /// match themselves as patterns.
@@ -64,5 +88,26 @@ class ObjWriter {
   PlainNames material_names_, picture_names_;
   std::uint64_t points_ = 0, normals_ = 0, corners_ = 0, triangles_ = 0;
 };
+
+/// Posed geometry as binary STL: metres, z up; without groups, colours and smooth normals, which
+/// the format lacks.
+class StlWriter {
+ public:
+  StlWriter();
+  void add(const PosedPart& part);
+  /// Returns the file; nothing can be added afterwards.
+  std::string finish();
+  std::uint64_t triangles() const { return triangles_; }
+
+ private:
+  std::string bytes_;
+  std::uint64_t triangles_ = 0;
+};
+
+/// A cell of one device (docs/cell-format.md): its kinematics as [[model.link]] tables over the
+/// groups of an OBJ. `groups` is by link of the model: empty for links without geometry. Numbers
+/// are the shortest that read back as the same double.
+std::string cellText(const CellDevice& device, const Model& model, const std::string& obj_file,
+                     const std::vector<std::string>& groups);
 
 }  // namespace rocinante

@@ -1,4 +1,4 @@
-#include "viewer/model/command_support.h"
+#include "viewer/model/commands.h"
 
 #include <fmt/format.h>
 

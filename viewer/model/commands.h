@@ -16,11 +16,17 @@ class App;
 
 namespace rocinante {
 
-/// A subcommand of `rocinante model`: its options and action.
+/// A subcommand of `rocinante model`: its options and action. Each lies in its own
+/// NAME_command.cpp (docs/programs/model.md).
 struct ModelCommand {
   CLI::App* app = nullptr;
   std::function<Result<cli::Exit>()> run;
 };
+ModelCommand addInfoCommand(CLI::App& program);
+ModelCommand addTreeCommand(CLI::App& program);
+ModelCommand addFkCommand(CLI::App& program);
+ModelCommand addClearanceCommand(CLI::App& program);
+ModelCommand addConvertCommand(CLI::App& program);
 
 /// The file of a subcommand and how to load it.
 struct ModelFileOptions : ModelSearch {
