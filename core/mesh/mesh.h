@@ -95,8 +95,6 @@ struct Mesh {
   std::optional<ShapeSize> shape{};
 
   std::size_t triangleCount() const { return indices.size() / 3; }
-  /// Bytes in memory, each embedded image counted once.
-  std::size_t memoryBytes() const;
 };
 
 }  // namespace rocinante

@@ -191,8 +191,6 @@ class SessionState {
 
   /// The same for relays that number their own output, by name.
   const std::map<std::string, RelayCounts, std::less<>>& relays() const { return relays_; }
-  /// Packets of sources that were refused for lack of room.
-  std::uint64_t refusedPackets() const { return refused_packets_; }
 
   /// Memory used by items and sources, as the limits table counts it.
   std::uint64_t weight() const { return weight_; }
@@ -239,7 +237,6 @@ class SessionState {
 
   std::map<std::string, SourceCounts, std::less<>> counts_;
   std::map<std::string, RelayCounts, std::less<>> relays_;
-  std::uint64_t refused_packets_ = 0;
   std::vector<Event> events_;
   struct KnownSource {
     SourceState* state = nullptr;

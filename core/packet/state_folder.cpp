@@ -30,10 +30,7 @@ bool noteLate(std::uint64_t& recent, std::uint64_t below) {
 Applied StateFolder::fold() {
   if (header_.via) countRelay();
   if (!state_.open_.empty()) abandonOldRestatements();
-  if (!findSource()) {
-    ++state_.refused_packets_;
-    return Applied::refused;
-  }
+  if (!findSource()) return Applied::refused;
   if (header_.by.empty()) ++(header_.via ? counts_->filtered : counts_->whole);
   if (!admit()) return Applied::late;
 
