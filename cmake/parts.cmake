@@ -80,7 +80,7 @@ rocinante_part(sdf ROCINANTE_SDF "reading SDF" FILE librocinante_sdformat.so
 
 set(ROCINANTE_PARTS_FILE ${PROJECT_BINARY_DIR}/build_parts.cpp)
 file(GENERATE OUTPUT ${ROCINANTE_PARTS_FILE} CONTENT
-"#include \"core/cli/build_parts.h\"
+"#include \"core/cli/parts_text.h\"
 
 namespace rocinante {
 

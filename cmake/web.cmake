@@ -29,12 +29,12 @@ function(rocinante_web_sources folder)
 endfunction()
 
 add_executable(rocinante-viewer)
-rocinante_web_sources(core/base reader_notice hash duration_text plain_text name_hint count_text pattern number_list
-  angle_text size_text version json_parse)
+rocinante_web_sources(core/base reader_notice hash duration_text plain_text name_hint figure_text pattern number_list
+  version json_parse)
 rocinante_web_sources(core/math angle_reduction srgb trigonometry transform)
 rocinante_web_sources(core/packet packet text_name text_number header_reader statement_reader
   packet_text_decoder packet_text_writer state_folder fold_statement state_forgetting session_state
-  item_text joint_order restatement statement_device)
+  item_text joint_order restatement)
 rocinante_web_sources(core/mcap append_record byte_sink chunk_expander chunk_head no_lz4_frame open_chunk
   open_chunk_stream parse_record record_probe records record_stepper summary tail_reserve torn_chunk)
 rocinante_web_sources(core/log other_format captured_range chunk_indexes clock_message followed_file followed_records
@@ -45,26 +45,26 @@ rocinante_web_sources(core/session keyframe keyframe_finder log_fold log_pieces 
   moment_walk session_time state_cache state_damage timeline)
 rocinante_web_sources(core/report json_text)
 rocinante_web_sources(core/series series_key series_scan value_bins)
-rocinante_web_sources(core/mesh map_placing mesh mesh_builder polygon shapes smooth_normals)
+rocinante_web_sources(core/mesh mesh mesh_builder polygon shapes smooth_normals)
 rocinante_web_sources(core/kinematics model joint_values kinematics mesh_scale)
 rocinante_web_sources(core/cell cell cell_names device_appearance layer_index posed_scene view_path)
 rocinante_web_sources(core/bundle baked_file)
 rocinante_web_sources(viewer/bake bake_cell baked_guard)
-rocinante_web_sources(viewer/picture exif_orientation mipmaps picture picture_encoding plain_png png whole_png stored_png lfs_pointer)
+rocinante_web_sources(viewer/picture exif_orientation mipmaps picture picture_options plain_png png whole_png stored_png lfs_pointer)
 rocinante_web_sources(viewer/detail detail_builder detail_cache detail_file detail_level governor mesh_detail)
 rocinante_web_sources(viewer/gl frame_buffer gl_table renderer_key shader_program)
 rocinante_web_sources(viewer/view camera camera_choice depth_reach frame_extras hand_joints inset_layout known_names
-  layer_choice limit_levels link_looks measure_style missing_meshes movable_devices render_style
+  link_looks measure_style missing_meshes movable_devices render_style
   trail_finder units view_choice)
 rocinante_web_sources(viewer/cull coplanar_items coplanar_surfaces cull_sphere draw_list flat_faces
-  scene_catalog scene_detail translucent_order)
+  scene_catalog translucent_order)
 rocinante_web_sources(viewer/overlay embedded_font inspection_marks label_layout overlay overlay_panel
   scale_bar session_drawings text_atlas)
 rocinante_web_sources(viewer/passes backdrop_pass background_pass caster_draw contact_map contact_shaders draw_passes draw_triangles
   edge_pass ghost_pass grid_pass identity_pass item_batch item_matrices look_shaders mesh_buffers
   mesh_edges outline_pass overlay_buffer overlay_pass plain_shader scene_pass shader_source
   shadow_fit shadow_map texture_store)
-rocinante_web_sources(viewer/render fitted_cameras frame_maker identity_frame identity_numbers inset_frame
+rocinante_web_sources(viewer/render fitted_cameras frame_maker identity_frame inset_frame
   renderer renderer_light renderer_numbers scaled_view source_rates stage_times)
 rocinante_web_sources(viewer/model link_poses)
 rocinante_web_sources(viewer/ui/model turntable)

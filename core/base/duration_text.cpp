@@ -83,6 +83,21 @@ bool takeChar(std::string_view& text, char wanted) {
 
 }  // namespace
 
+std::string roughDuration(Nanoseconds duration) {
+  struct Unit {
+    std::int64_t seconds;
+    const char* name;
+  };
+  constexpr std::array kLongUnits = {Unit{31'556'952, "years"}, Unit{86'400, "days"},
+                                     Unit{3'600, "hours"}};
+  const auto seconds = std::chrono::duration<double>(duration).count();
+  for (const Unit& unit : kLongUnits) {
+    const double count = seconds / static_cast<double>(unit.seconds);
+    if (count >= 2) return fmt::format("{:.1f} {}", count, unit.name);
+  }
+  return fmt::format("{:.0f} s", seconds);
+}
+
 Result<Nanoseconds> parseDuration(std::string_view whole) {
   std::string_view text = whole;
   const bool negative = takeChar(text, '-');

@@ -8,6 +8,9 @@
 
 namespace rocinante {
 
+/// For sentences about long times: "53.9 years", "3.4 days", "2.0 hours", "75 s".
+std::string roughDuration(Nanoseconds duration);
+
 /// "12.5" or "12.5s" (seconds), "250ms", "50us", "10ns", "1m02.5s", "1h30m": exact, to the
 /// nanosecond; a finer digit is bad_argument. A leading minus is accepted. No exponent.
 Result<Nanoseconds> parseDuration(std::string_view text);

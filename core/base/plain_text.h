@@ -8,6 +8,10 @@
 
 namespace rocinante {
 
+/// `word` written so that a POSIX shell takes it for one argument: as it is where that is safe, in
+/// single quotes otherwise. Any bytes but NUL.
+std::string shellWord(std::string_view word);
+
 /// True when the bytes are UTF-8 (RFC 3629: no overlong forms, no surrogates).
 bool isUtf8(ByteView bytes);
 

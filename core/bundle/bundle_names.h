@@ -7,6 +7,10 @@
 
 namespace rocinante {
 
+/// The media type of a file by the ending of its name; application/octet-stream when the ending is
+/// unknown.
+std::string mediaTypeOf(std::string_view name);
+
 /// `text` as a manifest can hold it: invalid UTF-8 and control characters become %XX.
 std::string manifestWord(std::string_view text);
 

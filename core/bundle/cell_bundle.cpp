@@ -9,13 +9,12 @@
 #include <utility>
 
 #include "core/base/hash.h"
-#include "core/base/shell_word.h"
+#include "core/base/plain_text.h"
 #include "core/bundle/bundle_names.h"
 #include "core/bundle/cell_folder.h"
-#include "core/bundle/media_type.h"
 #include "core/log/log_profile.h"
 #include "core/search/file_search.h"
-#include "core/search/typed_path.h"
+#include "core/search/found_file.h"
 
 namespace rocinante {
 namespace {

@@ -5,12 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/cell/cell_clearances.h"
-#include "core/cell/cell_decoders.h"
 #include "core/cell/cell_files.h"
-#include "core/cell/cell_insets.h"
 #include "core/cell/cell_layers.h"
-#include "core/cell/cell_lights.h"
 #include "core/cell/cell_materials.h"
 #include "core/cell/cell_models.h"
 #include "core/cell/cell_names.h"

@@ -1,5 +1,3 @@
-#include "core/cell/cell_clearances.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

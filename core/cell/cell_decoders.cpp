@@ -1,8 +1,7 @@
-#include "core/cell/cell_decoders.h"
-
 #include <fmt/format.h>
 
 #include "core/base/atomic_file.h"
+#include "core/cell/cell_sections.h"
 #include "core/document/toml_node.h"
 
 namespace rocinante {

@@ -1,11 +1,10 @@
-#include "core/cell/cell_insets.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/name_hint.h"
+#include "core/cell/cell_sections.h"
 #include "core/document/fault_list.h"
 #include "core/mesh/mesh_builder.h"
 

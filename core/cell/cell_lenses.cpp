@@ -1,10 +1,9 @@
-#include "core/cell/cell_lenses.h"
-
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 
+#include "core/cell/cell_sections.h"
 #include "core/math/trigonometry.h"
 
 namespace rocinante {

@@ -1,7 +1,6 @@
-#include "core/cell/cell_lights.h"
-
 #include <fmt/format.h>
 
+#include "core/cell/cell_sections.h"
 #include "core/math/transform.h"
 
 namespace rocinante {

@@ -7,7 +7,6 @@
 
 #include "core/base/name_hint.h"
 #include "core/cell/cell_layers.h"
-#include "core/cell/cell_lenses.h"
 #include "core/cell/rule_reader.h"
 #include "core/document/fault_list.h"
 #include "core/math/transform.h"

@@ -1,10 +1,9 @@
-#include "core/cell/inline_joint.h"
-
 #include <fmt/format.h>
 
 #include <limits>
 
 #include "core/base/name_hint.h"
+#include "core/cell/inline_model.h"
 #include "core/document/fault_list.h"
 #include "core/kinematics/kinematics.h"
 #include "core/math/trigonometry.h"

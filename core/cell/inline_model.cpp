@@ -6,7 +6,6 @@
 
 #include "core/base/name_hint.h"
 #include "core/base/pattern.h"
-#include "core/cell/inline_joint.h"
 #include "core/document/fault_list.h"
 #include "core/kinematics/kinematics.h"
 #include "core/kinematics/model_draft.h"

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/document/toml_table.h"
 #include "core/kinematics/model.h"
+#include "core/kinematics/model_draft.h"
 #include "core/mesh/mesh_store.h"
 
 namespace rocinante {
@@ -24,5 +26,10 @@ std::vector<MeshWanted> meshesOfInlineModels(const TomlNode& document,
 
 /// A model of one link that carries all of `mesh`, which may be null.
 Model rigidModel(std::string name, std::string file, std::shared_ptr<const Mesh> mesh);
+
+/// Reads the `joint` of a link of an inline `[[model]]` (docs/cell-format.md, "Joints"). Faults go
+/// to the table's list; empty when the joint has no usable name.
+std::optional<JointDraft> readInlineJoint(TomlTable& table, const std::string& parent,
+                                          const std::string& child);
 
 }  // namespace rocinante

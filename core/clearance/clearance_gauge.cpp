@@ -1,6 +1,7 @@
 #include "core/clearance/clearance_gauge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -33,6 +34,11 @@ std::string structureOf(const SessionState& state) {
 }
 
 }  // namespace
+
+double roundedClearance(double metres) {
+  if (!(metres > 0)) return 0;
+  return std::max(1.0, std::floor(metres * 1e5 + 0.5)) / 1e5;
+}
 
 ClearanceGauge::ClearanceGauge(const Cell& cell, Chosen chosen)
     : cell_(cell), chosen_(std::move(chosen)) {}

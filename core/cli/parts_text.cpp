@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "core/base/loaded_module.h"
-#include "core/cli/build_parts.h"
 
 namespace rocinante {
 namespace {

@@ -21,7 +21,7 @@
 #include "core/base/unfinished_path.h"
 #include "core/base/version.h"
 #include "core/cli/help_formatter.h"
-#include "core/cli/standard_streams.h"
+#include "core/cli/terminal.h"
 #include "core/cli/usage_fault.h"
 
 namespace rocinante::cli {

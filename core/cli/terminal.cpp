@@ -1,8 +1,10 @@
 #include "core/cli/terminal.h"
 
+#include <fcntl.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <string_view>
 
@@ -28,6 +30,14 @@ bool localeIsUtf8() {
 }
 
 }  // namespace
+
+void fillClosedStandardStreams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+    if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
+    // open() takes the lowest free number: this one. No O_CLOEXEC: child processes need it too.
+    ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
 
 OutputTerminal outputTerminal() {
   OutputTerminal terminal;

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/report/json_text.h"
 

@@ -1,4 +1,4 @@
-#include "core/copy/log_cut.h"
+#include "core/copy/log_edits.h"
 
 namespace rocinante {
 

@@ -1,5 +1,4 @@
-#include "core/copy/log_decode.h"
-
+#include "core/copy/log_edits.h"
 #include "core/foreign/decode/carried_decoders.h"
 #include "core/log/log_profile.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/plain_text.h"
-#include "core/copy/nothing_chosen.h"
+#include "core/copy/log_selection.h"
 #include "core/log/log_profile.h"
 #include "core/session/marks.h"
 #include "core/session/timeline.h"

@@ -1,5 +1,3 @@
-#include "core/copy/log_merge.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/copy/log_edits.h"
 #include "core/log/log_profile.h"
 
 namespace rocinante {

@@ -1,5 +1,3 @@
-#include "core/copy/log_recover.h"
-
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -10,6 +8,7 @@
 #include <cstring>
 
 #include "core/base/hash.h"
+#include "core/copy/log_edits.h"
 #include "core/log/log_profile.h"
 #include "core/mcap/parse_record.h"
 #include "core/mcap/record_stepper.h"

@@ -89,4 +89,9 @@ class Selection {
   std::unique_ptr<PacketTextDecoder> decoder_;  ///< null when everything is wanted
 };
 
+/// The error for a selection without messages, with the reason if it can be seen: the log is empty
+/// or unreadable, the time is outside it, or no topic matches. Call after reading the log.
+Error nothingChosen(const LogReader& log, const SelectionOptions& selection,
+                    const TimeRange& range);
+
 }  // namespace rocinante

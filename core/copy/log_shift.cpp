@@ -1,10 +1,9 @@
-#include "core/copy/log_shift.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/base/duration_text.h"
+#include "core/copy/log_edits.h"
 
 namespace rocinante {
 namespace {

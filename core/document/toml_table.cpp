@@ -38,6 +38,22 @@ bool isNumber(const TomlNode& node) {
 
 }  // namespace
 
+std::string tomlText(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      quoted += '\\';
+      quoted += c;
+    } else if (byte < 0x20 || byte == 0x7F) {
+      quoted += fmt::format("\\u{:04X}", byte);
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
 const TomlNode* TomlTable::find(std::string_view key) const {
   for (const TomlNode::Entry& entry : node_->entries) {
     if (entry.key == key) return &entry.value;

@@ -11,6 +11,9 @@
 
 namespace rocinante {
 
+/// `text`, which is UTF-8, as a TOML string.
+std::string tomlText(std::string_view text);
+
 /// One TOML table read strictly: every key that was asked for is known, and finish() reports the
 /// others. A value of the wrong kind is a fault with its place, and reads as absent. Borrows the
 /// node and the faults.

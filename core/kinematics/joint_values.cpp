@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/name_hint.h"
 #include "core/base/plain_text.h"
 

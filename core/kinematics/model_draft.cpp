@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string_view>
 
+#include "core/base/figure_text.h"
 #include "core/base/name_hint.h"
 #include "core/document/fault_list.h"
 
@@ -202,6 +203,22 @@ class TreeBuilder {
 };
 
 }  // namespace
+
+void judgeVisibility(const Model& model, Place place, FaultList& faults) {
+  std::uint64_t with_collisions = 0;
+  for (const Link& link : model.links) {
+    if (!link.visuals.empty()) return;
+    with_collisions += link.collisions.empty() ? 0 : 1;
+  }
+  if (with_collisions == 0) return;
+  faults.warning("model.no-visual", place,
+                 fmt::format("nothing of the model is drawn: {} collision geometry, and none has a "
+                             "<visual>",
+                             with_collisions == 1 ? std::string("1 link has")
+                                                  : countText(with_collisions, "link") + " have"),
+                 "to see it: render --collision '*', C in the window, or collision = \"only\" in a "
+                 "[[layer]] of a cell");
+}
 
 std::optional<Model> finishModel(ModelDraft&& draft, FaultList& faults) {
   return TreeBuilder(std::move(draft), faults).build();

@@ -9,6 +9,10 @@
 
 namespace rocinante {
 
+/// Warns, at `place`, of a model that has collision geometry and no visual: nothing of it is drawn
+/// (docs/rules/model.md, "model.no-visual").
+void judgeVisibility(const Model& model, Place place, FaultList& faults);
+
 /// More than any machine has; a file with more is refused (docs/cell-format.md, "Limits").
 inline constexpr std::size_t kMaxLinks = 65536;
 

@@ -1,5 +1,3 @@
-#include "core/kinematics/sdf_judge.h"
-
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
@@ -9,7 +7,8 @@
 
 #include "core/document/xml_account.h"
 #include "core/document/xml_tags.h"
-#include "core/kinematics/gazebo_colors.h"
+#include "core/kinematics/sdf_reader.h"
+#include "core/kinematics/visual_materials.h"
 
 namespace rocinante {
 namespace {

@@ -13,13 +13,9 @@
 #include "core/base/loaded_module.h"
 #include "core/base/name_hint.h"
 #include "core/base/plain_text.h"
-#include "core/kinematics/gazebo_colors.h"
 #include "core/kinematics/model_draft.h"
-#include "core/kinematics/sdf_judge.h"
-#include "core/kinematics/sdf_text.h"
 #include "core/kinematics/sdformat_module.h"
 #include "core/kinematics/urdf_reader.h"
-#include "core/kinematics/visibility.h"
 #include "core/kinematics/visual_materials.h"
 #include "core/math/transform.h"
 

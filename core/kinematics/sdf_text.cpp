@@ -1,5 +1,3 @@
-#include "core/kinematics/sdf_text.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "core/document/xml_tags.h"
+#include "core/kinematics/sdf_reader.h"
 
 namespace rocinante {
 namespace {

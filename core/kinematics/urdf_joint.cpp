@@ -1,5 +1,3 @@
-#include "core/kinematics/urdf_joint.h"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -7,6 +5,7 @@
 
 #include "core/base/name_hint.h"
 #include "core/document/fault_list.h"
+#include "core/kinematics/urdf_element.h"
 #include "core/math/transform.h"
 
 namespace rocinante {

@@ -1,5 +1,3 @@
-#include "core/kinematics/urdf_link.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "core/base/name_hint.h"
 #include "core/document/fault_list.h"
+#include "core/kinematics/urdf_element.h"
 #include "core/kinematics/visual_materials.h"
 
 namespace rocinante {

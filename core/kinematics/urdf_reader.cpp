@@ -8,9 +8,7 @@
 #include "core/document/xml_account.h"
 #include "core/document/xml_document.h"
 #include "core/kinematics/model_draft.h"
-#include "core/kinematics/urdf_joint.h"
-#include "core/kinematics/urdf_link.h"
-#include "core/kinematics/visibility.h"
+#include "core/kinematics/urdf_element.h"
 
 namespace rocinante {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/hash.h"
 #include "core/log/chunk_indexes.h"
 #include "core/log/log_end.h"

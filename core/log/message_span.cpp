@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/log/chunk_indexes.h"
 #include "core/mcap/byte_cursor.h"
 #include "core/mcap/parse_record.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/mcap/parse_record.h"
 #include "core/mcap/record_stepper.h"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/mesh/polygon.h"
-#include "core/mesh/polygon_holes.h"
 
 namespace rocinante {
 namespace {

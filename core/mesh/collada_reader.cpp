@@ -1,5 +1,3 @@
-#include "core/mesh/collada_reader.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,9 +13,10 @@
 #include "core/mesh/collada_materials.h"
 #include "core/mesh/collada_nodes.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/mesh/mesh_readers.h"
 #include "core/mesh/mtl_reader.h"
+#include "core/mesh/polygon.h"
 #include "core/mesh/position_index.h"
-#include "core/mesh/smooth_normals.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "core/mesh/gltf_account.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/mesh/gltf_document.h"
 #include "core/mesh/gltf_materials.h"
 #include "core/mesh/gltf_primitive.h"
 

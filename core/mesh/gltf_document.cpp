@@ -10,7 +10,6 @@
 #include "core/base/json_parse.h"
 #include "core/document/fault_list.h"
 #include "core/mesh/glb_container.h"
-#include "core/mesh/gltf_guard.h"
 #include "core/search/file_search.h"
 
 namespace rocinante {

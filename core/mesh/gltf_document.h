@@ -13,6 +13,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/document/fault_list.h"
 #include "core/mesh/mesh_file.h"
 
 namespace rocinante {
@@ -20,7 +21,7 @@ namespace rocinante {
 using GltfJson = nlohmann::json;
 
 /// A glTF 2 file that is safe to read: every index, length and type of `root` was checked
-/// (gltf_guard.h), and every buffer is at hand.
+/// (gltf_guard.cpp), and every buffer is at hand.
 struct GltfDocument {
   /// Of a sparse accessor: its changed elements and their places among the values, sorted.
   using Changes = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -93,5 +94,17 @@ class GltfAccessor {
   Run base_, changed_;
   std::shared_ptr<const GltfDocument::Changes> changes_;  ///< null: not sparse
 };
+
+/// Names everything of a checked document that readGltf() does not use, known or not: each
+/// property, attribute, extension, primitive, scene and node. `is_drawn` is by node. Not named is
+/// what glTF defines as ignorable: extras, and who made the file.
+void nameWhatGltfLeavesOut(const GltfDocument& document, const std::vector<bool>& is_drawn,
+                           FaultList& faults);
+
+/// What is wrong with a glTF document, in a sentence without its place; empty when every index,
+/// length and type that the reader follows is sound: bufferViews lie in buffers, accessors in
+/// bufferViews, nodes form trees that are not too deep. Refuses other versions than 2 and required
+/// extensions that are not read. `binary_bytes` is the size of a .glb's binary chunk.
+std::string problemOfGltf(const nlohmann::json& root, std::size_t binary_bytes);
 
 }  // namespace rocinante

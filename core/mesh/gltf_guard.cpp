@@ -1,5 +1,3 @@
-#include "core/mesh/gltf_guard.h"
-
 #include <fmt/format.h>
 
 #include <optional>

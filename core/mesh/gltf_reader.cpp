@@ -1,5 +1,3 @@
-#include "core/mesh/gltf_reader.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,14 +6,14 @@
 #include <map>
 #include <utility>
 
-#include "core/mesh/gltf_account.h"
 #include "core/mesh/gltf_document.h"
 #include "core/mesh/gltf_materials.h"
 #include "core/mesh/gltf_placing.h"
 #include "core/mesh/gltf_primitive.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/mesh/mesh_readers.h"
 #include "core/mesh/mtl_reader.h"
-#include "core/mesh/smooth_normals.h"
+#include "core/mesh/polygon.h"
 
 namespace rocinante {
 namespace {

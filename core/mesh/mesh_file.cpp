@@ -11,10 +11,7 @@
 #include <cstring>
 
 #include "core/document/fault_list.h"
-#include "core/mesh/collada_reader.h"
-#include "core/mesh/gltf_reader.h"
-#include "core/mesh/obj_reader.h"
-#include "core/mesh/stl_reader.h"
+#include "core/mesh/mesh_readers.h"
 
 namespace rocinante {
 namespace {

@@ -37,8 +37,7 @@ bool saysItsUnit(const std::filesystem::path& path);
 
 /// Reads .obj (with .mtl), .stl, binary and ASCII, .dae, .gltf or .glb by the file's ending. Faults
 /// of the file are added to `faults` with their lines and as much as is sound is returned; an error
-/// only when nothing can be used. Details per format: obj_reader.h, stl_reader.h,
-/// collada_reader.h, gltf_reader.h.
+/// only when nothing can be used. Details per format: mesh_readers.h.
 Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                           Findings& faults);
 

@@ -1,15 +1,13 @@
-#include "core/mesh/obj_reader.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/mesh/mesh_builder.h"
+#include "core/mesh/mesh_readers.h"
 #include "core/mesh/mtl_reader.h"
 #include "core/mesh/obj_materials.h"
 #include "core/mesh/polygon.h"
-#include "core/mesh/smooth_normals.h"
 #include "core/mesh/text_scanner.h"
 
 namespace rocinante {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/math/vector.h"
+#include "core/mesh/mesh_builder.h"
 
 namespace rocinante {
 
@@ -33,5 +35,17 @@ class PolygonCutter {
   std::vector<std::uint32_t> triangles_;
   bool gave_up_ = false;
 };
+
+/// Gives every corner without a normal the mean normal, weighted by angle, of the faces that share
+/// its point (equal coordinates) and group and meet its face at `angle_deg` or less. The sums are
+/// taken in file order with core/math's trigonometry, so they are the same on every CPU. A point in
+/// more than 256 corners keeps its faces flat (the work is quadratic in their number).
+void smoothNormals(LooseMesh& loose, double angle_deg);
+
+/// The corners of a polygon with holes as one loop for PolygonCutter: bridges lead to each hole and
+/// back. `corners` are those of the outline, then of each hole, either way round; `ends` is where
+/// the outline and each hole end. Cubic in their number at worst.
+std::vector<std::uint32_t> loopAroundHoles(std::span<const glm::vec3> corners,
+                                           std::span<const std::size_t> ends);
 
 }  // namespace rocinante

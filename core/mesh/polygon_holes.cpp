@@ -1,5 +1,3 @@
-#include "core/mesh/polygon_holes.h"
-
 #include <algorithm>
 #include <functional>
 #include <numeric>

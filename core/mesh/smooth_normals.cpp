@@ -1,11 +1,10 @@
-#include "core/mesh/smooth_normals.h"
-
 #include <cmath>
 #include <map>
 #include <span>
 #include <string_view>
 
 #include "core/math/trigonometry.h"
+#include "core/mesh/polygon.h"
 #include "core/mesh/position_index.h"
 
 namespace rocinante {

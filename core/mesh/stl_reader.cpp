@@ -1,5 +1,3 @@
-#include "core/mesh/stl_reader.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,9 @@
 #include <cmath>
 
 #include "core/mesh/mesh_builder.h"
+#include "core/mesh/mesh_readers.h"
+#include "core/mesh/polygon.h"
 #include "core/mesh/position_index.h"
-#include "core/mesh/smooth_normals.h"
 #include "core/mesh/text_scanner.h"
 
 namespace rocinante {

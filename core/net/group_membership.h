@@ -2,12 +2,38 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/net/endpoint.h"
-#include "core/net/route_socket.h"
 
 namespace rocinante {
+
+/// The kernel's reports on interfaces and routes (rtnetlink). Where access is denied, it answers
+/// that anything may have changed and that nothing is known. Linux. One thread.
+class RouteSocket {
+ public:
+  struct Changes {
+    bool any = false;             ///< interfaces, addresses or routes changed
+    bool told_everything = true;  ///< false: more may have happened than `gone` lists
+    std::vector<unsigned> gone;   ///< indexes of removed interfaces
+  };
+
+  RouteSocket();
+  ~RouteSocket();
+  RouteSocket(RouteSocket&& other) noexcept;
+  RouteSocket& operator=(RouteSocket&& other) noexcept;
+
+  /// The changes since the last call. Never blocks.
+  Changes takeChanges();
+
+ private:
+  int descriptor_ = -1;
+};
+
+/// The index of the interface through which the system would send there; 0 when there is no route,
+/// or the system does not tell.
+unsigned interfaceTowards(const SocketAddress& address);
 
 /// A socket's membership in the multicast group of its endpoint, kept while interfaces disappear
 /// and return: the kernel drops a membership with its interface, and treats an interface recreated

@@ -1,6 +1,6 @@
 #include "core/net/hears.h"
 
-#include "core/net/local_address.h"
+#include "core/net/interfaces.h"
 
 namespace rocinante {
 

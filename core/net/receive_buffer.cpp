@@ -24,6 +24,11 @@ std::uint64_t nextPowerOfTwo(std::uint64_t value) {
 
 }  // namespace
 
+void DropCounter::update(std::uint32_t reading) {
+  const std::uint32_t ahead = reading - static_cast<std::uint32_t>(total_);
+  if (ahead < (std::uint32_t{1} << 31)) total_ += ahead;
+}
+
 std::uint64_t chargedBytes(std::size_t payload_bytes) {
   for (const std::uint64_t size : kSizes) {
     if (payload_bytes + kBeside <= size) return kRecord + size;

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <vector>
 
-#include "core/net/drop_counter.h"
 #include "core/net/group_membership.h"
 #include "core/net/port_holder.h"
+#include "core/net/receive_buffer.h"
 #include "core/net/system_socket.h"
 #include "core/net/udp_socket.h"
 

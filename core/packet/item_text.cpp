@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/pattern.h"
 #include "core/packet/packet_limits.h"
 #include "core/packet/packet_text.h"
 
@@ -18,6 +19,35 @@ Statement about(StatementKind kind, std::string_view name) {
 PathView viewOf(const Path& path) { return {path.first, path.second, path.is_layer}; }
 
 }  // namespace
+
+bool isAboutDevice(const Statement& statement, std::span<const std::string> patterns) {
+  const auto named = [&](std::string_view name) {
+    return !name.empty() && anyPatternMatches(patterns, name);
+  };
+  switch (statement.kind) {
+    case StatementKind::joints:
+    case StatementKind::order:
+    case StatementKind::joint:
+    case StatementKind::pose:
+    case StatementKind::add:
+    case StatementKind::remove:
+    case StatementKind::seen:
+      return named(statement.name) || named(statement.carrier.first);
+    case StatementKind::show:
+    case StatementKind::hide:
+    case StatementKind::color:
+      return !statement.path.is_layer && named(statement.path.first);
+    case StatementKind::line:
+    case StatementKind::points:
+    case StatementKind::label:
+    case StatementKind::view:
+      return named(statement.carrier.first);
+    case StatementKind::erase:
+    case StatementKind::event:
+      return false;
+  }
+  return false;
+}
 
 std::string presenceText(std::string_view device, const PresenceValue& value) {
   const bool is_removed = value.presence == Presence::removed;

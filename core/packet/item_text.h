@@ -1,13 +1,20 @@
+// The statement that restates each item of a state: used for restatements and the identity's text.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/packet/packet.h"
 #include "core/packet/session_state.h"
 
-// The statement that restates each item of a state: used for restatements and the identity's text.
 namespace rocinante {
+
+/// True when the statement is about a device whose name matches one of `patterns`
+/// (core/base/pattern.h): its joints, its pose, its presence, its look, what it carries or what is
+/// drawn on it. False for `erase`, `event`, layers, and whatever is drawn in the world.
+bool isAboutDevice(const Statement& statement, std::span<const std::string> patterns);
 
 std::string presenceText(std::string_view device, const PresenceValue& value);
 std::string poseText(std::string_view device, const PoseValue& value);

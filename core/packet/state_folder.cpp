@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/packet/newness.h"
 #include "core/packet/packet_limits.h"
 
 namespace rocinante {
@@ -26,6 +25,19 @@ bool noteLate(std::uint64_t& recent, std::uint64_t below) {
 }
 
 }  // namespace
+
+Newness newnessOf(const SessionState& state, const PacketHeader& header) {
+  const auto found = state.sources().find(header.source);
+  if (found == state.sources().end()) return Newness::newest;
+  const SourceState& source = found->second;
+  if (source.run != header.run) return Newness::restart;
+  const std::optional<std::uint64_t>& highest = source.highest_sequence;
+  if (header.reset || !header.sequence || !highest) return Newness::newest;
+  const bool own = header.by.empty();
+  if (own && isRestart(*header.sequence, *highest)) return Newness::restart;
+  const bool is_above = *header.sequence > *highest || (!own && *header.sequence == *highest);
+  return is_above ? Newness::newest : Newness::late;
+}
 
 Applied StateFolder::fold() {
   if (header_.via) countRelay();

@@ -3,9 +3,15 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/result.h"
 #include "core/pcap/frame_reader.h"
 
 namespace rocinante {
+
+/// A filter in libpcap's language, for frames of any link type: compiled for `first` now, and for
+/// each other link when its first frame comes (where it means nothing, it takes none).
+/// bad_argument, without a place, when it does not compile.
+Result<FrameReader::Filter> compiledFilter(const std::string& text, LinkType first);
 
 /// How a user's filter reaches the kernel that watches an interface. What the kernel drops nobody
 /// counts, so it drops only what FrameReader would not use (docs/decisions/035): TCP and, with a

@@ -6,6 +6,9 @@
 
 namespace rocinante {
 
+/// The UDP datagrams of a capture file: openPcap() for an endpoint with a file.
+Result<std::unique_ptr<DatagramSource>> openCaptureSource(const Endpoint& endpoint);
+
 struct PcapOptions {
   int buffer_bytes = 32 << 20;  ///< the kernel's buffer for captured frames
 };

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "core/base/hash.h"
-#include "core/packet/newness.h"
+#include "core/packet/state_folder.h"
 
 namespace rocinante {
 namespace {

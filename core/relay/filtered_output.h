@@ -8,8 +8,7 @@
 #include "core/relay/output_header.h"
 #include "core/relay/paced_statements.h"
 #include "core/relay/pending_items.h"
-#include "core/relay/restating_pace.h"
-#include "core/relay/token_bucket.h"
+#include "core/relay/restating.h"
 
 namespace rocinante {
 

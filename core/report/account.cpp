@@ -6,7 +6,7 @@
 #include <array>
 #include <charconv>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 
 namespace rocinante {

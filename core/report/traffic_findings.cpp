@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 
 namespace rocinante {
 namespace {

@@ -9,10 +9,10 @@
 #include <fstream>
 #include <string_view>
 
-#include "core/base/shell_word.h"
+#include "core/base/plain_text.h"
+#include "core/search/found_file.h"
 #include "core/search/package_names.h"
 #include "core/search/search_facts.h"
-#include "core/search/typed_path.h"
 
 namespace rocinante {
 namespace {

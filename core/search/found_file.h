@@ -8,6 +8,12 @@
 
 namespace rocinante {
 
+/// The path as somebody types it from the current folder.
+std::string typedPath(const std::filesystem::path& path);
+
+/// Whether the name ends as meshes, their materials and buffers, and pictures do. In either case.
+bool isMeshOrTexture(const std::filesystem::path& path);
+
 /// The result of looking for a file that a cell or model names.
 struct FoundFile {
   enum class Why : std::uint8_t {

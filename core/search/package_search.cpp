@@ -5,9 +5,9 @@
 #include "core/base/name_hint.h"
 #include "core/document/fault_list.h"
 #include "core/search/file_search.h"
+#include "core/search/found_file.h"
 #include "core/search/package_names.h"
 #include "core/search/search_facts.h"
-#include "core/search/typed_path.h"
 
 // Finds the folder of a package when no folder has the package's name.
 

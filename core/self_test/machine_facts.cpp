@@ -16,9 +16,9 @@
 #include <chrono>
 #include <cstring>
 
+#include "core/base/figure_text.h"
 #include "core/base/file_lock.h"
 #include "core/base/loaded_module.h"
-#include "core/base/size_text.h"
 #include "core/kinematics/sdformat_module.h"
 #include "core/net/receive_buffer.h"
 #include "core/net/udp_socket.h"

@@ -7,10 +7,12 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/base/bytes.h"
 #include "core/base/time.h"
+#include "core/net/chosen_source.h"
 #include "core/net/datagram_source.h"
 #include "core/packet/packet.h"
 #include "core/packet/text_name.h"
@@ -58,6 +60,22 @@ class TrustJudge {
   TextArena arena_;
   PacketHeader header_;
   std::string scratch_;
+};
+
+/// A source without the datagrams that the judge refuses, which are counted by reason. A datagram's
+/// kernel time is the receiver's clock.
+class TrustedSource final : public ChosenSource {
+ public:
+  TrustedSource(std::unique_ptr<DatagramSource> inner, std::shared_ptr<TrustJudge> judge)
+      : ChosenSource(std::move(inner)), judge_(std::move(judge)) {}
+
+  InputCounts counts() const override;
+
+ private:
+  bool wants(const ReceivedDatagram& datagram) override;
+
+  std::shared_ptr<TrustJudge> judge_;
+  UntrustedCounts untrusted_;
 };
 
 }  // namespace rocinante

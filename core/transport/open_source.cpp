@@ -6,7 +6,7 @@
 #include "core/nats/nats_source.h"
 #include "core/net/filtered_source.h"
 #include "core/pcap/pcap_source.h"
-#include "core/signing/trusted_source.h"
+#include "core/signing/trust_judge.h"
 #include "core/subscription/subscribed_source.h"
 #include "core/subscription/subscription_text.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/check/check.h"
 #include "core/check/session_check.h"
 #include "core/cli/program.h"

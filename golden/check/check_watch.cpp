@@ -8,10 +8,10 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/figure_text.h"
 #include "core/check/reports/report_formats.h"
-#include "core/check/watch/finding_change_text.h"
+#include "core/check/watch/finding_watch.h"
 #include "core/cli/service_notice.h"
 #include "core/cli/terminal.h"
 #include "core/report/json_text.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/foreign/decode/carried_decoders.h"
-#include "core/foreign/live/cell_decoders.h"
+#include "core/foreign/live/received_decoder.h"
 
 namespace rocinante {
 namespace {

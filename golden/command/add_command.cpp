@@ -12,7 +12,7 @@
 #include "golden/command/commands.h"
 #include "golden/suite/suite.h"
 #include "golden/suite/suite_append.h"
-#include "viewer/picture/picture_size.h"
+#include "viewer/picture/picture_options.h"
 #include "viewer/view/render_style.h"
 
 namespace rocinante {

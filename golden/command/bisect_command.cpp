@@ -5,8 +5,8 @@
 #include <iostream>
 #include <tuple>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/cli/help_formatter.h"
@@ -19,7 +19,7 @@
 #include "golden/session/bisect.h"
 #include "golden/store/child_output.h"
 #include "golden/why/state_change.h"
-#include "viewer/picture/picture_size.h"
+#include "viewer/picture/picture_options.h"
 #include "viewer/render/frame_maker.h"
 
 namespace rocinante {

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/report/json_text.h"
 #include "golden/compare/compare_files.h"
 #include "golden/compare/comparison_text.h"

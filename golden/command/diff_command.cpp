@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "golden/approval/golden_folder.h"
 #include "golden/command/commands.h"

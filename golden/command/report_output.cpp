@@ -8,7 +8,7 @@
 #include <iostream>
 
 #include "core/base/atomic_file.h"
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "golden/report/report_formats.h"
 

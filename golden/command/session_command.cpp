@@ -12,8 +12,8 @@
 #include "golden/command/commands.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/report/report_formats.h"
-#include "golden/session/session_comparison_text.h"
-#include "viewer/picture/picture_size.h"
+#include "golden/session/session_comparison.h"
+#include "viewer/picture/picture_options.h"
 
 namespace rocinante {
 namespace {

@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
-#include "core/base/shell_word.h"
+#include "core/base/figure_text.h"
+#include "core/base/plain_text.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "golden/compare/picture_mask.h"
 #include "golden/compare/pixel_difference.h"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 
 namespace rocinante {
 

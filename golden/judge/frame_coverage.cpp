@@ -10,7 +10,6 @@
 #include "core/kinematics/joint_values.h"
 #include "golden/judge/case_mask.h"
 #include "golden/run/unfit_values.h"
-#include "viewer/view/layer_choice.h"
 #include "viewer/view/view_choice.h"
 
 namespace rocinante {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -7,11 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/bytes.h"
+#include "core/base/result.h"
 #include "golden/approval/manifest.h"
 #include "golden/compare/compare.h"
 #include "golden/compare/picture_mask.h"
 #include "golden/run/run_coverage.h"
-#include "golden/suite/suite_frame.h"
+#include "golden/suite/suite_plan.h"
 #include "viewer/picture/picture.h"
 
 namespace rocinante {
@@ -67,5 +70,12 @@ struct JudgedFrame {
   std::string page{};  ///< "session.html#t=2": its moment in a page beside the report; or empty
   double render_ms = 0, judge_ms = 0;
 };
+
+/// A judged frame as bytes, for another process of the same build; not a file format. The frame,
+/// which the receiver has from its own suite, and why it differs are left out.
+Bytes wireBytes(const JudgedFrame& judged);
+/// Fills in what wireBytes() wrote. damaged when the bytes are invalid; `judged` is then
+/// unspecified.
+Status readWire(ByteView bytes, JudgedFrame& judged);
 
 }  // namespace rocinante

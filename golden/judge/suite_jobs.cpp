@@ -18,7 +18,7 @@
 #include <thread>
 #include <utility>
 
-#include "golden/judge/judged_frame_wire.h"
+#include "golden/judge/judged_frame.h"
 
 namespace rocinante {
 namespace {

@@ -8,10 +8,8 @@
 #include <set>
 
 #include "golden/run/link_tracks.h"
-#include "golden/run/model_findings.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
-#include "golden/run/tool_effect.h"
 
 namespace rocinante {
 namespace {

@@ -14,8 +14,8 @@
 #include "golden/judge/frame_coverage.h"
 #include "golden/judge/frame_judge.h"
 #include "golden/judge/stability.h"
-#include "viewer/view/layer_choice.h"
 #include "viewer/view/missing_meshes.h"
+#include "viewer/view/view_choice.h"
 
 namespace rocinante {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
 #include "core/base/version.h"

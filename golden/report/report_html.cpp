@@ -5,11 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/base64.h"
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
-#include "core/base/shell_word.h"
 #include "golden/report/cause_groups.h"
 #include "golden/report/report_formats.h"
 #include "golden/report/report_page.h"

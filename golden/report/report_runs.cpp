@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "golden/suite/suite_case.h"
 #include "golden/why/run_pictures.h"

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "golden/run/motion_words.h"
-#include "golden/run/run_curve.h"
+#include "golden/run/motion_judge.h"
 
 namespace rocinante {
 namespace {
+
+constexpr std::int64_t kCurvePoints = 400;
+
+double roundedFigure(double value) { return std::round(value * 1e4) / 1e4; }
 
 double scaleOf(const TrackColumn& column) {
   return column.kind == TrackColumn::Kind::length ? kMillimetres : kDegrees;
@@ -24,7 +27,7 @@ std::string acceptingLimit(const std::string& item, const ColumnMeasure& measure
   return fmt::format("\"{}\" = {{ {} = {:.4g} }}", item, measure.key, limit);
 }
 
-/// In the words of motion_words.h, from values at equal times.
+/// In words, from values at equal times.
 std::string howColumnsDiffer(const JudgedColumn& judged, const ColumnMeasure& measure) {
   constexpr std::int64_t kMargin = 1'100'000'000;  // what is late or early by a second
   constexpr std::int64_t kMostMoments = 4'000;
@@ -64,6 +67,34 @@ std::string sentenceOf(const JudgedColumn& judged, const ColumnMeasure& measure)
 }
 
 }  // namespace
+
+RunCurve runCurve(const RunTimes& times, const std::vector<ColumnSamples>& accepted,
+                  const ColumnSamples& run, double scale, std::int64_t reach, double limit) {
+  RunCurve curve;
+  const std::int64_t stretch = times.end() / kCurvePoints + 1;
+  for (std::int64_t from = 0; from < times.end(); from += stretch) {
+    const std::int64_t until = std::min(from + stretch, times.end());
+    double base = 0;
+    if (!accepted.front().valueAt(from, &base)) continue;
+    ApartRange band;
+    for (const ColumnSamples& its : accepted) {
+      const ApartRange found = its.range(from - reach, until + reach, &base);
+      if (!found.any) continue;
+      band.add(found.least);
+      band.add(found.most);
+    }
+    const ApartRange own = run.range(from, until, &base);
+    const double least = band.least[0] - limit;
+    const double most = band.most[0] + limit;
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (own.any) value = own.most[0] - most > least - own.least[0] ? own.most[0] : own.least[0];
+    curve.seconds.push_back(roundedFigure(secondsOf(times.sinceOrigin(from))));
+    curve.least.push_back(roundedFigure(base * scale + least));
+    curve.most.push_back(roundedFigure(base * scale + most));
+    curve.value.push_back(roundedFigure(base * scale + value));
+  }
+  return curve;
+}
 
 RunFinding findingAt(const JudgedColumn& judged, std::int64_t time) {
   RunFinding finding;

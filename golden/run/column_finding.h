@@ -7,8 +7,17 @@
 
 #include "golden/run/column_samples.h"
 #include "golden/run/motion_judge.h"
+#include "golden/run/run_judgement.h"
 
 namespace rocinante {
+
+struct RunTimes;
+
+/// The band and the run's value over the accepted session, for a column of one number; `scale`
+/// makes it the unit of `limit`. At most a few hundred points: of each stretch the band, and the
+/// value that is farthest outside. `reach`: how much earlier or later a value may come.
+RunCurve runCurve(const RunTimes& times, const std::vector<ColumnSamples>& accepted,
+                  const ColumnSamples& run, double scale, std::int64_t reach, double limit);
 
 /// The deviation of one measure of a column over time.
 struct ColumnMeasure {
@@ -36,5 +45,21 @@ struct JudgedColumn {
 RunFinding findingAt(const JudgedColumn& judged, std::int64_t time);
 /// Of a measure that was beyond its limit, where values may come earlier or later by `reach`.
 RunFinding findingOf(const JudgedColumn& judged, const ColumnMeasure& measure, std::int64_t reach);
+
+/// One joint of a run beside the accepted one, on one grid; radians or metres. A list of one number
+/// never changes.
+struct MotionShape {
+  const std::vector<double>& run;
+  const std::vector<double>& accepted;
+  std::size_t first = 0, last = 0;  ///< samples between which they differ
+  double step_s = 0;
+  double scale = 1;  ///< to the unit
+  double limit = 0;  ///< in the unit
+  const char* unit = "";
+};
+
+/// How the two differ, when it has a simple form: "frozen at 12.3°", "its sign is flipped", "offset
+/// by +0.50°", "50 ms late". Empty otherwise.
+std::string howItDiffers(const MotionShape& shape);
 
 }  // namespace rocinante

@@ -1,5 +1,3 @@
-#include "golden/run/column_judge.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +5,8 @@
 #include <optional>
 
 #include "golden/run/column_finding.h"
-#include "golden/run/track_columns.h"
+#include "golden/run/motion_judge.h"
+#include "golden/run/session_track.h"
 
 namespace rocinante {
 namespace {

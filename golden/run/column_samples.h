@@ -1,13 +1,32 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "golden/run/session_track.h"
 #include "golden/run/time_map.h"
-#include "golden/run/value_difference.h"
 
 namespace rocinante {
+
+inline constexpr double kDegrees = 180 / std::numbers::pi;  ///< in a radian
+inline constexpr double kMillimetres = 1000;                ///< in a metre
+
+/// Components in which a value may differ from another of its column: degrees, or millimetres and
+/// then degrees.
+using Apart = std::array<double, 6>;
+
+/// What leads from `reference` to `value`, two values of a column of this kind.
+Apart apartOf(TrackColumn::Kind kind, const double* reference, const double* value);
+
+/// The least and the most of several, each component by itself.
+struct ApartRange {
+  Apart least{}, most{};
+  bool any = false;
+
+  void add(const Apart& apart);
+};
 
 /// One column of one session: radians and metres, at times in nanoseconds since the start of the
 /// first accepted session, on its time line. Angles that may turn for ever are not wound up. NaN:

@@ -1,5 +1,3 @@
-#include "golden/run/device_motions.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/count_text.h"
-#include "golden/run/rate_judge.h"
+#include "core/base/figure_text.h"
+#include "golden/run/motion_judge.h"
 #include "golden/run/run_coverage.h"
 #include "golden/run/unfit_values.h"
 

@@ -1,5 +1,3 @@
-#include "golden/run/fact_judge.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <optional>
 
 #include "golden/run/run_coverage.h"
+#include "golden/run/run_judge.h"
 
 namespace rocinante {
 namespace {

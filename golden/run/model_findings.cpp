@@ -1,5 +1,3 @@
-#include "golden/run/model_findings.h"
-
 #include <algorithm>
 #include <array>
 #include <string_view>

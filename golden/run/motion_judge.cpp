@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "golden/run/column_judge.h"
-#include "golden/run/motion_warp.h"
 #include "golden/run/run_coverage.h"
 
 namespace rocinante {

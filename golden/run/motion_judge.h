@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/parallel_for.h"
+#include "golden/run/column_samples.h"
 #include "golden/run/run_judgement.h"
 #include "golden/run/run_spec.h"
 #include "golden/run/session_track.h"
@@ -83,5 +85,32 @@ class DeviceMotion {
   /// By session, the run last, and by series.
   std::vector<std::vector<std::vector<std::int64_t>>> series_times_;
 };
+
+/// Judges a joint's value, or position and turn of a pose, by the two rules of docs/decisions/041.
+/// Appends to `findings` the measures that are beyond their limit.
+ColumnOutcome judgeColumn(const RunTimes& times, const std::string& item, const TrackColumn& column,
+                          const std::vector<ColumnSamples>& accepted, const ColumnSamples& run,
+                          std::vector<RunFinding>& findings);
+
+/// Judges how often packets state a device, in stretches of a second.
+void judgeRate(const RunTimes& times, const std::string& device, std::vector<RunFinding>& findings);
+
+/// Devices are judged together up to this many packets in all sessions: 64 MB of times.
+inline constexpr std::uint64_t kBatchRows = 8'000'000;
+
+/// Judges all devices that some session has, and adds what it judged and found to `judged`. Returns
+/// the motion that is fastest beside its limit. `parallel` may be empty.
+FastMotion judgeDevices(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged,
+                        std::uint64_t batch_rows = kBatchRows);
+
+/// Of the bends in time; of very long sessions a multiple of it.
+inline constexpr Nanoseconds kWarpStep = std::chrono::milliseconds(20);
+
+/// `map` bent so that the motion of `other` fits that of `first` best: at each time by at most
+/// `most` to either side, never backwards, at most twice as fast, and not at all at the map's knots
+/// when they are events (`keeps_knots`; otherwise not at the start). All joints bend together, so
+/// one that alone is late stays late.
+TimeMap warpedMap(const SessionTrack& first, const SessionTrack& other, const TimeMap& map,
+                  bool keeps_knots, Nanoseconds most);
 
 }  // namespace rocinante

@@ -1,5 +1,3 @@
-#include "golden/run/motion_warp.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "golden/run/column_samples.h"
+#include "golden/run/motion_judge.h"
 
 namespace rocinante {
 namespace {

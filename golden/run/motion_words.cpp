@@ -1,11 +1,10 @@
-#include "golden/run/motion_words.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "golden/run/column_finding.h"
 #include "golden/run/run_judgement.h"
 
 namespace rocinante {

@@ -1,11 +1,11 @@
-#include "golden/run/rate_judge.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
+
+#include "golden/run/motion_judge.h"
 
 namespace rocinante {
 namespace {

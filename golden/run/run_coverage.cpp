@@ -7,7 +7,7 @@
 #include "core/base/name_hint.h"
 #include "core/base/pattern.h"
 #include "core/base/plain_text.h"
-#include "golden/run/track_columns.h"
+#include "golden/run/session_track.h"
 
 namespace rocinante {
 namespace {

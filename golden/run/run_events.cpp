@@ -1,5 +1,3 @@
-#include "golden/run/run_events.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "core/base/duration_text.h"
 #include "golden/run/run_coverage.h"
+#include "golden/run/run_judge.h"
 
 namespace rocinante {
 namespace {

@@ -7,13 +7,9 @@
 #include <set>
 #include <string>
 
-#include "core/base/count_text.h"
-#include "golden/run/device_motions.h"
-#include "golden/run/fact_judge.h"
+#include "core/base/figure_text.h"
 #include "golden/run/motion_judge.h"
-#include "golden/run/motion_warp.h"
 #include "golden/run/run_coverage.h"
-#include "golden/run/run_events.h"
 
 namespace rocinante {
 namespace {

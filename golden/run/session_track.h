@@ -9,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/cell/cell.h"
+#include "core/kinematics/model.h"
 #include "core/packet/session_state.h"
 #include "core/report/account.h"
 #include "golden/run/sample_store.h"
@@ -84,5 +85,13 @@ Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path&
 /// Between two packets that are farther apart, the earlier one holds.
 inline constexpr Nanoseconds kInterpolated{std::chrono::milliseconds(250)};
 inline constexpr Nanoseconds kCountBin{std::chrono::milliseconds(20)};
+
+/// Columns for every value of the model's joints, and the device's own pose last.
+std::vector<TrackColumn> columnsOf(const Model& model);
+
+/// Writes into `out` the value between `a` and `b` of a column, `part` (0 to 1) of the way from
+/// `a`: angles that may turn for ever and orientations by the shorter way.
+void interpolate(const TrackColumn& column, const double* a, const double* b, double part,
+                 double* out);
 
 }  // namespace rocinante

@@ -1,5 +1,3 @@
-#include "golden/run/tool_effect.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +11,7 @@
 #include "golden/run/column_samples.h"
 #include "golden/run/link_tracks.h"
 #include "golden/run/run_judge.h"
-#include "golden/run/track_columns.h"
+#include "golden/run/session_track.h"
 
 namespace rocinante {
 namespace {

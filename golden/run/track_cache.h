@@ -2,15 +2,25 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/base/bytes.h"
 #include "core/base/cache_folder.h"
 #include "core/base/result.h"
+#include "core/log/mapped_file.h"
 #include "golden/run/session_track.h"
 
 namespace rocinante {
+
+/// A track as a file of this machine's byte order: its samples, then this: everything else, the
+/// key, and a checksum of all.
+Bytes encodeTrackTail(const SessionTrack& track, std::string_view key);
+/// The track of a file of that key, which it keeps; empty for anything else.
+std::optional<SessionTrack> decodeTrack(MappedFile file, std::string_view key);
 
 /// Keeps the tracks of accepted logs between runs: one file each, named by its key. Never fails:
 /// what is missing, damaged or of another version is made again, and write errors are ignored.

@@ -8,7 +8,7 @@
 #include "core/cell/posed_scene.h"
 #include "core/kinematics/joint_values.h"
 #include "core/session/message_folder.h"
-#include "golden/run/track_columns.h"
+#include "golden/run/session_track.h"
 
 namespace rocinante {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 
 namespace rocinante {
 

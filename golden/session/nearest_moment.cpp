@@ -1,21 +1,20 @@
-#include "golden/session/nearest_moment.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/cell/posed_scene.h"
 #include "core/math/transform.h"
+#include "golden/session/session_comparison.h"
 
 namespace rocinante {
 namespace {
 
 /// How far two states are apart; the first difference decides.
-struct Apart {
+struct MomentsApart {
   std::size_t facts = 0;  ///< that one has and the other has not, or otherwise
   double most = 0;        ///< of a link, in limits
   Nanoseconds away{0};
-  auto operator<=>(const Apart&) const = default;
+  auto operator<=>(const MomentsApart&) const = default;
 };
 
 std::size_t differing(const SessionState::Drawings& a, const SessionState::Drawings& b) {
@@ -37,9 +36,9 @@ double apartOf(const Mat4& a, const Mat4& b, const RunLimits& limits) {
   return std::max(away_mm / limits.position_mm, turn_deg / limits.turn_deg);
 }
 
-Apart apartOf(const PosedScene& a, const SessionState& said_a, const PosedScene& b,
-              const SessionState& said_b, const RunLimits& limits) {
-  Apart apart;
+MomentsApart apartOf(const PosedScene& a, const SessionState& said_a, const PosedScene& b,
+                     const SessionState& said_b, const RunLimits& limits) {
+  MomentsApart apart;
   apart.facts = differing(said_a.drawings(), said_b.drawings());
   for (const PosedDevice& device : a.devices) {
     const PosedDevice* const other = b.findDevice(device.name);
@@ -69,11 +68,11 @@ Result<LogTime> nearestMoment(const Cell& cell, Timeline& a, LogTime in_a, Timel
   if (!said_a.ok()) return said_a.error();
   const PosedScene scene_a = poseScene(cell, **said_a);
   LogTime best = in_b;
-  std::optional<Apart> least;
+  std::optional<MomentsApart> least;
   for (const LogTime candidate : candidates) {
     const auto said_b = b.stateAt(candidate);
     if (!said_b.ok()) return said_b.error();
-    Apart apart = apartOf(scene_a, **said_a, poseScene(cell, **said_b), **said_b, limits);
+    MomentsApart apart = apartOf(scene_a, **said_a, poseScene(cell, **said_b), **said_b, limits);
     apart.away = std::chrono::abs(candidate - in_b);
     if (least && (apart <=> *least) >= 0) continue;
     least = apart;

@@ -11,13 +11,10 @@
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
 #include "golden/run/link_tracks.h"
-#include "golden/run/model_findings.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
-#include "golden/run/tool_effect.h"
 #include "golden/run/track_cache.h"
 #include "golden/session/bisect.h"
-#include "golden/session/nearest_moment.h"
 #include "golden/why/explain_pictures.h"
 #include "golden/why/run_pictures.h"
 

@@ -47,4 +47,15 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
                                         const CellOptions& options, const SessionQuestion& question,
                                         const std::function<void(const std::string&)>& progress);
 
+/// Text of several lines, and one JSON object.
+std::string sessionText(const SessionComparison& comparison);
+std::string sessionJson(const SessionComparison& comparison);
+
+/// The one of `candidates`, times of b, at which b's state is most like that of a at `in_a`: fewest
+/// devices, colours and drawings that are not the same, then links nearest to their place relative
+/// to the limits, then nearest to `in_b`.
+Result<LogTime> nearestMoment(const Cell& cell, Timeline& a, LogTime in_a, Timeline& b,
+                              LogTime in_b, const std::vector<LogTime>& candidates,
+                              const RunLimits& limits);
+
 }  // namespace rocinante

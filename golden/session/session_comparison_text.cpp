@@ -1,14 +1,13 @@
-#include "golden/session/session_comparison_text.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/report/json_text.h"
 #include "golden/report/report_runs.h"
+#include "golden/session/session_comparison.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {

@@ -11,10 +11,23 @@
 #include "core/base/time.h"
 #include "golden/compare/compare.h"
 #include "golden/compare/picture_mask.h"
-#include "golden/suite/suite_run.h"
+#include "golden/run/run_spec.h"
 #include "viewer/view/render_style.h"
 
 namespace rocinante {
+
+class SuiteTable;
+
+/// A [[run]] of a suite: sessions judged as motion (docs/golden-suites.md, "Runs").
+struct SuiteRun {
+  std::string name;  ///< the log under test is given by `--log NAME=FILE`
+  RunSpec spec;
+  std::vector<std::string> tags;
+  int line = 0;  ///< in the suite's file
+};
+
+/// Reads a [[run]].
+SuiteRun readSuiteRun(SuiteTable& table);
 
 /// The moments that a case draws: at most one of `at`, `event`, `events` and `every` is set.
 struct CaseMoment {

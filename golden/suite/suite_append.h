@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/document/toml_text.h"
+#include "core/document/toml_table.h"
 
 namespace rocinante {
 

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <set>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/pattern.h"
 #include "core/base/plain_text.h"
 #include "core/session/moment_name.h"

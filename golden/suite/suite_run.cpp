@@ -1,5 +1,3 @@
-#include "golden/suite/suite_run.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/duration_text.h"
+#include "golden/suite/suite.h"
 #include "golden/suite/suite_case.h"
 #include "golden/suite/suite_table.h"
 

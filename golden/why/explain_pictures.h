@@ -1,10 +1,19 @@
 #pragma once
 
+#include <vector>
+
 #include "core/base/result.h"
 #include "golden/judge/frame_drawer.h"
+#include "golden/judge/judged_run.h"
+#include "golden/judge/suite_session.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
+
+/// Sets JudgedRun::changes of runs that are not as accepted: what changed in the model or cell
+/// since their first log was accepted, as modelChanges() says it.
+void explainRuns(const SuiteSession& session, const SuiteOptions& options,
+                 std::vector<JudgedRun>& runs);
 
 /// One side of a comparison that can be drawn. Borrowed.
 struct DrawableSide {

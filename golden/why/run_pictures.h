@@ -2,11 +2,19 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
+#include "core/base/result.h"
 #include "golden/judge/judged_run.h"
 #include "golden/judge/suite_session.h"
+#include "viewer/render/frame_maker.h"
 
 namespace rocinante {
+
+/// The other devices that cover the device when they cover more than half of it in a frame of this
+/// request, by name; else none. Drawings of the session do not count.
+Result<std::vector<std::string>> devicesInFront(FrameMaker& maker, const FrameRequest& request,
+                                                const std::string& device);
 
 inline constexpr std::size_t kMaxRunPictures = 4;
 

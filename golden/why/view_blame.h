@@ -5,7 +5,7 @@
 
 #include "core/cell/cell.h"
 #include "golden/why/pixel_blame.h"
-#include "viewer/view/pictured_view.h"
+#include "viewer/view/inset_layout.h"
 
 namespace rocinante {
 

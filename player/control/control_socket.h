@@ -1,15 +1,25 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/net/address_filter.h"
-#include "player/control/control_address.h"
-#include "player/control/control_input.h"
+#include "core/net/endpoint.h"
+#include "player/control/control_thread.h"
 
 namespace rocinante {
+
+/// Where a player listens for commands: udp://HOST:PORT (also HOST:PORT), or unix:PATH.
+struct ControlAddress {
+  std::filesystem::path path;  ///< of a Unix socket; empty: use `endpoint`
+  Endpoint endpoint;
+
+  static Result<ControlAddress> parse(std::string_view text);
+};
 
 /// Listens for commands on a UDP port or a Unix socket; `where` is its address
 /// ("udp://127.0.0.1:5000"). Over UDP a datagram holds up to 16 lines and gets one answer; other
@@ -25,5 +35,12 @@ struct ControlSocket {
   static Result<ControlSocket> open(const ControlAddress& address, AddressFilter allowed,
                                     std::function<void(std::string)> told = {});
 };
+
+/// ControlSocket::open() of a UDP port.
+Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed,
+                                     std::function<void(std::string)> told);
+
+/// ControlSocket::open() of a Unix socket.
+Result<ControlSocket> openUnixControl(const std::filesystem::path& path);
 
 }  // namespace rocinante

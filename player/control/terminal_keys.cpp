@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "player/send/resumes.h"
+#include "player/send/send_progress.h"
 
 namespace rocinante {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "player/control/control_input.h"
+#include "player/control/control_thread.h"
 
 namespace rocinante {
 

@@ -1,5 +1,3 @@
-#include "player/control/udp_control.h"
-
 #include <netinet/in.h>
 #include <sys/socket.h>
 
@@ -10,9 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/net/local_address.h"
+#include "core/net/interfaces.h"
 #include "core/net/port_holder.h"
 #include "core/net/system_socket.h"
+#include "player/control/control_socket.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "player/control/unix_control.h"
-
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -14,6 +12,7 @@
 
 #include "core/base/unfinished_path.h"
 #include "core/net/system_socket.h"
+#include "player/control/control_socket.h"
 #include "player/playhead/playhead_command.h"
 
 namespace rocinante {

@@ -10,7 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/log/log_reader.h"
-#include "player/send/tape_position.h"
+#include "player/send/datagram_stream.h"
 
 namespace rocinante {
 

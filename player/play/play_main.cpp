@@ -16,7 +16,7 @@
 #include "player/control/control_thread.h"
 #include "player/control/terminal_keys.h"
 #include "player/play/play.h"
-#include "player/send/resumes.h"
+#include "player/send/send_progress.h"
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/base/duration_text.h"
-#include "core/base/rough_duration.h"
 #include "player/send/pacing.h"
 #include "player/send/send_batch.h"
 

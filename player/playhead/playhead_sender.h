@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/signing/signed_datagram.h"
-#include "player/playhead/play_status.h"
+#include "player/playhead/play_line_text.h"
 #include "player/playhead/playhead.h"
 #include "player/send/paced_sender.h"
 

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "core/relay/send_in_order.h"
+#include "core/relay/fan_out.h"
 
 namespace rocinante {
 namespace {

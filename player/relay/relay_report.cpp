@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/foreign/decode/decode_account_json.h"
+#include "core/foreign/decode/decode_account.h"
 #include "core/report/account.h"
 
 namespace rocinante {

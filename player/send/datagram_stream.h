@@ -1,14 +1,34 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
-#include "player/send/tape_position.h"
+#include "core/signing/signed_datagram.h"
 
 namespace rocinante {
+
+/// A position in several logs played as one, ordered by time, then log, then place in the file. A
+/// player's position is not just a time: each of several messages of equal time can be reached.
+struct TapePosition {
+  LogTime time{};
+  std::uint32_t log = 0;          ///< index of the argument, from 0
+  std::uint64_t file_offset = 0;  ///< LogMessage::file_offset
+
+  auto operator<=>(const TapePosition&) const = default;
+
+  /// Before every message of `moment`.
+  static constexpr TapePosition at(LogTime moment) { return {moment, 0, 0}; }
+  /// Right after the message at `place`.
+  static constexpr TapePosition behind(TapePosition place) {
+    if (place.file_offset < std::numeric_limits<std::uint64_t>::max()) ++place.file_offset;
+    return place;
+  }
+};
 
 /// A range of a session to play: [from, until).
 struct PlayedSpan {
@@ -39,6 +59,21 @@ class DatagramStream {
 
   /// Takes the datagram of due(). Valid until the next call of either.
   virtual ByteView take() = 0;
+};
+
+/// Another stream with every datagram signed when it is taken, which is when it is sent.
+class SigningStream final : public DatagramStream {
+ public:
+  /// Both must outlive this. The stream's datagrams must be packet text.
+  SigningStream(DatagramStream& stream, DatagramSigner& signer)
+      : stream_(stream), signer_(signer) {}
+
+  Result<std::optional<Due>> due() override { return stream_.due(); }
+  ByteView take() override { return signer_.sign(stream_.take()); }
+
+ private:
+  DatagramStream& stream_;
+  DatagramSigner& signer_;
 };
 
 }  // namespace rocinante

@@ -9,7 +9,7 @@
 
 #include "core/net/udp_socket.h"
 #include "core/transport/open_sink.h"
-#include "player/send/resumes.h"
+#include "player/send/send_progress.h"
 
 namespace rocinante {
 namespace {

@@ -13,6 +13,24 @@
 
 namespace rocinante {
 
+/// Another stream up to, but not including, a moment.
+class CutStream final : public DatagramStream {
+ public:
+  /// `stream` must outlive this.
+  CutStream(DatagramStream& stream, LogTime until) : stream_(stream), until_(until) {}
+
+  Result<std::optional<Due>> due() override {
+    Result<std::optional<Due>> due = stream_.due();
+    if (due && *due && (*due)->time >= until_) return std::optional<Due>();
+    return due;
+  }
+  ByteView take() override { return stream_.take(); }
+
+ private:
+  DatagramStream& stream_;
+  LogTime until_;
+};
+
 /// A table of joint values and poses as the datagrams of a Source: first the orders, then what each
 /// row says at the row's time, changed or not, and every `restate` everything again.
 class CsvStream final : public DatagramStream {

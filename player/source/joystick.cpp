@@ -10,7 +10,7 @@
 #include "player/send/udp_send_port.h"
 #include "player/source/joystick_drive.h"
 #include "player/source/joystick_input.h"
-#include "player/source/source_start.h"
+#include "player/source/source.h"
 
 namespace rocinante {
 namespace {

@@ -1,7 +1,7 @@
 #include "player/source/resent_packet.h"
 
+#include "core/packet/item_text.h"
 #include "core/packet/packet_text.h"
-#include "core/packet/statement_device.h"
 #include "core/packet/text_lines.h"
 
 namespace rocinante {

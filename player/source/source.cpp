@@ -8,6 +8,7 @@
 #include "core/base/data_file.h"
 #include "core/base/name_hint.h"
 #include "core/base/pattern.h"
+#include "core/base/random_id.h"
 #include "core/log/log_profile.h"
 #include "core/packet/packet_text.h"
 #include "core/packet/text_name.h"
@@ -15,12 +16,10 @@
 #include "player/logs/played_span.h"
 #include "player/logs/read_ahead.h"
 #include "player/logs/tape_finder.h"
-#include "player/send/signing_stream.h"
+#include "player/send/datagram_stream.h"
 #include "player/source/csv_motion.h"
 #include "player/source/csv_stream.h"
-#include "player/source/cut_stream.h"
 #include "player/source/log_stream.h"
-#include "player/source/source_start.h"
 
 namespace rocinante {
 namespace {
@@ -210,6 +209,18 @@ Result<PlayReport> sendDemo(const std::string& part, Nanoseconds restate,
   Result<PlayReport> report = sendLog(log, options, surroundings);
   if (report) report->inputs = {"demo"};
   return report;
+}
+
+WallTime wallNow() { return std::chrono::system_clock::now(); }
+
+std::string runOf(const SourceOptions& options) {
+  if (!options.run.empty()) return options.run;
+  return randomId(5);
+}
+
+std::size_t unsignedBytes(const SourceOptions& options) {
+  const std::size_t room = options.key.empty() ? 0 : kSignatureBytes;
+  return options.mtu_bytes - std::min(options.mtu_bytes, room);
 }
 
 }  // namespace rocinante

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "core/base/playback_speed.h"
 #include "core/base/result.h"
+#include "core/base/time.h"
 #include "core/net/endpoint.h"
 #include "player/send/send_plan.h"
 #include "player/source/log_speaker.h"
@@ -62,5 +64,15 @@ Result<PlayReport> sendLog(const LogSourceOptions& log, const SourceOptions& opt
 /// LogSourceOptions.
 Result<PlayReport> sendDemo(const std::string& part, Nanoseconds restate,
                             const SourceOptions& options, const SendSurroundings& surroundings);
+
+/// The clock that TIME and signatures are taken from.
+WallTime wallNow();
+
+/// RUN, or else ten hexadecimal digits chosen anew at each start, so that a receiver can tell a
+/// restart from late packets.
+std::string runOf(const SourceOptions& options);
+
+/// The largest datagram before it is signed, bytes.
+std::size_t unsignedBytes(const SourceOptions& options);
 
 }  // namespace rocinante

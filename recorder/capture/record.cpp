@@ -7,8 +7,8 @@
 #include <thread>
 #include <utility>
 
-#include "core/foreign/live/live_decoder.h"
-#include "core/net/interface_wait.h"
+#include "core/foreign/live/received_decoder.h"
+#include "core/net/interfaces.h"
 #include "core/transport/open_source.h"
 #include "recorder/capture/capture_file_loop.h"
 #include "recorder/capture/reception.h"

@@ -9,7 +9,7 @@
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
-#include "core/foreign/live/cell_decoders.h"
+#include "core/foreign/live/received_decoder.h"
 #include "core/recording/compression_text.h"
 #include "core/recording/record_path.h"
 

@@ -7,14 +7,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/figure_text.h"
 #include "core/cli/program.h"
 #include "core/cli/terminal.h"
 #include "core/recording/record_path.h"
 #include "recorder/capture/record_arguments.h"
 #include "recorder/capture/record_report.h"
-#include "recorder/capture/record_status.h"
 
 namespace {
 

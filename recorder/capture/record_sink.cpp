@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/base/figure_text.h"
 #include "core/base/random_id.h"
-#include "core/base/size_text.h"
 #include "core/recording/record_path.h"
 #include "recorder/pieces/piece_maker.h"
 

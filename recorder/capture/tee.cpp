@@ -4,7 +4,7 @@
 
 #include "core/net/hears.h"
 #include "core/net/udp_socket.h"
-#include "core/relay/send_in_order.h"
+#include "core/relay/fan_out.h"
 #include "core/transport/open_sink.h"
 #include "recorder/pieces/thread_without_signals.h"
 

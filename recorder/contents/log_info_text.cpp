@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/base/duration_text.h"
-#include "core/base/size_text.h"
+#include "core/base/figure_text.h"
 #include "core/cli/text_table.h"
 #include "core/log/log_profile.h"
 #include "recorder/contents/log_info.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/pattern.h"
-#include "core/clearance/clearance_figure.h"
+#include "core/clearance/clearance_gauge.h"
 #include "core/foreign/table/table_column.h"
 
 namespace rocinante {

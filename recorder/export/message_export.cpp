@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/base/atomic_file.h"
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/foreign/session/moment_messages.h"
 #include "recorder/export/exports.h"
 #include "recorder/export/session_census.h"

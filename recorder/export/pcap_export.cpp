@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/log/log_profile.h"
 #include "core/net/endpoint.h"
 #include "core/packet/text_number.h"

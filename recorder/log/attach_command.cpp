@@ -5,7 +5,6 @@
 #include "core/base/atomic_file.h"
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/bundle_names.h"
-#include "core/bundle/media_type.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/copy/nothing_chosen.h"
+#include "core/copy/log_selection.h"
 #include "recorder/contents/log_cat.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/commands.h"

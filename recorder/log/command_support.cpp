@@ -9,7 +9,6 @@
 #include <string>
 
 #include "core/base/duration_text.h"
-#include "core/base/rough_duration.h"
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cli/load_progress.h"

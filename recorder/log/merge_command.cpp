@@ -1,6 +1,6 @@
 #include <CLI/CLI.hpp>
 
-#include "core/copy/log_merge.h"
+#include "core/copy/log_edits.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/commands.h"
 

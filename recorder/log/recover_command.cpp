@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/copy/copy_report.h"
-#include "core/copy/log_recover.h"
+#include "core/copy/log_edits.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/commands.h"
 

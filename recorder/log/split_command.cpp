@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/duration_text.h"
-#include "core/base/size_text.h"
+#include "core/base/figure_text.h"
 #include "core/copy/copy_report.h"
 #include "core/copy/log_split.h"
 #include "recorder/log/command_support.h"

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/figure_text.h"
 #include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/copy/log_selection.h"

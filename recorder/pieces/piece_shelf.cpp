@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "core/base/size_text.h"
+#include "core/base/figure_text.h"
 
 namespace rocinante {
 

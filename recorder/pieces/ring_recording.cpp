@@ -6,9 +6,8 @@
 #include <cstring>
 #include <utility>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
-#include "core/base/size_text.h"
+#include "core/base/figure_text.h"
 #include "core/log/loss_message.h"
 #include "core/session/message_folder.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/check/judges/presence_judge.h"
+#include "core/check/judges/sender_judge.h"
 #include "core/check/judges/stream_judge.h"
-#include "core/check/judges/two_sources.h"
 #include "core/net/datagram_source.h"
 #include "core/recording/flow_table.h"
 #include "recorder/spy/rate_meter.h"

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/check/watch/finding_change_text.h"
 #include "core/check/watch/finding_watch.h"
 #include "tests/bench/bench_support.h"
 

@@ -1,5 +1,5 @@
-// What tests/build_cost/run counts in: a piece that does not change with the project, of the headers
-// and instances that most of our pieces have.
+// What tests/build_cost/run counts in: a piece that does not change with the project, of the
+// headers and instances that most of our pieces have.
 #include <algorithm>
 #include <map>
 #include <memory>

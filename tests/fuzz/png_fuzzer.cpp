@@ -9,7 +9,7 @@
 
 #include "core/base/hash.h"
 #include "viewer/picture/fine_picture.h"
-#include "viewer/picture/plain_png.h"
+#include "viewer/picture/png_files.h"
 
 using namespace rocinante;
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/copy/log_recover.h"
+#include "core/copy/log_edits.h"
 #include "tests/support/stream_reader.h"
 
 namespace {

@@ -4,8 +4,7 @@
 #include <cstdlib>
 
 #include "core/document/xml_document.h"
-#include "core/kinematics/sdf_judge.h"
-#include "core/kinematics/sdf_text.h"
+#include "core/kinematics/sdf_reader.h"
 #include "core/report/account.h"
 
 using namespace rocinante;

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/atomic_file.h"
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/session/session_time.h"
 #include "viewer/backdrop/video_facts.h"
 

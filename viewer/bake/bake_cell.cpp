@@ -12,7 +12,7 @@
 #include "viewer/bake/field_writer.h"
 #include "viewer/picture/mipmaps.h"
 #include "viewer/picture/picture.h"
-#include "viewer/picture/stored_png.h"
+#include "viewer/picture/png_files.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/cull/coplanar_items.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -2,9 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "core/cell/posed_scene.h"
 #include "core/mesh/mesh.h"
+#include "viewer/cull/draw_list.h"
+#include "viewer/view/camera.h"
 
 namespace rocinante {
 
@@ -34,5 +38,18 @@ bool trianglesOverlap(const FlatCorners& a, const FlatCorners& b, double slack);
 /// `bodies`, by part: parts with different numbers may move apart, so their triangles do not become
 /// one-sided. Empty: all are one body.
 CoplanarSurfaces coplanarSurfaces(const Mesh& mesh, const std::vector<std::uint32_t>& bodies = {});
+
+/// A list whose items may be lifted, with its catalog. Borrowed.
+struct LiftedList {
+  DrawList* list = nullptr;
+  const SceneCatalog* catalog = nullptr;
+};
+
+/// Lifts surfaces of different visuals (of a link, of several links or devices) that currently lie
+/// in one plane: docs/rendering.md, "Surfaces in one plane". The lift is larger than the distance
+/// limit, so that the same surface shows while poses vibrate. Pure: the same items give the same
+/// lifts in any order of devices. Stops after some hundred thousand pairs of neighbouring parts.
+void liftCoplanarItems(std::span<const LiftedList> lists, const PosedScene& scene,
+                       const Camera& camera);
 
 }  // namespace rocinante

@@ -13,6 +13,21 @@
 
 namespace rocinante {
 
+/// Bounding sphere of a part in world space.
+struct PartSphere {
+  Vec3 center{};
+  double radius_m = 0;
+  double scale = 1;  ///< largest scale factor of the mesh
+};
+
+/// Whether the level leaves the part out: its sphere is smaller than cull_below_px across.
+bool tooSmall(const PartSphere& sphere, const Camera& camera, const DetailLevel& level);
+
+/// The coarsest version of the part with an error of at most geometry_error_px at its point nearest
+/// to the eye; null: the part itself. Pure: depends only on camera and level.
+const CoarsePart* coarseVersion(const CatalogPart& part, const PartSphere& sphere,
+                                const Camera& camera, const DetailLevel& level);
+
 /// One part of one mesh, drawn once.
 struct DrawItem {
   std::uint32_t mesh = 0;     ///< into SceneCatalog::meshes
@@ -81,5 +96,11 @@ void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& c
 /// `devices`: only these; null: all.
 std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,
                                  const ViewChoice& choice, const DeviceNames* devices = nullptr);
+
+/// Sorts from back to front by DrawItem::distance; a box that contains others comes after them
+/// while the eye is outside: a glass cabin after the robot in it. Stable. Containment is not tested
+/// among more than two thousand items.
+void sortFromBackToFront(std::vector<DrawItem>& items, const SceneCatalog& catalog,
+                         const Camera& camera);
 
 }  // namespace rocinante

@@ -1,5 +1,3 @@
-#include "viewer/cull/translucent_order.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "core/math/transform.h"
+#include "viewer/cull/draw_list.h"
 
 namespace rocinante {
 namespace {

@@ -1,7 +1,6 @@
 #include "viewer/detail/detail_cache.h"
 
 #include "core/base/atomic_file.h"
-#include "viewer/detail/detail_file.h"
 
 namespace rocinante {
 

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "core/base/bytes.h"
 #include "core/base/cache_folder.h"
 #include "viewer/detail/mesh_detail.h"
 
@@ -34,5 +36,14 @@ class DetailCache {
  private:
   CacheFolder files_;
 };
+
+/// The bytes of one file of the cache: a header with the version of this layout, of meshoptimizer
+/// and the key, the parts, the indices, and the XXH3 of all of it. Little-endian.
+Bytes encodeDetail(const MeshDetail& detail, std::string_view key);
+
+/// Empty unless encodeDetail() wrote the bytes for this mesh: for another version or key, damage,
+/// truncation, or an index past the mesh's vertices. Lengths are checked before allocation.
+std::optional<MeshDetail> decodeDetail(ByteView bytes, std::string_view key,
+                                       const DetailInput& input);
 
 }  // namespace rocinante

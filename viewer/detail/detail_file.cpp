@@ -1,5 +1,3 @@
-#include "viewer/detail/detail_file.h"
-
 #include <meshoptimizer.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <span>
 
 #include "core/base/hash.h"
+#include "viewer/detail/detail_cache.h"
 
 namespace rocinante {
 namespace {

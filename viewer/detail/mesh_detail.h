@@ -8,6 +8,11 @@
 
 namespace rocinante {
 
+/// The mesh with about half of its triangles, `halvings` times, as makeMeshDetail() leaves them
+/// out: parts that are small, or would be farther from their surface than a twentieth of their
+/// size, keep more. Parts, materials and bounds stay; a primitive shape stays whole. Pure.
+Mesh coarseMesh(const Mesh& mesh, int halvings);
+
 /// A coarser version of one part of a mesh, as a run of MeshDetail::indices: `two_sided_count`
 /// indices from `first_index`, then `one_sided_count` of one-sided triangles.
 struct CoarsePart {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/document/toml_text.h"
+#include "core/document/toml_table.h"
 #include "viewer/model/model_writers.h"
 
 namespace rocinante {

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "core/base/angle_text.h"
+#include "core/base/figure_text.h"
 #include "core/cell/posed_scene.h"
 #include "core/math/transform.h"
 #include "viewer/model/model_writers.h"

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/angle_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
-#include "core/base/size_text.h"
 #include "core/cli/text_table.h"
 #include "core/report/account.h"
 #include "viewer/model/model_info.h"

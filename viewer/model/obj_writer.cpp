@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-#include "core/mesh/map_placing.h"
+#include "core/mesh/mesh.h"
 #include "viewer/model/model_writers.h"
 
 namespace rocinante {

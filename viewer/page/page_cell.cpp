@@ -4,7 +4,7 @@
 #include <string>
 
 #include "viewer/bake/bake_cell.h"
-#include "viewer/detail/coarse_mesh.h"
+#include "viewer/detail/mesh_detail.h"
 #include "viewer/page/page_parts.h"
 
 namespace rocinante {

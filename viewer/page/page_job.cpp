@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/atomic_file.h"
-#include "core/base/size_text.h"
+#include "core/base/figure_text.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cell/cell.h"
 #include "core/check/check.h"

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "core/base/size_text.h"
+#include "core/base/figure_text.h"
 #include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"

@@ -5,7 +5,7 @@
 #include "core/base/unfinished_path.h"
 #include "core/bundle/attached_cell.h"
 #include "core/copy/copy_report.h"
-#include "core/copy/log_cut.h"
+#include "core/copy/log_edits.h"
 #include "core/log/log_profile.h"
 #include "core/log/log_reader.h"
 #include "viewer/page/page_file.h"

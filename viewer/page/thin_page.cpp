@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/size_text.h"
+#include "core/base/figure_text.h"
 #include "viewer/page/page_job.h"
 #include "viewer/page/page_parts.h"
 

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "viewer/view/lens_fit.h"
+#include "viewer/view/camera.h"
 
 namespace rocinante {
 namespace {

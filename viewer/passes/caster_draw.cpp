@@ -3,7 +3,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
-#include "core/mesh/map_placing.h"
+#include "core/mesh/mesh.h"
 #include "viewer/passes/draw_triangles.h"
 #include "viewer/passes/look_shaders.h"
 #include "viewer/passes/shader_source.h"

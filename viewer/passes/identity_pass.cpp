@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/mesh/map_placing.h"
+#include "core/mesh/mesh.h"
 #include "viewer/gl/depth_lift.h"
 #include "viewer/gl/viewport.h"
 #include "viewer/passes/draw_triangles.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/math/transform.h"
-#include "core/mesh/map_placing.h"
+#include "core/mesh/mesh.h"
 #include "viewer/gl/depth_lift.h"
 #include "viewer/passes/contact_shaders.h"
 #include "viewer/passes/draw_triangles.h"

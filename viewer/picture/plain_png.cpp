@@ -1,4 +1,4 @@
-#include "viewer/picture/plain_png.h"
+#include "viewer/picture/png_files.h"
 
 #ifdef __SSE2__
 

@@ -12,8 +12,7 @@
 #include "viewer/picture/exif_orientation.h"
 #include "viewer/picture/fine_picture.h"
 #include "viewer/picture/picture.h"
-#include "viewer/picture/plain_png.h"
-#include "viewer/picture/whole_png.h"
+#include "viewer/picture/png_files.h"
 
 namespace rocinante {
 namespace {

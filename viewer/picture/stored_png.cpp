@@ -1,5 +1,3 @@
-#include "viewer/picture/stored_png.h"
-
 #include <zlib.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/hash.h"
+#include "viewer/picture/png_files.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/picture/whole_png.h"
-
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -9,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
+#include "viewer/picture/png_files.h"
 
 namespace rocinante {
 namespace {

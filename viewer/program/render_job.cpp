@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
-#include "core/base/shell_word.h"
+#include "core/base/figure_text.h"
+#include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "viewer/backdrop/backdrop.h"
 #include "viewer/bake/cell_cache.h"
-#include "viewer/picture/picture_encoding.h"
+#include "viewer/picture/picture_options.h"
 #include "viewer/program/render_files.h"
 #include "viewer/program/render_run.h"
 #include "viewer/view/inset_layout.h"
-#include "viewer/view/layer_choice.h"
 #include "viewer/view/missing_meshes.h"
+#include "viewer/view/view_choice.h"
 
 namespace rocinante {
 namespace {

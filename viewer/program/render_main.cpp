@@ -16,7 +16,7 @@
 #include "viewer/detail/detail_level.h"
 #include "viewer/gl/context_option.h"
 #include "viewer/gl/shader_cache.h"
-#include "viewer/picture/picture_size.h"
+#include "viewer/picture/picture_options.h"
 #include "viewer/program/render_job.h"
 
 namespace {

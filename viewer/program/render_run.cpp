@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "viewer/picture/picture_encoding.h"
+#include "viewer/picture/picture_options.h"
 #include "viewer/program/measured_files.h"
 
 namespace rocinante {

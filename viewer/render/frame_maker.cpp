@@ -15,7 +15,7 @@
 #include "viewer/render/scaled_view.h"
 #include "viewer/render/source_rates.h"
 #include "viewer/view/camera_choice.h"
-#include "viewer/view/clearance_lines.h"
+#include "viewer/view/frame_extras.h"
 #include "viewer/view/inset_layout.h"
 #include "viewer/view/known_names.h"
 #include "viewer/view/trail_finder.h"

@@ -16,7 +16,7 @@
 #include "viewer/view/beside_session.h"
 #include "viewer/view/camera.h"
 #include "viewer/view/hand_joints.h"
-#include "viewer/view/pictured_view.h"
+#include "viewer/view/inset_layout.h"
 #include "viewer/view/render_style.h"
 
 namespace rocinante {

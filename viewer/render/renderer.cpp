@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/math/transform.h"
-#include "viewer/cull/coplanar_items.h"
+#include "viewer/cull/coplanar_surfaces.h"
 #include "viewer/gl/viewport.h"
 #include "viewer/overlay/inspection_marks.h"
 #include "viewer/overlay/session_drawings.h"

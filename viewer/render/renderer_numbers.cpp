@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "viewer/overlay/session_drawings.h"
-#include "viewer/render/identity_numbers.h"
+#include "viewer/render/identity_frame.h"
 #include "viewer/render/renderer_impl.h"
 
 namespace rocinante {

@@ -3,11 +3,37 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <vector>
 
-#include "viewer/serve/shared_message.h"
+#include "core/base/bytes.h"
 
 namespace rocinante {
+
+/// A message to any number of clients. In front of its bytes is room for the head of a frame, which
+/// the library writes there.
+class SharedMessage {
+ public:
+  static constexpr std::size_t kRoom = 32;
+
+  /// Empty bytes to append to.
+  static Bytes begin() {
+    Bytes bytes;
+    bytes.reserve(512);
+    bytes.resize(kRoom);
+    return bytes;
+  }
+
+  SharedMessage() = default;
+  explicit SharedMessage(Bytes with_room) : bytes_(std::make_shared<Bytes>(std::move(with_room))) {}
+
+  explicit operator bool() const { return bytes_ != nullptr; }
+  std::size_t size() const { return bytes_->size() - kRoom; }
+  std::byte* data() const { return bytes_->data() + kRoom; }
+
+ private:
+  std::shared_ptr<Bytes> bytes_;
+};
 
 /// What a client has yet to be sent, within a limit of bytes. One that is too slow for it loses
 /// what waits, and is greeted anew with the present state once it has taken what it was being sent:

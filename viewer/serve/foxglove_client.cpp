@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "viewer/serve/client_queue.h"
 #include "viewer/serve/foxglove_messages.h"
-#include "viewer/serve/shared_message.h"
 
 namespace rocinante {
 namespace {

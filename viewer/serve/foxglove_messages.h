@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/foreign/session/message_schema.h"
+#include "core/foreign/session/message_sink.h"
 
 namespace rocinante {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/relay/relay.h"
-#include "viewer/serve/shared_message.h"
+#include "viewer/serve/client_queue.h"
 
 namespace rocinante {
 

@@ -6,9 +6,8 @@
 #include <string>
 
 #include "core/base/atomic_file.h"
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
-#include "core/base/size_text.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cli/no_wait.h"
 #include "core/cli/opened_session.h"

@@ -10,11 +10,11 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/figure_text.h"
 #include "core/base/random_id.h"
-#include "core/base/size_text.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/check/log_account.h"
-#include "core/foreign/live/cell_decoders.h"
+#include "core/foreign/live/received_decoder.h"
 #include "core/log/log_reader.h"
 #include "viewer/page/page_file.h"
 #include "viewer/page/page_parts.h"

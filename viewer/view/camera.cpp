@@ -6,7 +6,6 @@
 
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
-#include "viewer/view/lens_fit.h"
 
 namespace rocinante {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/view/clearance_lines.h"
+#include "viewer/view/frame_extras.h"
 
 namespace rocinante {
 

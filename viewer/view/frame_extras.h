@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/cell/posed_scene.h"
+#include "core/clearance/clearance_gauge.h"
 #include "core/math/vector.h"
+#include "viewer/view/render_style.h"
 
 namespace rocinante {
 
@@ -46,5 +49,25 @@ struct FrameExtras {
   /// One more such line, which no clearance of the cell asks for.
   std::optional<ClearanceLine> nearest;
 };
+
+/// FrameExtras::limits of a scene posed from `state`: by device, by link. A link's joint counts
+/// when it is revolute or prismatic and has a range; mimic joints too.
+std::vector<std::vector<LimitLevel>> limitLevels(const PosedScene& scene,
+                                                 const SessionState& state);
+
+/// The level of one value: near within 5 % of the range from an end; beyond when past an end by
+/// more than a millionth of the range (values are rounded), or NaN.
+LimitLevel limitLevel(const JointLimits& limits, double value);
+
+/// The lines of the cell's clearances in a state, in their order. `gauge` is of the same cell.
+std::vector<ClearanceLine> clearanceLines(const Cell& cell, ClearanceGauge& gauge,
+                                          const SessionState& state);
+
+/// What the style draws of a state beside the devices of its scene, trails left out. Before ghosts
+/// of another session are in the scene: limits and clearances are not theirs. `gauge` is made on
+/// first use.
+void prepareExtras(const RenderStyle& style, const Cell& cell, const PosedScene& scene,
+                   const SessionState& state, std::optional<ClearanceGauge>& gauge,
+                   FrameExtras& extras);
 
 }  // namespace rocinante

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/number_list.h"
 #include "core/base/plain_text.h"
 #include "core/cell/view_path.h"

@@ -12,6 +12,14 @@
 
 namespace rocinante {
 
+/// A part of a picture with its own camera: the main view or an inset.
+struct PicturedView {
+  bool is_inset = false;
+  std::string camera;   ///< the inset's name; for the main view as requested
+  PixelRectangle part;  ///< the main view's is the whole picture
+  CameraView from;
+};
+
 /// The edges of a picture covered by a window's panels, in pixels; insets are placed beside them.
 struct CoveredEdges {
   int left = 0, bottom = 0;

@@ -10,7 +10,7 @@
 #include "core/session/message_folder.h"
 #include "core/session/timeline.h"
 #include "viewer/view/beside_session.h"
-#include "viewer/view/layer_choice.h"
+#include "viewer/view/view_choice.h"
 
 namespace rocinante {
 namespace {

@@ -2,15 +2,26 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/cell/cell.h"
 #include "core/cell/posed_scene.h"
 #include "core/cell/view_path.h"
 
 namespace rocinante {
+
+/// Every layer of a picture of the cell: the cell's layers and the built-in ones (grid, gnomon,
+/// labels, lines, points).
+using KnownLayers = std::set<std::string, std::less<>>;
+KnownLayers knownLayers(const Cell& cell);
+
+/// Only these layers: hides every device and the built-in layers, and shows these.
+void chooseLayers(const std::vector<std::string>& layers, std::vector<std::string>& hide,
+                  std::vector<std::string>& show);
 
 /// A user's choice of visible objects by PATH (view_path.h): it overrides packets, which override
 /// the cell. The most specific choice decides: a part's (of its link, its device, every device),

@@ -8,7 +8,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
-#include "core/check/drift/pose_drift.h"
+#include "core/check/drift/joint_drift.h"
 
 namespace rocinante {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/check/judges/tally.h"
-#include "core/clearance/clearance_figure.h"
+#include "core/clearance/clearance_gauge.h"
 
 namespace rocinante {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/kinematics/kinematics.h"
 
 namespace rocinante {

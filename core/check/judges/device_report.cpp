@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/name_hint.h"
 #include "core/check/judges/device_judge.h"
 #include "core/report/traffic_findings.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/angle_text.h"
+#include "core/base/figure_text.h"
 
 namespace rocinante {
 namespace {

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
-#include "core/base/rough_duration.h"
+#include "core/base/figure_text.h"
 #include "core/check/judges/tally.h"
 #include "core/log/clock_message.h"
 

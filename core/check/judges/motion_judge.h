@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/check/judges/packet_place.h"
+#include "core/check/judges/tally.h"
 
 namespace rocinante {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "core/check/judges/packet_place.h"
+#include "core/check/judges/tally.h"
 #include "core/packet/packet.h"
 
 namespace rocinante {

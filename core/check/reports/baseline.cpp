@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/base/atomic_file.h"
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/json_parse.h"
 #include "core/base/plain_text.h"
 

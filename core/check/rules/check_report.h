@@ -9,10 +9,15 @@
 #include <vector>
 
 #include "core/base/time.h"
+#include "core/cell/cell.h"
 #include "core/check/rules/rule_settings.h"
 #include "core/report/finding.h"
 
 namespace rocinante {
+
+/// Which rules have nothing to judge in this cell, without or with a session, and why: as
+/// CheckReport::unjudged.
+std::map<std::string, std::string, std::less<>> unjudgedRules(const Cell& cell, bool has_session);
 
 enum class CheckVerdict : std::uint8_t {
   compatible,

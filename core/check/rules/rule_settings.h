@@ -5,11 +5,16 @@
 #include <string_view>
 #include <vector>
 
+#include "core/cell/cell.h"
 #include "core/cell/cell_rules.h"
 #include "core/check/rules/rule_list.h"
 #include "core/report/finding.h"
 
 namespace rocinante {
+
+/// Thresholds of `[rules]` for devices and joints that the cell does not have. A device may still
+/// be added: that is a warning.
+void judgeRuleNames(const Cell& cell, Findings& findings);
 
 /// The severity and threshold of each rule: the list of rules, as a cell's `[rules]` change it. The
 /// only place where a severity is set.

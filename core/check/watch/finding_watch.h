@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -121,5 +122,14 @@ class FindingWatch {
   std::uint64_t round_ = 0, begun_ = 0;
   bool failed_ = false, is_full_ = false;
 };
+
+/// One line, without its end: "2026-02-03T04:05:06.789Z begins: error: SENTENCE [RULE]"; with the
+/// count and the span when it ends.
+std::string findingChangeText(const FindingChange& change);
+/// One JSON object on one line, with its end (docs/programs/check.md, "A standing watch").
+std::string findingChangeJson(const FindingChange& change);
+
+/// "2026-02-03T04:05:06.789Z": to the millisecond, for people.
+std::string momentText(LogTime time);
 
 }  // namespace rocinante

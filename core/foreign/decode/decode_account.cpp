@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 
 namespace rocinante::decode {
 
@@ -36,6 +36,23 @@ std::string accountText(const DecodeAccount& account) {
     text += fmt::format("  not decoded: {}\n", countText(account.octets - decoded, "datagram"));
   }
   return text;
+}
+
+Json accountJson(const DecodeAccount& account) {
+  Json json;
+  json["octets"] = account.octets;
+  json["packets"] = account.decoded();
+  json["decoders"] = Json::array();
+  for (const DecodeAccount::Decoder& each : account.decoders) {
+    Json decoder;
+    decoder["decoder"] = each.name;
+    decoder["packets"] = each.counts.decoded;
+    decoder["refused"] = each.counts.refused;
+    decoder["empty"] = each.counts.empty;
+    decoder["reason"] = orNull(std::string(each.counts.last_reason));
+    json["decoders"].push_back(std::move(decoder));
+  }
+  return json;
 }
 
 }  // namespace rocinante::decode

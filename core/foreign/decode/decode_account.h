@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/foreign/decode/datagram_decoders.h"
+#include "core/report/json_text.h"
 
 namespace rocinante::decode {
 
@@ -24,5 +25,8 @@ DecodeAccount accountOf(const DatagramDecoders& decoders, std::uint64_t octets);
 
 /// A line for each decoder and one for what none understood, indented and with LF.
 std::string accountText(const DecodeAccount& account);
+
+/// {"octets", "packets", "decoders": [{"decoder", "packets", "refused", "empty", "reason"}]}.
+Json accountJson(const DecodeAccount& account);
 
 }  // namespace rocinante::decode

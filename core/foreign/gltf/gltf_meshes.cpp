@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/mesh/map_placing.h"
+#include "core/mesh/mesh.h"
 
 namespace rocinante {
 namespace {

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/version.h"
-#include "core/foreign/gltf/gltf_cameras.h"
 #include "core/foreign/gltf/gltf_link.h"
 #include "core/foreign/gltf/gltf_meshes.h"
 #include "core/foreign/session/link_frames.h"

@@ -11,6 +11,10 @@
 
 namespace rocinante::protobuf {
 
+/// Names every value of a message, in the order of its fields, until `found` answers 0. Maps and
+/// what lies in unknown groups are left out.
+void listValues(const google::protobuf::Message& message, RocinanteProtobufFound found, void* to);
+
 /// A way through a message to one value: "a.b[2].c".
 struct MessagePath {
   struct Step {

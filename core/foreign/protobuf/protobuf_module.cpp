@@ -16,7 +16,6 @@
 
 #include "core/foreign/protobuf/message_cost.h"
 #include "core/foreign/protobuf/message_path.h"
-#include "core/foreign/protobuf/message_values.h"
 
 namespace pb = google::protobuf;
 using rocinante::protobuf::listValues;

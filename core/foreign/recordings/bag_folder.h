@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/foreign/ros/stated_messages.h"
+#include "core/foreign/ros/bag_reader.h"
 
 namespace rocinante {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <map>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/log/import_record.h"
 #include "core/packet/decoder.h"
 #include "core/pcap/pcap_source.h"

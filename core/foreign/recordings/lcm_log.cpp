@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/foreign/recordings/recording_bytes.h"
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 
 namespace rocinante {
 namespace {

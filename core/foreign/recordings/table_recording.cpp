@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/foreign/recordings/line_recording.h"
 #include "core/foreign/table/csv_line.h"
 #include "core/foreign/table/table_column.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/hash.h"
 #include "core/foreign/ros/names.h"
 #include "core/foreign/ros/robot_description.h"

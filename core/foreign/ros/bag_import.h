@@ -14,7 +14,6 @@
 #include "core/cell/cell.h"
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/ros_translator.h"
-#include "core/foreign/ros/stated_messages.h"
 #include "core/log/log_writer.h"
 #include "core/mcap/byte_sink.h"
 #include "core/recording/session_writer.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -11,12 +12,22 @@
 
 #include "core/base/result.h"
 #include "core/foreign/ros/field_cursor.h"
-#include "core/foreign/ros/translation_notes.h"
+#include "core/foreign/ros/ros_translator.h"
 #include "core/log/log_types.h"
 #include "core/log/log_writer.h"
 #include "core/report/account.h"
 
 namespace rocinante::ros {
+
+/// What something beside them says of the messages of some inputs of an import, which follow each
+/// other.
+struct StatedMessages {
+  std::size_t first = 0, inputs = 1;
+  std::optional<std::uint64_t> count;
+  std::string name;         ///< of them together: "bag_0.db3", "the bag"
+  std::string where;        ///< who says it: " (bag/metadata.yaml)"
+  std::string compression;  ///< of each message, one that is not read; empty: none
+};
 
 class DeviceFinder;
 

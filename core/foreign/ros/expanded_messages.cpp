@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/mcap/chunk_expander.h"
 
 namespace rocinante::ros {

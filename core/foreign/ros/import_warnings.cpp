@@ -1,4 +1,4 @@
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/foreign/ros/bag_import.h"
 #include "core/log/import_record.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/atomic_file.h"
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/bundle/private_folder.h"
 #include "core/foreign/ros/ros_message.h"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/ros1_chunk.h"
 #include "core/foreign/ros/ros1_record.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,11 +11,13 @@
 #include "core/base/time.h"
 #include "core/foreign/ros/device_finder.h"
 #include "core/foreign/ros/ros_message.h"
-#include "core/foreign/ros/translation_notes.h"
 #include "core/packet/packet.h"
 #include "core/report/account.h"
 
 namespace rocinante::ros {
+
+/// Why messages were not translated, or not whole, by sentence: "NaN joint values" and how often.
+using TranslationNotes = std::map<std::string, std::uint64_t, std::less<>>;
 
 /// A message as packet text (docs/packet-format.md). Borrowed until the next message is translated.
 struct Translated {

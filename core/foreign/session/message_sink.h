@@ -7,9 +7,16 @@
 #include "core/base/bytes.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
-#include "core/foreign/session/message_schema.h"
 
 namespace rocinante {
+
+/// What an MCAP file says about the messages of a channel.
+struct MessageSchema {
+  std::string name;      ///< "foxglove.Log", "sensor_msgs/msg/JointState"
+  std::string encoding;  ///< of `data`: "protobuf", "ros2msg"
+  Bytes data;
+  std::string message_encoding;  ///< "protobuf", "cdr"
+};
 
 /// Takes messages for other tools: a file of them, or whoever listens.
 class MessageSink {

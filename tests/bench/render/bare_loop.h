@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/mesh/map_placing.h"
+#include "core/mesh/mesh.h"
 #include "viewer/cull/draw_list.h"
 #include "viewer/gl/frame_buffer.h"
 #include "viewer/gl/inputs_hash.h"

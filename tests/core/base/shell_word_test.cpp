@@ -1,6 +1,6 @@
-#include "core/base/shell_word.h"
-
 #include <gtest/gtest.h>
+
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {

@@ -1,6 +1,6 @@
-#include "core/base/size_text.h"
-
 #include <gtest/gtest.h>
+
+#include "core/base/figure_text.h"
 
 namespace rocinante {
 namespace {

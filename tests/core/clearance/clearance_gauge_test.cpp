@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "core/clearance/clearance_figure.h"
 #include "core/math/transform.h"
 #include "core/packet/packet_text.h"
 #include "tests/core/clearance/random_bodies.h"

@@ -1,8 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "core/copy/log_cut.h"
-#include "core/copy/log_merge.h"
-#include "core/copy/log_recover.h"
+#include "core/copy/log_edits.h"
 #include "core/copy/log_split.h"
 #include "core/log/octets_before.h"
 #include "recorder/doctor/log_doctor.h"

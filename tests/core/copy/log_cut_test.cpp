@@ -1,10 +1,9 @@
-#include "core/copy/log_cut.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 
 #include "core/base/duration_text.h"
+#include "core/copy/log_edits.h"
 #include "core/session/marks.h"
 #include "tests/core/copy/copy_support.h"
 

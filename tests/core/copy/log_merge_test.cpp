@@ -1,8 +1,6 @@
-#include "core/copy/log_merge.h"
-
 #include <gmock/gmock.h>
 
-#include "core/copy/log_cut.h"
+#include "core/copy/log_edits.h"
 #include "core/copy/log_split.h"
 #include "core/log/log_profile.h"
 #include "core/session/marks.h"

@@ -1,11 +1,10 @@
-#include "core/copy/log_recover.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <fstream>
 
 #include "core/base/atomic_file.h"
+#include "core/copy/log_edits.h"
 #include "core/log/log_profile.h"
 #include "core/mcap/parse_record.h"
 #include "core/session/marks.h"

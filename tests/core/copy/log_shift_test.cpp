@@ -1,8 +1,6 @@
-#include "core/copy/log_shift.h"
-
 #include <gmock/gmock.h>
 
-#include "core/copy/log_cut.h"
+#include "core/copy/log_edits.h"
 #include "core/session/marks.h"
 #include "tests/core/copy/copy_support.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/foreign/foxglove/foxglove_schemas.h"
+#include "core/foreign/foxglove/foxglove_format.h"
 #include "core/foreign/pcap/pcap_file.h"
 #include "core/foreign/proto/proto_schema.h"
 #include "core/foreign/proto/proto_writer.h"

@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "core/base/base64.h"
-#include "core/mesh/map_placing.h"
+#include "core/mesh/mesh.h"
 #include "tests/core/mesh/mesh_test_support.h"
 #include "tests/support/shared_data.h"
 

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "core/base/base64.h"
-#include "core/mesh/map_placing.h"
+#include "core/mesh/mesh.h"
 #include "tests/core/mesh/mesh_test_support.h"
 
 namespace rocinante {

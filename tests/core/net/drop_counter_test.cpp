@@ -1,6 +1,6 @@
-#include "core/net/drop_counter.h"
-
 #include <gtest/gtest.h>
+
+#include "core/net/receive_buffer.h"
 
 namespace rocinante {
 namespace {

@@ -1,7 +1,6 @@
-#include "core/net/local_address.h"
-
 #include <gtest/gtest.h>
 
+#include "core/net/interfaces.h"
 #include "tests/support/network_namespace.h"
 
 namespace rocinante {

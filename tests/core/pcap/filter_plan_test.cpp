@@ -3,7 +3,6 @@
 
 #include <functional>
 
-#include "core/pcap/compiled_filter.h"
 #include "core/pcap/pcap_filter.h"
 #include "tests/core/pcap/frames.h"
 

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "core/net/udp_socket.h"
-#include "core/relay/send_in_order.h"
 
 namespace rocinante {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/relay/token_bucket.h"
+#include "core/relay/paced_statements.h"
 
 namespace rocinante {
 namespace {

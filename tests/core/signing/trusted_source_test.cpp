@@ -1,7 +1,6 @@
-#include "core/signing/trusted_source.h"
-
 #include <gtest/gtest.h>
 
+#include "core/signing/trust_judge.h"
 #include "tests/core/net/fake_source.h"
 #include "tests/core/signing/signing_support.h"
 

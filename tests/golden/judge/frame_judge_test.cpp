@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "golden/judge/judged_frame_wire.h"
+#include "golden/judge/judged_frame.h"
 #include "golden/judge/stability.h"
 #include "tests/support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include "core/kinematics/kinematics.h"
 #include "core/math/transform.h"
 #include "golden/run/link_tracks.h"
-#include "golden/run/tool_effect.h"
+#include "golden/run/run_judge.h"
 #include "tests/golden/run/demo_regressions.h"
 #include "tests/golden/run/run_test.h"
 

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <thread>
 
-#include "golden/run/device_motions.h"
 #include "golden/run/limit_suggestion.h"
+#include "golden/run/motion_judge.h"
 #include "tests/golden/run/demo_regressions.h"
 #include "tests/golden/run/run_test.h"
 

@@ -1,5 +1,3 @@
-#include "golden/run/track_file.h"
-
 #include <gtest/gtest.h>
 
 #include <cstring>

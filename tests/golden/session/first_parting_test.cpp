@@ -1,8 +1,8 @@
-#include "golden/session/first_parting.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
+
+#include "golden/session/bisect.h"
 
 namespace rocinante {
 namespace {

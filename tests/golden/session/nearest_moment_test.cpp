@@ -1,7 +1,6 @@
-#include "golden/session/nearest_moment.h"
-
 #include <gtest/gtest.h>
 
+#include "golden/session/session_comparison.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/test_session.h"
 

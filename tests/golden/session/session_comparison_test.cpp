@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "golden/session/session_comparison_text.h"
 #include "golden/why/frame_why.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/test_session.h"

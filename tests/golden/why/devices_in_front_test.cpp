@@ -1,9 +1,8 @@
-#include "golden/why/devices_in_front.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/mesh/shapes.h"
+#include "golden/why/run_pictures.h"
 #include "tests/viewer/support/test_scene.h"
 
 namespace rocinante {

@@ -12,7 +12,6 @@
 #include "core/net/system_socket.h"
 #include "core/net/udp_socket.h"
 #include "player/control/command_slot.h"
-#include "player/control/control_address.h"
 #include "player/control/control_socket.h"
 #include "player/control/control_thread.h"
 #include "player/control/terminal_keys.h"

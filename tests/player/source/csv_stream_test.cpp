@@ -5,7 +5,6 @@
 
 #include "core/packet/packet_text.h"
 #include "core/packet/session_state.h"
-#include "player/source/cut_stream.h"
 
 namespace rocinante {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/foreign/live/live_decoder.h"
+#include "core/foreign/live/received_decoder.h"
 #include "core/log/content_hash.h"
 #include "core/log/log_reader.h"
 #include "core/session/timeline.h"

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "core/copy/log_decode.h"
+#include "core/copy/log_edits.h"
 #include "core/log/octets_before.h"
 #include "recorder/doctor/log_doctor.h"
 #include "tests/recorder/pieces/capture_rig.h"

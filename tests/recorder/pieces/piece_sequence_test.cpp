@@ -5,8 +5,8 @@
 #include <fstream>
 #include <random>
 
+#include "core/copy/log_edits.h"
 #include "core/copy/log_make.h"
-#include "core/copy/log_merge.h"
 #include "recorder/doctor/log_doctor.h"
 #include "tests/recorder/pieces/capture_rig.h"
 #include "tests/support/joint_packets.h"

@@ -1,12 +1,11 @@
 // Surfaces of several devices in one plane: the same one shows whatever trembles.
-#include "viewer/cull/coplanar_items.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/math/transform.h"
 #include "tests/viewer/support/test_scene.h"
+#include "viewer/cull/coplanar_surfaces.h"
 #include "viewer/gl/offscreen_context.h"
 #include "viewer/render/renderer.h"
 

@@ -1,5 +1,3 @@
-#include "viewer/detail/coarse_mesh.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "core/mesh/shapes.h"
 #include "tests/viewer/detail/test_meshes.h"
+#include "viewer/detail/mesh_detail.h"
 
 namespace rocinante {
 namespace {

@@ -10,7 +10,6 @@
 #include "core/base/hash.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/detail/test_meshes.h"
-#include "viewer/detail/detail_file.h"
 
 namespace rocinante {
 namespace {

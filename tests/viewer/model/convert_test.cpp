@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "core/kinematics/kinematics.h"
-#include "core/mesh/map_placing.h"
+#include "core/mesh/mesh.h"
 #include "tests/core/cell/cell_fixture.h"
 #include "tests/support/shared_data.h"
 #include "viewer/model/model_info.h"

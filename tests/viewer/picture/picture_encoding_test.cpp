@@ -1,10 +1,9 @@
-#include "viewer/picture/picture_encoding.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/atomic_file.h"
 #include "tests/support/temporary_folder.h"
+#include "viewer/picture/picture_options.h"
 
 namespace rocinante {
 namespace {

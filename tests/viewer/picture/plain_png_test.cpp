@@ -1,9 +1,8 @@
-#include "viewer/picture/plain_png.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/support/picture_bytes.h"
 #include "viewer/picture/picture.h"
+#include "viewer/picture/png_files.h"
 
 namespace rocinante {
 namespace {

@@ -1,9 +1,6 @@
-#include "viewer/picture/stored_png.h"
-
 #include <gtest/gtest.h>
 
-#include "viewer/picture/plain_png.h"
-#include "viewer/picture/whole_png.h"
+#include "viewer/picture/png_files.h"
 
 namespace rocinante {
 namespace {

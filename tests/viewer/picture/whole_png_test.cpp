@@ -1,10 +1,9 @@
-#include "viewer/picture/whole_png.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/picture_bytes.h"
 #include "viewer/picture/fine_picture.h"
+#include "viewer/picture/png_files.h"
 
 namespace rocinante {
 namespace {

@@ -8,7 +8,7 @@
 #include "tests/core/session/seconds_log.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/test_session.h"
-#include "viewer/view/limit_levels.h"
+#include "viewer/view/frame_extras.h"
 
 namespace rocinante {
 namespace {

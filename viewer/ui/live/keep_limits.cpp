@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/base/duration_text.h"
-#include "core/base/size_text.h"
+#include "core/base/figure_text.h"
 
 namespace rocinante {
 namespace {

@@ -11,8 +11,7 @@
 #include <cstring>
 #include <utility>
 
-#include "core/base/count_text.h"
-#include "core/base/size_text.h"
+#include "core/base/figure_text.h"
 
 namespace rocinante {
 namespace {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-#include "core/foreign/live/live_decoder.h"
+#include "core/foreign/live/received_decoder.h"
 
 namespace rocinante {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/document/toml_node.h"
-#include "core/document/toml_text.h"
+#include "core/document/toml_table.h"
 
 namespace rocinante {
 namespace {

@@ -1,15 +1,53 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "core/base/time.h"
+#include "viewer/ui/model/line_start.h"
 #include "viewer/ui/model/open_state.h"
-#include "viewer/ui/model/palette_state.h"
 #include "viewer/ui/model/panel_places.h"
+#include "viewer/view/backdrop_frame.h"
 
 namespace rocinante {
+
+/// The moment of the time line at which the mouse is, and a small picture of it. Plain values.
+struct MomentHover {
+  std::optional<LogTime> wanted;  ///< of this frame; empty: the mouse is elsewhere
+  std::optional<LogTime> drawn;   ///< the moment that the picture shows; empty: there is none
+  std::uintptr_t texture = 0;     ///< of GL, top row first
+  int width = 0, height = 0;      ///< of the picture, in pixels
+};
+
+/// How the pictures of a real camera are shown, and the present one.
+struct BackdropChoice {
+  std::string camera;  ///< of the cell: its views have them
+  bool shown = true;
+  double opacity = kBackdropOpacity;                 ///< over the model, 0 to 1
+  Nanoseconds offset{0};                             ///< session time of their time zero
+  std::shared_ptr<const BackdropPicture> picture{};  ///< null: there is none at this moment
+};
+
+/// The command palette: what is typed, and the chosen line of what matches it.
+struct PaletteState {
+  bool shown = false;
+  bool just_opened = false;      ///< takes the keyboard in the coming frame
+  std::array<char, 256> text{};  ///< NUL-terminated
+  std::size_t chosen = 0;
+  LineStart start;
+
+  void open() {
+    *this = PaletteState();
+    shown = just_opened = true;
+    start.begin();
+  }
+};
 
 /// What a terminal was told about the files that are shown or were refused.
 struct PictureNote {

@@ -9,7 +9,6 @@
 #include "core/base/atomic_file.h"
 #include "core/base/plain_text.h"
 #include "core/document/toml_table.h"
-#include "core/document/toml_text.h"
 
 namespace rocinante {
 namespace {

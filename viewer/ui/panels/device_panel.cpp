@@ -1,12 +1,8 @@
-#include "viewer/ui/panels/device_panel.h"
-
 #include "viewer/ui/panels/hand_panel.h"
-#include "viewer/ui/panels/inspect_panel.h"
 #include "viewer/ui/panels/joint_rows.h"
-#include "viewer/ui/panels/joint_sliders.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/placed_panel.h"
-#include "viewer/ui/panels/plot_panel.h"
 #include "viewer/ui/panels/plot_parts.h"
 
 namespace rocinante {

@@ -1,16 +1,14 @@
-#include "viewer/ui/panels/figures_panel.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <vector>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
-#include "core/base/size_text.h"
 #include "core/cli/text_table.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/placed_panel.h"
 
 namespace rocinante {

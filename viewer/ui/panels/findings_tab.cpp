@@ -1,5 +1,3 @@
-#include "viewer/ui/panels/findings_tab.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +5,7 @@
 #include "core/base/duration_text.h"
 #include "viewer/ui/commands/study_actions.h"
 #include "viewer/ui/panels/panel_parts.h"
-#include "viewer/ui/panels/time_track.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

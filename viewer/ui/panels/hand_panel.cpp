@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-#include "core/base/count_text.h"
-#include "core/base/shell_word.h"
+#include "core/base/figure_text.h"
+#include "core/base/plain_text.h"
 #include "core/kinematics/joint_values.h"
 #include "viewer/ui/panels/joint_rows.h"
 #include "viewer/ui/panels/panel_parts.h"

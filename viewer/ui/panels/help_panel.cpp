@@ -1,10 +1,9 @@
-#include "viewer/ui/panels/help_panel.h"
-
 #include <string>
 #include <vector>
 
 #include "viewer/ui/commands/key_commands.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

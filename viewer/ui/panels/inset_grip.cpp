@@ -1,11 +1,10 @@
-#include "viewer/ui/panels/inset_grip.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 
 #include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

@@ -1,15 +1,14 @@
-#include "viewer/ui/panels/inspect_panel.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 
-#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
-#include "core/clearance/clearance_figure.h"
+#include "core/clearance/clearance_gauge.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
 
 namespace rocinante {

@@ -1,5 +1,3 @@
-#include "viewer/ui/panels/joint_sliders.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "viewer/ui/panels/joint_rows.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
 
 namespace rocinante {

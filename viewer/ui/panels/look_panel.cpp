@@ -1,9 +1,8 @@
-#include "viewer/ui/panels/look_panel.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

@@ -1,7 +1,6 @@
-#include "viewer/ui/panels/mark_prompt.h"
-
 #include "core/base/duration_text.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 

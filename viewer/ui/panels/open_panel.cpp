@@ -1,5 +1,3 @@
-#include "viewer/ui/panels/open_panel.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -10,7 +8,7 @@
 #include "core/base/plain_text.h"
 #include "viewer/ui/commands/palette_entries.h"
 #include "viewer/ui/panels/panel_parts.h"
-#include "viewer/ui/panels/typed_line.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

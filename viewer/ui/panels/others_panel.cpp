@@ -1,5 +1,3 @@
-#include "viewer/ui/panels/others_panel.h"
-
 #include <fmt/format.h>
 
 #include <chrono>
@@ -7,6 +5,7 @@
 
 #include "core/base/plain_text.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/ui/panels/palette_panel.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -7,7 +5,7 @@
 
 #include "viewer/ui/commands/palette_entries.h"
 #include "viewer/ui/panels/panel_parts.h"
-#include "viewer/ui/panels/typed_line.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

@@ -1,14 +1,21 @@
+/// Helpers of the panels. Only panels include this.
 #pragma once
 
 #include <imgui.h>
 
+#include <span>
 #include <string_view>
 
+#include "viewer/ui/model/line_start.h"
 #include "viewer/ui/panels/panel_layout.h"
 #include "viewer/ui/window/interface_context.h"
 
-/// Helpers of the panels. Only panels include this.
 namespace rocinante {
+
+/// Draws a line to type in, as wide as there is room. `takes_keyboard`: in a moment; what is typed
+/// until then is in `start`, and is taken by the line. True when Enter was pressed.
+bool drawTypedLine(const char* id, const char* hint, std::span<char> text, bool takes_keyboard,
+                   LineStart& start);
 
 /// Converts an interface length (for scale 1) to pixels of this screen.
 inline float px(float length) { return length * ImGui::GetFontSize() / kFontPixels; }

@@ -2,25 +2,10 @@
 
 #include <algorithm>
 
-#include "viewer/ui/panels/device_panel.h"
-#include "viewer/ui/panels/figures_panel.h"
-#include "viewer/ui/panels/findings_tab.h"
 #include "viewer/ui/panels/hand_panel.h"
-#include "viewer/ui/panels/help_panel.h"
-#include "viewer/ui/panels/inset_grip.h"
-#include "viewer/ui/panels/look_panel.h"
-#include "viewer/ui/panels/mark_prompt.h"
-#include "viewer/ui/panels/open_panel.h"
-#include "viewer/ui/panels/others_panel.h"
-#include "viewer/ui/panels/palette_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/picture_lines.h"
 #include "viewer/ui/panels/placed_panel.h"
-#include "viewer/ui/panels/plot_panel.h"
-#include "viewer/ui/panels/scene_panel.h"
-#include "viewer/ui/panels/sources_panel.h"
-#include "viewer/ui/panels/time_bar.h"
-#include "viewer/ui/panels/welcome_panel.h"
 
 namespace rocinante {
 namespace {

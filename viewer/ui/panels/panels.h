@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include <optional>
 #include <string>
 
@@ -7,9 +9,11 @@
 #include "core/base/time.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/ui/commands/viewer_requests.h"
+#include "viewer/ui/model/timeline_cursor.h"
 #include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/model/view_model.h"
 #include "viewer/ui/panels/frame_times.h"
+#include "viewer/ui/panels/time_axis.h"
 
 namespace rocinante {
 
@@ -44,5 +48,117 @@ struct ViewerStatus {
 /// goes to the requests. Returns the edges of the picture that they cover.
 CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime now,
                         ViewerRequests& requests);
+
+/// Draws the inspected device (ViewModel::inspected) with its joints below `top` if there is room;
+/// returns their bottom.
+float drawDevicePanel(ViewModel& model, float top, SteadyTime now);
+
+/// Draws the tab of the left panel with the amount drawn and the frame's cost by stage.
+void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests);
+
+/// Draws the session's figures in the top right corner or where the user put them, all or only the
+/// most important; returns their bottom.
+float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
+                  PanelPlaces& places);
+
+/// Draws the tab of the left panel with what `rocinante check` finds in the log: a click goes to a
+/// finding's first moment, selects its device and explains it.
+void drawFindingsTab(ViewModel& model, SteadyTime now);
+
+void drawHelp(ViewModel& model);
+
+/// Shows how the mouse can change the inset that it is over, or that it holds: a frame and the
+/// corner that changes its size. Draws nothing while the mouse is elsewhere.
+void drawInsetGrip(const ViewModel& model);
+
+/// Draws where the device or link is, in the world or in the chosen reference, and lets choose it.
+void drawPose(ViewModel& model, const Selection& shown);
+
+/// Draws how near the device is to the reference, or to the nearest other one, and the switch for
+/// it.
+void drawNearest(ViewModel& model, const Selection& shown);
+
+/// Draws the switch for the packet behind what is shown, and, if it is on, the packet. Needs a log.
+/// Above `bottom`.
+void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selection& shown,
+                      float bottom);
+
+/// Draws the joint values of a device, or of `link` alone if it has a joint: each with a slider
+/// that moves it (HandControl), and its value, which a double click lets type. Above `bottom`, the
+/// lowest pixel for the panel. Scrolls when there are more.
+void drawJointSliders(ViewModel& model, const PosedDevice& device, const std::string& link,
+                      float bottom, SteadyTime now);
+
+/// Draws a tab of the left panel.
+void drawLookTab(ViewModel& model);
+
+/// Asks for the text of a mark at the shown moment, while model.panels.asks_mark: Enter keeps it
+/// ("mark" when nothing was typed), Esc does not.
+void drawMarkPrompt(ViewModel& model, ViewerRequests& requests);
+
+/// The command palette: a line to type in, and the matching commands with their keys. Runs the one
+/// that is chosen; what it cannot do is a fault of the requests.
+void drawPalette(ViewModel& model, SteadyTime now, ViewerRequests& requests);
+
+// Tabs of the left panel.
+/// `bottom`: lowest pixel of the window that its panel may use.
+void drawSceneTab(ViewModel& model, float bottom, ViewerRequests& requests);
+void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests);
+
+/// Draws a tab of the left panel.
+void drawSourcesTab(ViewModel& model, SteadyTime now);
+
+/// Draws the time line at the bottom: buttons, and the track below them.
+void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, SteadyTime now);
+
+/// The list of files to open: type a part of a name or a path, choose with arrow keys and Enter, or
+/// click; what was shown before comes first.
+void drawOpenList(ViewModel& model, ViewerRequests& requests);
+
+/// A line for something that was shown before; true when it is clicked.
+bool drawRecent(const RecentContent& recent, bool chosen);
+void openRecent(const RecentContent& recent, ViewerRequests& requests);
+
+/// What a window says that shows nothing yet: how to open something, and what was shown before.
+/// `loading`: something comes, and only that is said.
+void drawWelcome(ViewModel& model, bool loading, ViewerRequests& requests);
+
+/// What is being read, and how far; in the middle of an empty window, else above the picture.
+void drawLoading(const LoadingStatus& loading, bool is_empty);
+
+/// A line over the picture about what is published or watched.
+struct OthersBanner {
+  std::string what;  ///< empty: none
+  std::string hint;
+  bool is_fault = false;
+};
+OthersBanner othersBanner(const ViewModel& model);
+
+/// The viewpoints of others, and what they see of this window. Nothing outside a live session
+/// unless something is published.
+void drawOthers(ViewModel& model);
+
+/// Height of the plots with their margin, in pixels of a window that high; 0 when none are shown.
+float plotsHeight(const ViewModel& model, float window_height);
+
+/// Draws the plots above the time line, on its axis, `bottom` being their lower edge: a lane for
+/// each unit, names and values at the right. Applies the mouse.
+void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, float bottom,
+               SteadyTime now);
+
+/// Draws what is dragged and where it can be dropped: onto the plots, or a band above the time line
+/// while there are none, and the time line. Plots it when it is dropped there.
+void drawPlotDrag(ViewModel& model);
+
+/// Height of the track, in interface units.
+constexpr float kTrackHeight = 48;
+
+/// Draws the time line on its axis, from `top` on: packets and losses by source, the shown moment,
+/// events, marks, findings, the part that is repeated, and a ruler. Applies the mouse.
+void drawTrack(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, float top,
+               SteadyTime now);
+
+/// Red, amber or grey.
+ImU32 severityColor(Severity severity);
 
 }  // namespace rocinante

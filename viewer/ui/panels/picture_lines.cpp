@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "viewer/ui/panels/hand_panel.h"
-#include "viewer/ui/panels/others_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/ui/panels/scene_panel.h"
-
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
@@ -10,8 +8,8 @@
 
 #include "core/packet/packet_text.h"
 #include "viewer/ui/model/shown_layers.h"
-#include "viewer/ui/panels/others_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

@@ -1,13 +1,12 @@
-#include "viewer/ui/panels/sources_panel.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
-#include "core/base/count_text.h"
+#include "core/base/figure_text.h"
 #include "viewer/ui/live/source_rows.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/ui/panels/time_bar.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -10,8 +8,8 @@
 #include "core/base/duration_text.h"
 #include "core/cli/text_table.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
-#include "viewer/ui/panels/time_track.h"
 
 namespace rocinante {
 namespace {

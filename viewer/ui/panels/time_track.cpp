@@ -1,5 +1,3 @@
-#include "viewer/ui/panels/time_track.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,8 +9,9 @@
 #include "core/base/duration_text.h"
 #include "viewer/ui/commands/study_actions.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
-#include "viewer/ui/panels/time_ruler.h"
+#include "viewer/ui/panels/time_axis.h"
 
 namespace rocinante {
 namespace {

@@ -1,11 +1,9 @@
-#include "viewer/ui/panels/welcome_panel.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "viewer/ui/panels/open_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/cell/cell.h"
 #include "viewer/gl/gl_table.h"
-#include "viewer/ui/panels/welcome_panel.h"
+#include "viewer/ui/panels/panels.h"
 
 namespace rocinante {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/worker_threads.h"
-#include "core/foreign/live/cell_decoders.h"
+#include "core/foreign/live/received_decoder.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "core/report/account.h"
 #include "core/session/moment_name.h"

@@ -7,7 +7,7 @@
 #include "viewer/gl/offscreen_context.h"
 #include "viewer/picture/picture_module.h"
 #include "viewer/view/beside_session.h"
-#include "viewer/view/clearance_lines.h"
+#include "viewer/view/frame_extras.h"
 
 namespace rocinante {
 namespace {

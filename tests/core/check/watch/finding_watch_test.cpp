@@ -8,7 +8,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/check/watch/finding_change_text.h"
 #include "tests/support/live_blocks.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,9 +1,9 @@
-#include "viewer/ui/panels/time_ruler.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <limits>
+
+#include "viewer/ui/panels/time_axis.h"
 
 namespace rocinante {
 namespace {
