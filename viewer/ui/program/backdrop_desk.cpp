@@ -4,36 +4,20 @@
 
 namespace rocinante {
 
-BackdropDesk::BackdropDesk(Backdrop* backdrop, void (*tell)()) : backdrop_(backdrop), tell_(tell) {
-  if (backdrop_ != nullptr) thread_ = std::thread([this] { work(); });
-}
-
-BackdropDesk::~BackdropDesk() {
-  if (!thread_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    ends_ = true;
-  }
-  news_.notify_all();
-  thread_.join();
-}
-
-void BackdropDesk::work() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    news_.wait(lock, [this] { return ends_ || (wanted_ && wanted_ != made_); });
-    if (ends_) return;
-    const std::size_t number = *wanted_;
-    lock.unlock();
-    auto picture = backdrop_->picture(number, [this] { return ends_.load(); });
-    lock.lock();
-    // A fault takes the place of its picture: it is not asked for again and again.
-    made_ = number;
-    picture_ = picture.ok() ? std::move(*picture) : nullptr;
-    if (!picture.ok() && !ends_ && fault_.empty()) fault_ = picture.error().text();
-    news_.notify_all();
-    tell_();
-  }
+BackdropDesk::BackdropDesk(Backdrop* backdrop, void (*tell)()) : backdrop_(backdrop) {
+  if (backdrop_ == nullptr) return;
+  worker_.emplace(
+      [backdrop, read = Read()](std::size_t number, const std::stop_token& stop) mutable {
+        auto picture = backdrop->picture(number, [&] { return stop.stop_requested(); });
+        // A fault takes the place of its picture: it is not asked for again and again.
+        read.picture = picture.ok() ? std::move(*picture) : nullptr;
+        if (!picture.ok()) {
+          read.fault = picture.error().text();
+          ++read.faults;
+        }
+        return read;
+      },
+      tell, ThreadPriority::normal);
 }
 
 bool BackdropDesk::update(ViewModel& model, bool waits) {
@@ -43,17 +27,16 @@ bool BackdropDesk::update(ViewModel& model, bool waits) {
   const Nanoseconds time = model.shownTime() - model.origin() - choice.offset;
   // numberAt() only reads what the other thread does not change.
   const auto number = choice.shown ? backdrop_->numberAt(time) : std::nullopt;
-  std::unique_lock lock(mutex_);
-  if (number != wanted_) {
-    wanted_ = number;
-    news_.notify_all();
+  if (number && number != asked_) {
+    asked_ = number;
+    worker_->ask(*number);
   }
-  if (waits && number) news_.wait(lock, [&] { return made_ == number; });
+  if (waits && number) worker_->wait();
   // While another one is read, the one before stays.
   if (!number) {
     shown.reset();
-  } else if (made_) {
-    shown = picture_;
+  } else if (const auto read = worker_->found()) {
+    shown = read->picture;
   }
   const bool changed = choice.picture != shown;
   choice.picture = std::move(shown);
@@ -61,8 +44,10 @@ bool BackdropDesk::update(ViewModel& model, bool waits) {
 }
 
 std::string BackdropDesk::takeFault() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(fault_, {});
+  const auto read = worker_ ? worker_->found() : nullptr;
+  if (!read || read->faults == faults_told_) return {};
+  faults_told_ = read->faults;
+  return read->fault;
 }
 
 }  // namespace rocinante

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "viewer/backdrop/backdrop.h"
 #include "viewer/ui/model/view_model.h"
+#include "viewer/ui/study/worker.h"
 
 namespace rocinante {
 
@@ -19,28 +16,25 @@ class BackdropDesk {
  public:
   /// Without a backdrop it does nothing. `tell` is called by the other thread when a picture came.
   BackdropDesk(Backdrop* backdrop, void (*tell)());
-  ~BackdropDesk();
-  BackdropDesk(const BackdropDesk&) = delete;
-  BackdropDesk& operator=(const BackdropDesk&) = delete;
 
   /// Asks for the picture of the model's moment, and gives the model the last one that came; true
   /// when the model's changed. `waits`: until the asked one is there.
   bool update(ViewModel& model, bool waits);
-  /// The first fault since the last call; empty: none.
+  /// The last fault since the last call; empty: none.
   std::string takeFault();
 
  private:
-  void work();
+  /// What came of the number of a picture.
+  struct Read {
+    std::shared_ptr<const BackdropPicture> picture;  ///< null: it could not be read
+    std::string fault;                               ///< the last one so far
+    std::size_t faults = 0;                          ///< how many there were so far
+  };
 
   Backdrop* backdrop_;
-  void (*tell_)();
-  std::mutex mutex_;
-  std::condition_variable news_;
-  std::optional<std::size_t> wanted_, made_;  ///< numbers of pictures
-  std::shared_ptr<const BackdropPicture> picture_;
-  std::string fault_;
-  std::atomic<bool> ends_{false};
-  std::thread thread_;  ///< last: it uses all of the above
+  std::optional<std::size_t> asked_;  ///< number of a picture
+  std::size_t faults_told_ = 0;
+  std::optional<Worker<std::size_t, Read>> worker_;
 };
 
 }  // namespace rocinante

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <condition_variable>
 #include <utility>
 
 #include "core/bundle/attached_cell.h"
@@ -330,53 +329,32 @@ Result<ContentRequest> requestOf(const std::vector<fs::path>& files, const Conte
   return request;
 }
 
-struct ContentLoader::Shared {
-  mutable std::mutex mutex;
-  std::condition_variable done;
-  LoadProgress progress;
-  std::optional<Result<ViewContent>> result;
-};
-
-ContentLoader::~ContentLoader() = default;
-
 void ContentLoader::start(ContentRequest request) {
   name_ = request.named().filename().string();
-  shared_ = std::make_shared<Shared>();
-  thread_ = std::jthread(
-      [shared = shared_, request = std::move(request)](const std::stop_token& stop) mutable {
-        const TellLoadProgress on_terminal = cli::loadProgress(request.named().string());
-        const TellLoadProgress tell = [&](const LoadProgress& now) {
-          on_terminal(now);
-          const std::lock_guard lock(shared->mutex);
-          shared->progress = now;
-        };
-        auto result = loadContent(std::move(request), tell, stop);
-        const std::lock_guard lock(shared->mutex);
-        shared->result.emplace(std::move(result));
-        shared->done.notify_all();
-      });
+  busy_ = true;
+  progress_ = {};
+  const auto load = [this](ContentRequest& asked, const std::stop_token& stop) {
+    const TellLoadProgress on_terminal = cli::loadProgress(asked.named().string());
+    const TellLoadProgress tell = [&](const LoadProgress& now) {
+      on_terminal(now);
+      const std::lock_guard lock(mutex_);
+      progress_ = now;
+    };
+    return loadContent(std::move(asked), tell, stop);
+  };
+  if (!worker_) worker_.emplace(load, nullptr, ThreadPriority::normal);
+  worker_->ask(std::move(request));
 }
 
-std::optional<Result<ViewContent>> ContentLoader::poll() { return waitFor(Nanoseconds(0)); }
-
 std::optional<Result<ViewContent>> ContentLoader::waitFor(Nanoseconds most) {
-  if (!busy()) return std::nullopt;
-  std::optional<Result<ViewContent>> result;
-  {
-    std::unique_lock lock(shared_->mutex);
-    if (!shared_->done.wait_for(lock, most, [&] { return shared_->result.has_value(); })) {
-      return std::nullopt;
-    }
-    result = std::move(shared_->result);
-  }
-  thread_.join();
-  return result;
+  if (!busy_ || !worker_->waitFor(most)) return std::nullopt;
+  busy_ = false;
+  return std::move(*worker_->found());
 }
 
 LoadProgress ContentLoader::progress() const {
-  if (!shared_) return {};
-  const std::lock_guard lock(shared_->mutex);
-  return shared_->progress;
+  const std::lock_guard lock(mutex_);
+  return progress_;
 }
 
 }  // namespace rocinante

@@ -6,7 +6,6 @@
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/base/model_search.h"
@@ -16,6 +15,7 @@
 #include "viewer/backdrop/backdrop.h"
 #include "viewer/ui/live/keep_limits.h"
 #include "viewer/ui/model/view_model.h"
+#include "viewer/ui/study/worker.h"
 
 namespace rocinante {
 
@@ -74,20 +74,16 @@ ViewContent emptyContent();
 Result<ContentRequest> requestOf(const std::vector<std::filesystem::path>& files,
                                  const ContentRequest& shown);
 
-/// Loads in a thread of its own. All calls from one thread.
+/// Loads in a thread of its own. All calls from one thread. Outlives what it loaded, whose session
+/// reads no more once this has ended.
 class ContentLoader {
  public:
-  ContentLoader() = default;
-  /// Ends the thread: of what is being read only a cell is read to its end.
-  ~ContentLoader();
-  ContentLoader(const ContentLoader&) = delete;
-  ContentLoader& operator=(const ContentLoader&) = delete;
-
-  bool busy() const { return thread_.joinable(); }
-  /// Not while busy().
+  /// Something was started and not taken.
+  bool busy() const { return busy_; }
+  /// Not while busy(). Of what is being read when this ends only a cell is read to its end.
   void start(ContentRequest request);
   /// What was loaded, once; empty while it is not ready or nothing was started.
-  std::optional<Result<ViewContent>> poll();
+  std::optional<Result<ViewContent>> poll() { return waitFor(Nanoseconds(0)); }
   /// The same, after at most `most`.
   std::optional<Result<ViewContent>> waitFor(Nanoseconds most);
 
@@ -95,10 +91,12 @@ class ContentLoader {
   LoadProgress progress() const;
 
  private:
-  struct Shared;
-  std::shared_ptr<Shared> shared_;
-  std::jthread thread_;
   std::string name_;
+  bool busy_ = false;
+  mutable std::mutex mutex_;
+  LoadProgress progress_;  ///< guarded by mutex_
+  /// Made on first use. One for all: its end would stop the sessions that it has opened.
+  std::optional<Worker<ContentRequest, Result<ViewContent>>> worker_;
 };
 
 }  // namespace rocinante

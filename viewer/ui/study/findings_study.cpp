@@ -1,64 +1,35 @@
 #include "viewer/ui/study/findings_study.h"
 
-#include <atomic>
-#include <thread>
 #include <utility>
 
 #include "core/check/check.h"
-#include "viewer/ui/study/study_thread.h"
 
 namespace rocinante {
 
-struct FindingsStudy::Impl {
-  Impl(const Cell& the_cell, std::filesystem::path path) : cell(the_cell), log(std::move(path)) {}
-
-  void work(const std::stop_token& stop) {
-    lowerPriority();
-    auto reader = LogReader::open(log);
-    if (reader.ok()) {
-      auto judged = checkLog(cell, *reader, [&](double part) {
-        done = part;
-        return !stop.stop_requested();
-      });
-      if (judged.ok()) {
-        report = std::move(*judged);
-      } else {
-        fault = judged.error().text();
-      }
-    } else {
-      fault = reader.error().text();
-    }
-    done = 1;
-    finished = true;
-    finished.notify_all();
-  }
-
-  const Cell& cell;
-  std::filesystem::path log;
-  std::atomic<double> done{0};
-  std::atomic<bool> finished{false};
-  // Written before `finished`, read after it.
-  CheckReport report;
-  std::string fault;
-  std::jthread thread;  // last: it ends first
-};
-
 FindingsStudy::FindingsStudy(const Cell& cell, std::filesystem::path log)
-    : impl_(std::make_unique<Impl>(cell, std::move(log))) {
-  Impl& my = *impl_;
-  my.thread = std::jthread([&my](const std::stop_token& stop) { my.work(stop); });
+    : worker_([this, &cell](const std::filesystem::path& path,
+                            const std::stop_token& stop) -> Result<CheckReport> {
+        auto reader = LogReader::open(path);
+        if (!reader.ok()) return reader.error();
+        auto judged = checkLog(cell, *reader, [&](double part) {
+          done_ = part;
+          return !stop.stop_requested();
+        });
+        done_ = 1;
+        return judged;
+      }) {
+  worker_.ask(std::move(log));
 }
-
-FindingsStudy::~FindingsStudy() = default;
-
-double FindingsStudy::progress() const { return impl_->done; }
-bool FindingsStudy::isFinished() const { return impl_->finished; }
-void FindingsStudy::wait() { impl_->finished.wait(false); }
 
 const CheckReport* FindingsStudy::report() const {
-  return impl_->finished && impl_->fault.empty() ? &impl_->report : nullptr;
+  // Nothing else is asked: the worker keeps it.
+  const auto found = worker_.found();
+  return found && found->ok() ? &**found : nullptr;
 }
 
-std::string FindingsStudy::fault() const { return impl_->finished ? impl_->fault : std::string(); }
+std::string FindingsStudy::fault() const {
+  const auto found = worker_.found();
+  return found && !found->ok() ? found->error().text() : std::string();
+}
 
 }  // namespace rocinante

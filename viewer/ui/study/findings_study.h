@@ -1,11 +1,12 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "core/cell/cell.h"
 #include "core/check/rules/check_report.h"
+#include "viewer/ui/study/worker.h"
 
 namespace rocinante {
 
@@ -15,23 +16,20 @@ class FindingsStudy {
  public:
   /// `cell` is borrowed, and read by the thread.
   FindingsStudy(const Cell& cell, std::filesystem::path log);
-  ~FindingsStudy();
-  FindingsStudy(const FindingsStudy&) = delete;
-  FindingsStudy& operator=(const FindingsStudy&) = delete;
 
   /// The finished part, 0 to 1.
-  double progress() const;
+  double progress() const { return done_; }
   /// Null until it is finished. Findings of the session alone come with their first time.
   const CheckReport* report() const;
   /// Why it could not judge; one sentence, or empty.
   std::string fault() const;
   /// Returns when it is finished.
-  void wait();
-  bool isFinished() const;
+  void wait() const { worker_.wait(); }
+  bool isFinished() const { return !worker_.isBusy(); }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::atomic<double> done_{0};
+  Worker<std::filesystem::path, Result<CheckReport>> worker_;
 };
 
 }  // namespace rocinante

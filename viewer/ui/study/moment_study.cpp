@@ -1,100 +1,52 @@
 #include "viewer/ui/study/moment_study.h"
 
-#include <condition_variable>
-#include <mutex>
-#include <optional>
-#include <thread>
 #include <utility>
 
 #include "core/cell/scene_pose_cache.h"
 #include "core/session/timeline.h"
-#include "viewer/ui/study/study_thread.h"
 
 namespace rocinante {
 
-struct MomentStudy::Impl {
-  Impl(const Cell& cell, std::function<void()> ready) : on_ready(std::move(ready)), poses(cell) {}
+/// Of the thread.
+class MomentStudy::Poser {
+ public:
+  explicit Poser(const Cell& cell) : poses_(cell) {}
+  std::optional<PosedScene> scene(const Question& question, const std::stop_token& stop);
 
-  void work(const std::stop_token& stop);
-  void look(const std::stop_token& stop);
-
-  std::function<void()> on_ready;
-
-  // Of the thread while busy, else of the caller.
-  ScenePoseCache poses;
-  std::filesystem::path log, opened;
-  LogTime moment{};
-  std::optional<Timeline> timeline;  // of `opened`; the scene borrows from its state
-  std::optional<PosedScene> scene;
-
-  mutable std::mutex mutex;
-  mutable std::condition_variable_any changed;
-  bool busy = false;    // guarded by mutex
-  std::jthread thread;  // last: it ends first
+ private:
+  ScenePoseCache poses_;
+  std::filesystem::path opened_;
+  std::optional<Timeline> timeline_;  // of `opened_`; the last scene borrows from its state
 };
 
-void MomentStudy::Impl::look(const std::stop_token& stop) {
-  scene.reset();
+std::optional<PosedScene> MomentStudy::Poser::scene(const Question& question,
+                                                    const std::stop_token& stop) {
   // A log that grows is opened again for what was not there yet.
-  if (!timeline || opened != log || moment > timeline->end()) {
-    timeline.reset();
-    auto now = Timeline::open(log);
-    if (!now.ok()) return;
-    timeline = std::move(*now);
-    timeline->useStop(stop);
-    opened = log;
+  if (!timeline_ || opened_ != question.log || question.moment > timeline_->end()) {
+    timeline_.reset();
+    auto now = Timeline::open(question.log);
+    if (!now.ok()) return std::nullopt;
+    timeline_ = std::move(*now);
+    timeline_->useStop(stop);
+    opened_ = question.log;
   }
-  const auto state = timeline->stateAt(moment);
-  if (state.ok()) scene = poses.pose(**state);
-}
-
-void MomentStudy::Impl::work(const std::stop_token& stop) {
-  lowerPriority();
-  while (true) {
-    {
-      std::unique_lock lock(mutex);
-      if (!changed.wait(lock, stop, [this] { return busy; })) return;
-    }
-    look(stop);
-    {
-      const std::lock_guard lock(mutex);
-      busy = false;
-    }
-    changed.notify_all();
-    on_ready();
-  }
+  const auto state = timeline_->stateAt(question.moment);
+  if (!state.ok()) return std::nullopt;
+  return poses_.pose(**state);
 }
 
 MomentStudy::MomentStudy(const Cell& cell, std::function<void()> on_ready)
-    : impl_(std::make_unique<Impl>(cell, std::move(on_ready))) {
-  Impl& my = *impl_;
-  my.thread = std::jthread([&my](const std::stop_token& stop) { my.work(stop); });
-}
-
-MomentStudy::~MomentStudy() = default;
-
-bool MomentStudy::busy() const {
-  const std::lock_guard lock(impl_->mutex);
-  return impl_->busy;
-}
-
-void MomentStudy::ask(std::filesystem::path log, LogTime moment) {
-  impl_->log = std::move(log);
-  impl_->moment = moment;
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->busy = true;
-  }
-  impl_->changed.notify_all();
-}
+    : worker_(
+          [poser = Poser(cell)](const Question& question, const std::stop_token& stop) mutable {
+            return poser.scene(question, stop);
+          },
+          std::move(on_ready)) {}
 
 const PosedScene* MomentStudy::scene() const {
-  return busy() || !impl_->scene ? nullptr : &*impl_->scene;
-}
-
-void MomentStudy::wait() const {
-  std::unique_lock lock(impl_->mutex);
-  impl_->changed.wait(lock, [this] { return !impl_->busy; });
+  if (busy()) return nullptr;
+  // The worker keeps it until it is asked again.
+  const auto found = worker_.found();
+  return found && *found ? &**found : nullptr;
 }
 
 }  // namespace rocinante

@@ -2,10 +2,11 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
+#include <optional>
 
 #include "core/cell/cell.h"
 #include "core/cell/posed_scene.h"
+#include "viewer/ui/study/worker.h"
 
 namespace rocinante {
 
@@ -15,22 +16,23 @@ class MomentStudy {
  public:
   /// `cell` is borrowed, and read by the thread. `on_ready` is called by the thread.
   MomentStudy(const Cell& cell, std::function<void()> on_ready);
-  ~MomentStudy();
-  MomentStudy(const MomentStudy&) = delete;
-  MomentStudy& operator=(const MomentStudy&) = delete;
 
   /// A moment is being posed: nothing else can be asked for.
-  bool busy() const;
+  bool busy() const { return worker_.isBusy(); }
   /// Requires !busy(). Ends the validity of scene().
-  void ask(std::filesystem::path log, LogTime moment);
+  void ask(std::filesystem::path log, LogTime moment) { worker_.ask({std::move(log), moment}); }
   /// The scene of the moment that was asked for, valid until the next ask(); null while busy, and
   /// when the log is unreadable or damaged there.
   const PosedScene* scene() const;
-  void wait() const;
+  void wait() const { worker_.wait(); }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Question {
+    std::filesystem::path log;
+    LogTime moment;
+  };
+  class Poser;
+  Worker<Question, std::optional<PosedScene>> worker_;
 };
 
 }  // namespace rocinante

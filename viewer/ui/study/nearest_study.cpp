@@ -1,65 +1,49 @@
 #include "viewer/ui/study/nearest_study.h"
 
-#include <algorithm>
-#include <condition_variable>
 #include <limits>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 #include "core/clearance/clearance_gauge.h"
-#include "viewer/ui/study/study_thread.h"
 
 namespace rocinante {
 
-struct NearestStudy::Impl {
-  explicit Impl(const Cell& the_cell) : cell(the_cell) {}
-
-  struct Question {
-    NearestWish wish;
-    SessionState state;
-    LogTime moment;
-  };
-
+/// Of the thread.
+class NearestStudy::Gauge {
+ public:
+  explicit Gauge(const Cell& cell) : cell_(cell) {}
   NearestFound answer(const Question& question);
-  void work(const std::stop_token& stop);
+
+ private:
   void measureFor(const NearestWish& wish);
 
-  Cell cell;  // a copy whose clearances are the wish; models are shared
+  Cell cell_;  // a copy whose clearances are the wish; models are shared
   // Of the last wish. A device's own patterns would be read as patterns: `chosen` is exact.
-  NearestWish measured;
-  std::optional<ClearanceGauge> gauge;
-
-  mutable std::mutex mutex;
-  mutable std::condition_variable_any changed;
-  std::optional<Question> question;   // guarded by mutex; there is one while it is worked on
-  std::optional<NearestFound> found;  // guarded by mutex
-  bool news = false;                  // guarded by mutex
-  std::jthread thread;                // last: it ends first
+  NearestWish measured_;
+  std::optional<ClearanceGauge> gauge_;
 };
 
-void NearestStudy::Impl::measureFor(const NearestWish& wish) {
-  if (gauge && measured == wish) return;
-  measured = wish;
-  gauge.reset();
+void NearestStudy::Gauge::measureFor(const NearestWish& wish) {
+  if (gauge_ && measured_ == wish) return;
+  measured_ = wish;
+  gauge_.reset();
   CellClearance apart;
   apart.name = "nearest";
   apart.between = {wish.device, wish.other.empty() ? "*" : wish.other};
-  cell.clearances = {apart};
-  gauge.emplace(cell, [wish](std::string_view a, std::string_view b) {
+  cell_.clearances = {apart};
+  gauge_.emplace(cell_, [wish](std::string_view a, std::string_view b) {
     if (a != wish.device) std::swap(a, b);
     return a == wish.device && a != b && (wish.other.empty() || b == wish.other);
   });
 }
 
-NearestFound NearestStudy::Impl::answer(const Question& asked) {
+NearestFound NearestStudy::Gauge::answer(const Question& asked) {
   measureFor(asked.wish);
   NearestFound answer{asked.wish, asked.moment, {}, 0, {}, {}};
   double least = std::numeric_limits<double>::infinity();
   std::vector<double> distances;
-  gauge->measure(asked.state, distances);
-  const std::vector<ClearanceGap> gaps = gauge->gaps();
-  const std::vector<GapPlace> places = gauge->places(asked.state);
+  gauge_->measure(asked.state, distances);
+  const std::vector<ClearanceGap> gaps = gauge_->gaps();
+  const std::vector<GapPlace> places = gauge_->places(asked.state);
   // places() leaves out what is not there, for which measure() has NaN.
   std::size_t place = 0;
   for (std::size_t i = 0; i < gaps.size() && i < distances.size(); ++i) {
@@ -76,55 +60,20 @@ NearestFound NearestStudy::Impl::answer(const Question& asked) {
   return answer;
 }
 
-void NearestStudy::Impl::work(const std::stop_token& stop) {
-  lowerPriority();
-  std::unique_lock lock(mutex);
-  while (changed.wait(lock, stop, [this] { return question.has_value(); })) {
-    const Question& asked = *question;
-    lock.unlock();
-    NearestFound answered = answer(asked);
-    lock.lock();
-    found = std::move(answered);
-    question.reset();
-    news = true;
-    changed.notify_all();
-  }
-}
-
-NearestStudy::NearestStudy(const Cell& cell) : impl_(std::make_unique<Impl>(cell)) {
-  impl_->thread = std::jthread([this](const std::stop_token& stop) { impl_->work(stop); });
-}
-
-NearestStudy::~NearestStudy() = default;
+NearestStudy::NearestStudy(const Cell& cell)
+    : worker_([gauge = Gauge(cell)](const Question& question, const std::stop_token&) mutable {
+        return gauge.answer(question);
+      }) {}
 
 bool NearestStudy::ask(const NearestWish& wish, const SessionState& state, LogTime moment) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    if (impl_->question) return false;
-    impl_->question.emplace(Impl::Question{wish, state, moment});
-  }
-  impl_->changed.notify_all();
+  if (worker_.isBusy()) return false;
+  worker_.ask({wish, state, moment});
   return true;
 }
 
 std::optional<NearestFound> NearestStudy::found() const {
-  const std::lock_guard lock(impl_->mutex);
-  return impl_->found;
-}
-
-bool NearestStudy::isBusy() const {
-  const std::lock_guard lock(impl_->mutex);
-  return impl_->question.has_value();
-}
-
-bool NearestStudy::takeNews() {
-  const std::lock_guard lock(impl_->mutex);
-  return std::exchange(impl_->news, false);
-}
-
-void NearestStudy::wait() const {
-  std::unique_lock lock(impl_->mutex);
-  impl_->changed.wait(lock, [this] { return !impl_->question.has_value(); });
+  const auto found = worker_.found();
+  return found ? std::optional(*found) : std::nullopt;
 }
 
 }  // namespace rocinante

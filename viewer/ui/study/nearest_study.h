@@ -1,12 +1,12 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "core/base/time.h"
 #include "core/cell/cell.h"
 #include "core/packet/session_state.h"
+#include "viewer/ui/study/worker.h"
 
 namespace rocinante {
 
@@ -33,24 +33,26 @@ class NearestStudy {
  public:
   /// `cell` is borrowed, and read by the thread.
   explicit NearestStudy(const Cell& cell);
-  ~NearestStudy();
-  NearestStudy(const NearestStudy&) = delete;
-  NearestStudy& operator=(const NearestStudy&) = delete;
 
   /// Asks for the distance in a state, which is copied, unless the thread still works on another
   /// one: true when it was taken.
   bool ask(const NearestWish& wish, const SessionState& state, LogTime moment);
   /// The last answer; empty before the first.
   std::optional<NearestFound> found() const;
-  bool isBusy() const;
+  bool isBusy() const { return worker_.isBusy(); }
   /// True once after each answer.
-  bool takeNews();
+  bool takeNews() { return worker_.takeNews(); }
   /// Until it is not busy.
-  void wait() const;
+  void wait() const { worker_.wait(); }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Question {
+    NearestWish wish;
+    SessionState state;
+    LogTime moment;
+  };
+  class Gauge;
+  Worker<Question, NearestFound> worker_;
 };
 
 }  // namespace rocinante

@@ -1,14 +1,10 @@
 #include "viewer/ui/study/parting_study.h"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 #include "core/cell/scene_pose_cache.h"
 #include "core/session/timeline.h"
-#include "viewer/ui/study/study_thread.h"
 #include "viewer/view/beside_session.h"
 
 namespace rocinante {
@@ -28,51 +24,24 @@ void addDevices(std::vector<std::string>& all, const std::vector<std::string>& m
 
 }  // namespace
 
-struct PartingStudy::Impl {
-  Impl(const Cell& the_cell, std::filesystem::path a, std::filesystem::path b,
-       EventAlignment aligned)
-      : cell(the_cell),
-        shown_log(std::move(a)),
-        beside_log(std::move(b)),
-        alignment(std::move(aligned)) {}
-
-  Status look(const std::stop_token& stop);
-  void publish(std::vector<Parting> partings) {
-    const std::lock_guard lock(mutex);
-    if (partings == found) return;
-    found = std::move(partings);
-    news = true;
-  }
-
-  const Cell& cell;
-  std::filesystem::path shown_log, beside_log;
-  EventAlignment alignment;
-
-  std::mutex mutex;
-  std::vector<Parting> found;  // guarded by mutex
-  std::string fault;           // written before `finished`
-  std::atomic<bool> news{false}, finished{false};
-  std::jthread thread;  // last: it ends first
-};
-
-Status PartingStudy::Impl::look(const std::stop_token& stop) {
-  auto shown = Timeline::open(shown_log);
+Status PartingStudy::look(const Cell& cell, const Question& question, const std::stop_token& stop,
+                          std::vector<Parting>& partings) {
+  auto shown = Timeline::open(question.shown);
   if (!shown.ok()) return shown.error();
-  auto opened = Timeline::open(beside_log);
+  auto opened = Timeline::open(question.beside);
   if (!opened.ok()) return opened.error();
   shown->useStop(stop);
   opened->useStop(stop);
   ScenePoseCache poses(cell);
-  BesideSession beside(cell, std::move(*opened), alignment);
+  BesideSession beside(cell, std::move(*opened), question.alignment);
   const LogTime start = shown->start();
   const Nanoseconds length = shown->end() - start;
   const Nanoseconds step = std::max(kPartingStep, length / kMaxSamples + Nanoseconds(1));
   StateDamage ignored;  // pictures show where it is
-  std::vector<Parting> partings;
   bool apart = false;
   for (std::int64_t i = 0; start + (i - 1) * step < shown->end(); ++i) {
     if (stop.stop_requested()) return {};
-    if (i % kSamplesAtATime == 0) publish(partings);
+    if (i % kSamplesAtATime == 0 && partings != found()) worker_.publish({partings, {}});
     const LogTime moment = std::min(start + i * step, shown->end());
     if (!beside.covers(moment)) {
       apart = false;
@@ -88,44 +57,36 @@ Status PartingStudy::Impl::look(const std::stop_token& stop) {
     partings.back().until = moment;
     addDevices(partings.back().devices, beside.elsewhere());
   }
-  publish(std::move(partings));
   return {};
 }
 
 PartingStudy::PartingStudy(const Cell& cell, std::filesystem::path shown,
                            std::filesystem::path beside, EventAlignment alignment)
-    : impl_(
-          std::make_unique<Impl>(cell, std::move(shown), std::move(beside), std::move(alignment))) {
-  Impl& my = *impl_;
-  my.thread = std::jthread([&my](const std::stop_token& stop) {
-    lowerPriority();
-    if (Status looked = my.look(stop); !looked) my.fault = looked.error().text();
-    my.finished = true;
-    my.news = true;
-    my.finished.notify_all();
-  });
+    : worker_([this, &cell](const Question& question, const std::stop_token& stop) {
+        Answer answer;
+        const Status looked = look(cell, question, stop, answer.partings);
+        if (!looked) answer.fault = looked.error().text();
+        return answer;
+      }) {
+  worker_.ask({std::move(shown), std::move(beside), std::move(alignment)});
 }
-
-PartingStudy::~PartingStudy() = default;
 
 std::vector<Parting> PartingStudy::found() const {
-  const std::lock_guard lock(impl_->mutex);
-  return impl_->found;
+  const auto found = worker_.found();
+  return found ? found->partings : std::vector<Parting>();
 }
 
-std::string PartingStudy::fault() const { return impl_->finished ? impl_->fault : std::string(); }
+std::string PartingStudy::fault() const {
+  const auto found = worker_.found();
+  return found ? found->fault : std::string();
+}
 
 std::optional<LogTime> PartingStudy::beside(LogTime moment, bool after) const {
-  const std::lock_guard lock(impl_->mutex);
-  const std::vector<Parting>& found = impl_->found;
+  const std::vector<Parting> found = this->found();
   const auto next = after ? std::ranges::upper_bound(found, moment, {}, &Parting::from)
                           : std::ranges::lower_bound(found, moment, {}, &Parting::from);
   if (after) return next == found.end() ? std::nullopt : std::optional(next->from);
   return next == found.begin() ? std::nullopt : std::optional(std::prev(next)->from);
 }
-
-bool PartingStudy::takeNews() const { return impl_->news.exchange(false); }
-bool PartingStudy::isFinished() const { return impl_->finished; }
-void PartingStudy::wait() const { impl_->finished.wait(false); }
 
 }  // namespace rocinante

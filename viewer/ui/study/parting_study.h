@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/cell/cell.h"
 #include "core/session/event_alignment.h"
+#include "viewer/ui/study/worker.h"
 
 namespace rocinante {
 
@@ -28,9 +28,6 @@ class PartingStudy {
   /// `cell` is borrowed, and read by the thread.
   PartingStudy(const Cell& cell, std::filesystem::path shown, std::filesystem::path beside,
                EventAlignment alignment);
-  ~PartingStudy();
-  PartingStudy(const PartingStudy&) = delete;
-  PartingStudy& operator=(const PartingStudy&) = delete;
 
   /// What was found so far, by time.
   std::vector<Parting> found() const;
@@ -39,13 +36,23 @@ class PartingStudy {
   /// The beginning of the first one after a moment, or of the last one that begins before it.
   std::optional<LogTime> beside(LogTime moment, bool after) const;
   /// True when there is more since the last call.
-  bool takeNews() const;
-  bool isFinished() const;
-  void wait() const;
+  bool takeNews() { return worker_.takeNews(); }
+  bool isFinished() const { return !worker_.isBusy(); }
+  void wait() const { worker_.wait(); }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Question {
+    std::filesystem::path shown, beside;
+    EventAlignment alignment;
+  };
+  struct Answer {
+    std::vector<Parting> partings;
+    std::string fault;
+  };
+  Status look(const Cell& cell, const Question& question, const std::stop_token& stop,
+              std::vector<Parting>& partings);
+
+  Worker<Question, Answer> worker_;
 };
 
 }  // namespace rocinante

@@ -111,6 +111,12 @@ TEST_F(OpenedFiles, AreLoadedInAThread) {
   ASSERT_TRUE(loaded && loaded->ok());
   EXPECT_EQ((*loaded)->model->cell().devices.size(), 1U);
   EXPECT_FALSE(loader.busy());
+  loader.start(*requestOf({folder_ / "s.mcap", folder_ / "arm.urdf"}, {}));
+  const auto next = loader.waitFor(std::chrono::hours(1));
+  ASSERT_TRUE(next && next->ok());
+  Timeline* const session = (*next)->model->session();
+  ASSERT_NE(session, nullptr);
+  EXPECT_TRUE(session->stateAt(session->end()).ok()) << "it is read on after it was taken";
   // One that is not waited for ends with the loader.
   loader.start(*requestOf({folder_ / "arm.urdf"}, {}));
 }

@@ -23,7 +23,7 @@ TEST(PartingStudy, FindsWhereTwoSessionsArePart) {
   ASSERT_TRUE(cell.ok());
   EventAlignment origin;
   origin.anchor_a = origin.anchor_b = sessionTime(0);
-  const PartingStudy study(*cell, folder / "a.mcap", folder / "b.mcap", origin);
+  PartingStudy study(*cell, folder / "a.mcap", folder / "b.mcap", origin);
   study.wait();
   EXPECT_EQ(study.fault(), "");
   const std::vector<Parting> expected{{sessionTime(1000), sessionTime(1080), {"arm"}},
