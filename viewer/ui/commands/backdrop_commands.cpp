@@ -61,7 +61,7 @@ std::vector<Command> backdropCommands() {
   };
   for (Command& command : commands) {
     command.group = CommandGroup::picture;
-    command.needs_backdrop = true;
+    command.offered = [](const ViewModel& model) { return model.backdrop.has_value(); };
   }
   return commands;
 }

@@ -47,12 +47,8 @@ struct Command {
   Status (*run)(CommandWords, const CommandStage&) = nullptr;
   std::vector<Shortcut> shortcuts{};
   bool needs_log = false;
-  bool needs_live = false;        ///< a growing session; only the palette asks
-  bool needs_beside = false;      ///< a session beside; only the palette asks
-  bool needs_backdrop = false;    ///< a backdrop; only the palette asks
-  bool needs_insets = false;      ///< an inset is shown; only the palette asks
-  bool needs_others = false;      ///< another window's view; only the palette asks
-  bool needs_publishing = false;  ///< something is published; only the palette asks
+  /// Whether the palette offers it now; null: always.
+  bool (*offered)(const ViewModel&) = nullptr;
   bool repeats = false;           ///< while its key is held
   std::string_view keys_shown{};  ///< one text for all shortcuts: "1 to 9"
   /// Values that its first argument may have now, for the palette; null: unknown.

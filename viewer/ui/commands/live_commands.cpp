@@ -35,7 +35,9 @@ std::vector<Command> liveCommands() {
   };
   for (Command& command : commands) {
     command.group = CommandGroup::time;
-    command.needs_live = true;
+    command.offered = [](const ViewModel& model) {
+      return model.isLive() || (model.session() != nullptr && model.session()->log().growing());
+    };
   }
   return commands;
 }

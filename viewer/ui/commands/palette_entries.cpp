@@ -91,17 +91,10 @@ std::optional<int> fuzzyScore(std::string_view query, std::string_view text) {
 
 std::vector<PaletteEntry> paletteEntries(ViewModel& model) {
   std::vector<PaletteEntry> entries;
-  const bool goes_on =
-      model.isLive() || (model.session() != nullptr && model.session()->log().growing());
   for (const Command& command : allCommands()) {
     if (command.group == CommandGroup::script) continue;
     if (command.needs_log && model.cursor() == nullptr) continue;
-    if (command.needs_live && !goes_on) continue;
-    if (command.needs_insets && model.inset_places.empty()) continue;
-    if (command.needs_others && model.viewsOfOthers().empty()) continue;
-    if (command.needs_publishing && model.publishing.active() == nullptr) continue;
-    if (command.needs_beside && model.beside() == nullptr) continue;
-    if (command.needs_backdrop && !model.backdrop) continue;
+    if (command.offered != nullptr && !command.offered(model)) continue;
     addEntries(command, model, entries);
   }
   return entries;

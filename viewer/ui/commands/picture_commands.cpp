@@ -309,7 +309,7 @@ std::vector<Command> pictureCommands() {
        .means = "an inset's view in place of the picture's, and the other way round",
        .run = swapWithInset,
        .shortcuts = {{"shift+I", "", "the first inset's view and the picture's, swapped"}},
-       .needs_insets = true},
+       .offered = [](const ViewModel& model) { return !model.inset_places.empty(); }},
       {.name = "style",
        .arguments = "KEY VALUE",
        .means = "a look of the picture, as --style",

@@ -126,6 +126,8 @@ Status goToParting(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+bool hasBeside(const ViewModel& model) { return model.beside() != nullptr; }
+
 }  // namespace
 
 std::vector<Command> plotCommands() {
@@ -160,14 +162,14 @@ std::vector<Command> plotCommands() {
        .means = "the session beside: its ghosts and curves",
        .run = setBeside,
        .shortcuts = {{"Y", "", ""}},
-       .needs_beside = true},
+       .offered = hasBeside},
       {.name = "parting",
        .arguments = "next|previous",
        .means = "where the session beside begins to be elsewhere",
        .run = goToParting,
        .shortcuts = {{"K", "next", "the next moment at which the two sessions part"},
                      {"shift+K", "previous", "the moment before at which they part"}},
-       .needs_beside = true},
+       .offered = hasBeside},
   };
   for (Command& command : commands) {
     command.group = CommandGroup::time;

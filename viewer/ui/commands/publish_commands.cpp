@@ -90,6 +90,8 @@ Status watchOther(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+bool isPublishing(const ViewModel& model) { return model.publishing.active() != nullptr; }
+
 }  // namespace
 
 std::vector<Command> publishCommands() {
@@ -103,28 +105,28 @@ std::vector<Command> publishCommands() {
        .means = "see what another window sees; the next one's view, then one's own",
        .run = watchOther,
        .shortcuts = {{"Z", "", ""}},
-       .needs_others = true,
+       .offered = [](const ViewModel& model) { return !model.viewsOfOthers().empty(); },
        .choices = viewChoices},
       {.name = "pointer",
        .arguments = "[on|off]",
        .means = "others see where the mouse points",
        .run = setPointer,
-       .needs_publishing = true},
+       .offered = isPublishing},
       {.name = "draw",
        .arguments = "[on|off|none]",
        .means = "clicks draw a line that others see; none: erase what was drawn",
        .run = drawForOthers,
-       .needs_publishing = true},
+       .offered = isPublishing},
       {.name = "label",
        .arguments = "TEXT...",
        .means = "a text that others see, where the next click is",
        .run = labelForOthers,
-       .needs_publishing = true},
+       .offered = isPublishing},
       {.name = "say",
        .arguments = "TEXT...",
        .means = "an event that others see",
        .run = sayToOthers,
-       .needs_publishing = true},
+       .offered = isPublishing},
   };
   for (Command& command : commands) command.group = CommandGroup::picture;
   return commands;
