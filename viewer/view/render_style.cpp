@@ -14,67 +14,11 @@ namespace {
 /// A trail has a fixed number of points: beyond a day they are useless.
 constexpr Nanoseconds kLongestTrail = std::chrono::hours(24);
 
-constexpr std::array kKeys{
-    StyleKey{"shading", "standard|plain", "plain: one light and even ambient light"},
-    StyleKey{"shadows", "on|off", "shadows of the key light"},
-    StyleKey{"contact", "on|off", "darker where surfaces are near each other"},
-    StyleKey{"edges", "on|only|off", "crisp edges; only: a line drawing"},
-    StyleKey{"labels", "beside|apart", "apart: labels that do not cover each other"},
-    StyleKey{"ghosts", "plain|clear", "clear: ghosts in one tone, behind the actual device"},
-    StyleKey{"limits", "on|off", "links near a joint's limit amber, beyond it red"},
-    StyleKey{"clearance", "on|off", "distances of links that `check` judges, red where too near"},
-    StyleKey{"scale-bar", "on|off", "a scale bar, true at the camera's target"},
-    StyleKey{"camera-cone", "on|off", "what the picture shows, in insets without perspective"},
-    StyleKey{"layer-looks", "on|off", "off: ignore the cell's styles of layers"},
-    StyleKey{"outlined", "PATH[#GROUP]", "an outline, also where the object is hidden", true},
-    StyleKey{"wireframe", "PATH[#GROUP]", "triangle edges instead of surfaces", true},
-    StyleKey{"transparent", "PATH[#GROUP][@OPACITY]", "see-through; default opacity 0.3", true},
-    StyleKey{"collision", "PATH", "collision geometry instead of visuals", true},
-    StyleKey{"collision-over", "PATH", "collision geometry over visuals", true},
-    StyleKey{"trail", "PATH[@SECONDS]", "path of a device or link; default: the last 5 s", true},
-    StyleKey{"axes", "PATH", "the axes of a link, of all of a device, or of all: *", true},
-    StyleKey{"measure", "PATH@X,Y,Z~PATH@X,Y,Z", "the distance of two points of links", true},
-    StyleKey{"lengths", "mm|m", "the unit of distances"},
-};
-
 Error badStyle(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
-
-/// Null when there is no such key.
-const StyleKey* keyNamed(std::string_view key) {
-  std::string name(key);
-  std::replace(name.begin(), name.end(), '_', '-');
-  const auto found = std::find_if(kKeys.begin(), kKeys.end(),
-                                  [&](const StyleKey& one) { return one.key == name; });
-  return found == kKeys.end() ? nullptr : &*found;
-}
 
 Error badValue(const StyleKey& key, std::string_view value) {
   return badStyle("`" + std::string(value) + "` is not a value of the style `" +
                   std::string(key.key) + "`: " + std::string(key.values));
-}
-
-template <class T>
-bool choose(T& target, std::string_view value,
-            std::initializer_list<std::pair<std::string_view, T>> words) {
-  for (const auto& [word, meaning] : words) {
-    if (value != word) continue;
-    target = meaning;
-    return true;
-  }
-  return false;
-}
-
-bool chooseSwitch(bool& target, std::string_view value) {
-  return choose(target, value, {{"on", true}, {"true", true}, {"off", false}, {"false", false}});
-}
-
-bool chooseEdges(EdgeStyle& target, std::string_view value) {
-  return choose(target, value,
-                {{"off", EdgeStyle::none},
-                 {"false", EdgeStyle::none},
-                 {"on", EdgeStyle::over},
-                 {"true", EdgeStyle::over},
-                 {"only", EdgeStyle::only}});
 }
 
 /// Splits "PATH@REST" at the last `@`, which names cannot contain unencoded.
@@ -84,12 +28,7 @@ std::pair<std::string_view, std::string_view> splitAt(std::string_view value) {
   return {value.substr(0, at), value.substr(at + 1)};
 }
 
-template <class T>
-void addOnce(std::vector<T>& list, T value) {
-  if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(std::move(value));
-}
-
-Status addTransparent(RenderStyle& style, const StyleKey& key, std::string_view value) {
+Result<TransparentStyle> transparentOf(const StyleKey& key, std::string_view value) {
   const auto [path, opacity] = splitAt(value);
   if (const auto fit = parseViewPath(path); !fit) return fit.error();
   TransparentStyle one{std::string(path)};
@@ -100,11 +39,10 @@ Status addTransparent(RenderStyle& style, const StyleKey& key, std::string_view 
     const bool fit = fault == std::errc() && stopped == end && one.opacity >= 0 && one.opacity <= 1;
     if (!fit) return badValue(key, value);
   }
-  addOnce(style.transparent, std::move(one));
-  return {};
+  return one;
 }
 
-Status addTrail(RenderStyle& style, const StyleKey& key, std::string_view value) {
+Result<TrailStyle> trailOf(const StyleKey& key, std::string_view value) {
   const auto [path, window] = splitAt(value);
   const auto named = parseViewPath(path);
   if (!named) return named.error();
@@ -115,30 +53,26 @@ Status addTrail(RenderStyle& style, const StyleKey& key, std::string_view value)
     if (!span || span->count() <= 0 || *span > kLongestTrail) return badValue(key, value);
     one.window = *span;
   }
-  addOnce(style.trails, std::move(one));
-  return {};
+  return one;
 }
 
-Status addPath(std::vector<std::string>& list, std::string_view value) {
+Result<std::string> pathOf(const StyleKey&, std::string_view value) {
   if (const auto fit = parseViewPath(value); !fit) return fit.error();
-  addOnce(list, std::string(value));
-  return {};
+  return std::string(value);
 }
 
 /// Collision geometry belongs to a link: its groups are not those of the visuals.
-Status addLink(std::vector<std::string>& list, const StyleKey& key, std::string_view value) {
+Result<std::string> linkOf(const StyleKey& key, std::string_view value) {
   const auto path = parseViewPath(value);
   if (!path) return path.error();
   if (path->has_group) return badValue(key, value);
-  addOnce(list, std::string(value));
-  return {};
+  return std::string(value);
 }
 
-Status addMeasure(RenderStyle& style, const StyleKey& key, std::string_view value) {
+Result<MeasureStyle> measureOf(const StyleKey& key, std::string_view value) {
   auto measure = parseMeasure(value);
   if (!measure) return badValue(key, value);
-  addOnce(style.measures, std::move(*measure));
-  return {};
+  return std::move(*measure);
 }
 
 std::string shortest(double number) {
@@ -147,49 +81,133 @@ std::string shortest(double number) {
   return fault == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
-/// Sets or adds one value, independent of the others.
-Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
-  const std::string_view name = key.key;
-  if (name == "outlined") return addPath(style.outlined, value);
-  if (name == "wireframe") return addPath(style.wireframe, value);
-  if (name == "collision") return addLink(style.collision, key, value);
-  if (name == "collision-over") return addLink(style.collision_over, key, value);
-  if (name == "transparent") return addTransparent(style, key, value);
-  if (name == "trail") return addTrail(style, key, value);
-  if (name == "axes") return addLink(style.frames, key, value);
-  if (name == "measure") return addMeasure(style, key, value);
+std::string valueOf(const std::string& path) { return path; }
+std::string valueOf(const TransparentStyle& one) { return one.path + "@" + shortest(one.opacity); }
+std::string valueOf(const TrailStyle& one) {
+  return one.path + "@" + secondsText(one.window) + "s";
+}
+std::string valueOf(const MeasureStyle& one) { return measureText(one); }
 
-  bool fit = false;
-  if (name == "shading") {
-    fit =
-        choose(style.shading, value, {{"standard", Shading::standard}, {"plain", Shading::plain}});
-  } else if (name == "edges") {
-    fit = chooseEdges(style.edges, value);
-  } else if (name == "labels") {
-    fit =
-        choose(style.labels, value, {{"beside", LabelStyle::beside}, {"apart", LabelStyle::apart}});
-  } else if (name == "ghosts") {
-    fit = choose(style.ghosts, value, {{"plain", GhostStyle::plain}, {"clear", GhostStyle::clear}});
-  } else if (name == "shadows") {
-    fit = chooseSwitch(style.shadows, value);
-  } else if (name == "contact") {
-    fit = chooseSwitch(style.contact, value);
-  } else if (name == "limits") {
-    fit = chooseSwitch(style.limits, value);
-  } else if (name == "clearance") {
-    fit = chooseSwitch(style.clearance, value);
-  } else if (name == "scale-bar") {
-    fit = chooseSwitch(style.scale_bar, value);
-  } else if (name == "camera-cone") {
-    fit = chooseSwitch(style.camera_cone, value);
-  } else if (name == "lengths") {
-    fit =
-        choose(style.lengths, value, {{"mm", LengthUnit::millimetres}, {"m", LengthUnit::metres}});
-  } else if (name == "layer-looks") {
-    fit = chooseSwitch(style.layer_looks, value);
-  }
-  if (!fit) return badValue(key, value);
-  return {};
+/// A key, how one of its values is set or added, and all that differ from the default's.
+struct StyleRow {
+  StyleKey key;
+  Status (*set)(RenderStyle& style, const StyleKey& key, std::string_view value);
+  std::vector<std::string> (*values)(const RenderStyle& style);
+};
+
+/// A word for a value; of several for one value, the first is written.
+template <class T>
+struct Choice {
+  std::string_view word;
+  T value;
+};
+
+constexpr Choice<bool> kSwitch[] = {{"on", true}, {"true", true}, {"off", false}, {"false", false}};
+constexpr Choice<Shading> kShadings[] = {{"standard", Shading::standard},
+                                         {"plain", Shading::plain}};
+constexpr Choice<EdgeStyle> kEdges[] = {{"on", EdgeStyle::over},
+                                        {"true", EdgeStyle::over},
+                                        {"only", EdgeStyle::only},
+                                        {"off", EdgeStyle::none},
+                                        {"false", EdgeStyle::none}};
+constexpr Choice<LabelStyle> kLabels[] = {{"beside", LabelStyle::beside},
+                                          {"apart", LabelStyle::apart}};
+constexpr Choice<GhostStyle> kGhosts[] = {{"plain", GhostStyle::plain},
+                                          {"clear", GhostStyle::clear}};
+constexpr Choice<LengthUnit> kLengths[] = {{"mm", LengthUnit::millimetres},
+                                           {"m", LengthUnit::metres}};
+
+/// One of a few values.
+template <auto kMember, const auto& kChoices = kSwitch>
+constexpr StyleRow oneOf(std::string_view key, std::string_view values, std::string_view means) {
+  return {{key, values, means},
+          [](RenderStyle& style, const StyleKey& of, std::string_view value) -> Status {
+            for (const auto& choice : kChoices) {
+              if (choice.word != value) continue;
+              style.*kMember = choice.value;
+              return {};
+            }
+            return badValue(of, value);
+          },
+          [](const RenderStyle& style) -> std::vector<std::string> {
+            if (style.*kMember == RenderStyle().*kMember) return {};
+            for (const auto& choice : kChoices) {
+              if (choice.value == style.*kMember) return {std::string(choice.word)};
+            }
+            return {};
+          }};
+}
+
+/// Any number of what `kRead` reads.
+template <auto kMember, auto kRead>
+constexpr StyleRow listOf(std::string_view key, std::string_view values, std::string_view means) {
+  return {{key, values, means, true},
+          [](RenderStyle& style, const StyleKey& of, std::string_view value) -> Status {
+            auto one = kRead(of, value);
+            if (!one) return one.error();
+            auto& all = style.*kMember;
+            if (std::ranges::find(all, *one) == all.end()) all.push_back(std::move(*one));
+            return {};
+          },
+          [](const RenderStyle& style) {
+            std::vector<std::string> all;
+            for (const auto& one : style.*kMember) all.push_back(valueOf(one));
+            return all;
+          }};
+}
+
+constexpr std::array kRows{
+    oneOf<&RenderStyle::shading, kShadings>("shading", "standard|plain",
+                                            "plain: one light and even ambient light"),
+    oneOf<&RenderStyle::shadows>("shadows", "on|off", "shadows of the key light"),
+    oneOf<&RenderStyle::contact>("contact", "on|off", "darker where surfaces are near each other"),
+    oneOf<&RenderStyle::edges, kEdges>("edges", "on|only|off", "crisp edges; only: a line drawing"),
+    oneOf<&RenderStyle::labels, kLabels>("labels", "beside|apart",
+                                         "apart: labels that do not cover each other"),
+    oneOf<&RenderStyle::ghosts, kGhosts>("ghosts", "plain|clear",
+                                         "clear: ghosts in one tone, behind the actual device"),
+    oneOf<&RenderStyle::limits>("limits", "on|off",
+                                "links near a joint's limit amber, beyond it red"),
+    oneOf<&RenderStyle::clearance>("clearance", "on|off",
+                                   "distances of links that `check` judges, red where too near"),
+    oneOf<&RenderStyle::scale_bar>("scale-bar", "on|off",
+                                   "a scale bar, true at the camera's target"),
+    oneOf<&RenderStyle::camera_cone>("camera-cone", "on|off",
+                                     "what the picture shows, in insets without perspective"),
+    oneOf<&RenderStyle::layer_looks>("layer-looks", "on|off",
+                                     "off: ignore the cell's styles of layers"),
+    listOf<&RenderStyle::outlined, pathOf>("outlined", "PATH[#GROUP]",
+                                           "an outline, also where the object is hidden"),
+    listOf<&RenderStyle::wireframe, pathOf>("wireframe", "PATH[#GROUP]",
+                                            "triangle edges instead of surfaces"),
+    listOf<&RenderStyle::transparent, transparentOf>("transparent", "PATH[#GROUP][@OPACITY]",
+                                                     "see-through; default opacity 0.3"),
+    listOf<&RenderStyle::collision, linkOf>("collision", "PATH",
+                                            "collision geometry instead of visuals"),
+    listOf<&RenderStyle::collision_over, linkOf>("collision-over", "PATH",
+                                                 "collision geometry over visuals"),
+    listOf<&RenderStyle::trails, trailOf>("trail", "PATH[@SECONDS]",
+                                          "path of a device or link; default: the last 5 s"),
+    listOf<&RenderStyle::frames, linkOf>("axes", "PATH",
+                                         "the axes of a link, of all of a device, or of all: *"),
+    listOf<&RenderStyle::measures, measureOf>("measure", "PATH@X,Y,Z~PATH@X,Y,Z",
+                                              "the distance of two points of links"),
+    oneOf<&RenderStyle::lengths, kLengths>("lengths", "mm|m", "the unit of distances"),
+};
+
+constexpr auto kKeys = [] {
+  std::array<StyleKey, kRows.size()> keys;
+  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = kRows[i].key;
+  return keys;
+}();
+
+/// Null when there is no such key.
+const StyleRow* rowNamed(std::string_view key) {
+  std::string name(key);
+  std::ranges::replace(name, '_', '-');
+  const auto found =
+      std::ranges::find(kRows, name, [](const StyleRow& row) { return row.key.key; });
+  return found == kRows.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -197,8 +215,8 @@ Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
 std::span<const StyleKey> styleKeys() { return kKeys; }
 
 Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view value) {
-  const StyleKey* key = keyNamed(key_text);
-  if (key == nullptr) {
+  const StyleRow* const row = rowNamed(key_text);
+  if (row == nullptr) {
     std::string all;
     for (const StyleKey& one : kKeys) all += (all.empty() ? "" : ", ") + std::string(one.key);
     return badStyle("`" + std::string(key_text) + "` is not a style; the styles are: " + all);
@@ -206,7 +224,7 @@ Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view 
   const bool shadows = style.shadows;
   const bool contact = style.contact;
   const Shading shading = style.shading;
-  Status set = setOne(style, *key, value);
+  Status set = row->set(style, row->key, value);
   const bool changed =
       style.shadows != shadows || style.contact != contact || style.shading != shading;
   if (changed && style.shading == Shading::plain && (style.shadows || style.contact)) {
@@ -227,35 +245,14 @@ Status setStyle(RenderStyle& style, std::string_view word) {
 }
 
 std::vector<std::pair<std::string, std::string>> styleWords(const RenderStyle& style) {
-  const RenderStyle plain;
+  RenderStyle drawn = style;
+  if (style.shading == Shading::plain) drawn.shadows = drawn.contact = false;
   std::vector<std::pair<std::string, std::string>> words;
-  const auto say = [&](const char* key, std::string value) {
-    words.emplace_back(key, std::move(value));
-  };
-  if (style.shading != plain.shading) say("shading", "plain");
-  if (style.shadows && style.shading == Shading::standard) say("shadows", "on");
-  if (style.contact && style.shading == Shading::standard) say("contact", "on");
-  if (style.edges != plain.edges) say("edges", style.edges == EdgeStyle::only ? "only" : "on");
-  if (style.labels != plain.labels) say("labels", "apart");
-  if (style.ghosts != plain.ghosts) say("ghosts", "clear");
-  if (style.limits) say("limits", "on");
-  if (style.clearance) say("clearance", "on");
-  if (style.scale_bar) say("scale-bar", "on");
-  if (style.camera_cone) say("camera-cone", "on");
-  if (!style.layer_looks) say("layer-looks", "off");
-  for (const std::string& path : style.outlined) say("outlined", path);
-  for (const std::string& path : style.wireframe) say("wireframe", path);
-  for (const TransparentStyle& one : style.transparent) {
-    say("transparent", one.path + "@" + shortest(one.opacity));
+  for (const StyleRow& row : kRows) {
+    for (std::string& value : row.values(drawn)) {
+      words.emplace_back(row.key.key, std::move(value));
+    }
   }
-  for (const std::string& path : style.collision) say("collision", path);
-  for (const std::string& path : style.collision_over) say("collision-over", path);
-  for (const TrailStyle& one : style.trails) {
-    say("trail", one.path + "@" + secondsText(one.window) + "s");
-  }
-  for (const std::string& path : style.frames) say("axes", path);
-  for (const MeasureStyle& one : style.measures) say("measure", measureText(one));
-  if (style.lengths != plain.lengths) say("lengths", "m");
   return words;
 }
 
