@@ -43,10 +43,10 @@ std::uint64_t availableBytes() {
 
 /// Allocates a new renderbuffer and leaves it bound. Returns its number of samples: a renderer may
 /// round up.
-int storeSamples(const GlTable& gl, GLuint* name, GLenum format, int width, int height,
+int storeSamples(const GlTable& gl, GlRenderbuffer& name, GLenum format, int width, int height,
                  int samples) {
-  gl.GenRenderbuffers(1, name);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, *name);
+  name = GlRenderbuffer(gl);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, name);
   gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, width,
                                     height);
   GLint got = 0;
@@ -79,11 +79,11 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
   frame.width_ = width;
   frame.height_ = height;
   frame.samples_ = samples;
-  gl.GenFramebuffers(1, &frame.frame_);
+  frame.frame_ = GlFramebuffer(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, frame.frame_);
   // Float depth, because it runs from near (1) to far (0): see camera.h.
-  const int color = storeSamples(gl, &frame.color_, GL_RGBA8, width, height, samples);
-  const int depth = storeSamples(gl, &frame.depth_, GL_DEPTH_COMPONENT32F, width, height, samples);
+  const int color = storeSamples(gl, frame.color_, GL_RGBA8, width, height, samples);
+  const int depth = storeSamples(gl, frame.depth_, GL_DEPTH_COMPONENT32F, width, height, samples);
   if (gl.GetError() == GL_OUT_OF_MEMORY) return noMemory(width, height, samples);
   if (color != samples || depth != samples) {
     return badFrame(fmt::format("cannot draw {} samples: this renderer has {}", samples, color));
@@ -92,9 +92,9 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, frame.depth_);
   bool complete = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (complete && samples > 1) {
-    gl.GenFramebuffers(1, &frame.resolved_frame_);
+    frame.resolved_frame_ = GlFramebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, frame.resolved_frame_);
-    storeSamples(gl, &frame.resolved_color_, GL_RGBA8, width, height, 1);
+    storeSamples(gl, frame.resolved_color_, GL_RGBA8, width, height, 1);
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                frame.resolved_color_);
     complete = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
@@ -114,46 +114,6 @@ FrameBuffer FrameBuffer::ofContext(const GlTable& gl, int width, int height) {
   frame.width_ = width;
   frame.height_ = height;
   return frame;
-}
-
-FrameBuffer::~FrameBuffer() { release(); }
-
-FrameBuffer::FrameBuffer(FrameBuffer&& other) noexcept
-    : gl_(other.gl_),
-      width_(other.width_),
-      height_(other.height_),
-      samples_(other.samples_),
-      frame_(std::exchange(other.frame_, 0)),
-      color_(std::exchange(other.color_, 0)),
-      depth_(std::exchange(other.depth_, 0)),
-      resolved_frame_(std::exchange(other.resolved_frame_, 0)),
-      resolved_color_(std::exchange(other.resolved_color_, 0)) {}
-
-FrameBuffer& FrameBuffer::operator=(FrameBuffer&& other) noexcept {
-  if (this != &other) {
-    release();
-    gl_ = other.gl_;
-    width_ = other.width_;
-    height_ = other.height_;
-    samples_ = other.samples_;
-    frame_ = std::exchange(other.frame_, 0);
-    color_ = std::exchange(other.color_, 0);
-    depth_ = std::exchange(other.depth_, 0);
-    resolved_frame_ = std::exchange(other.resolved_frame_, 0);
-    resolved_color_ = std::exchange(other.resolved_color_, 0);
-  }
-  return *this;
-}
-
-void FrameBuffer::release() {
-  for (GLuint* frame : {&frame_, &resolved_frame_}) {
-    if (*frame != 0) gl_->DeleteFramebuffers(1, frame);
-    *frame = 0;
-  }
-  for (GLuint* buffer : {&color_, &depth_, &resolved_color_}) {
-    if (*buffer != 0) gl_->DeleteRenderbuffers(1, buffer);
-    *buffer = 0;
-  }
 }
 
 void FrameBuffer::bind() const {

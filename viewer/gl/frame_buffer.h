@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "viewer/gl/gl_table.h"
+#include "viewer/gl/gl_name.h"
 #include "viewer/picture/picture.h"
 #include "viewer/picture/pixel_rectangle.h"
 
@@ -19,10 +19,6 @@ class FrameBuffer {
 
   /// The context's own, which something else made and keeps: one sample, perhaps no depth.
   static FrameBuffer ofContext(const GlTable& gl, int width, int height);
-
-  ~FrameBuffer();
-  FrameBuffer(FrameBuffer&& other) noexcept;
-  FrameBuffer& operator=(FrameBuffer&& other) noexcept;
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -51,15 +47,14 @@ class FrameBuffer {
 
  private:
   explicit FrameBuffer(const GlTable& gl) : gl_(&gl) {}
-  void release();
   GLuint resolved() const { return samples_ > 1 ? resolved_frame_ : frame_; }
 
   const GlTable* gl_;
   int width_ = 0;
   int height_ = 0;
   int samples_ = 1;
-  GLuint frame_ = 0, color_ = 0, depth_ = 0;
-  GLuint resolved_frame_ = 0, resolved_color_ = 0;
+  GlFramebuffer frame_, resolved_frame_;
+  GlRenderbuffer color_, depth_, resolved_color_;
 };
 
 }  // namespace rocinante

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <utility>
 
 namespace rocinante {
 namespace {
@@ -24,8 +23,8 @@ std::string logOf(Ask ask, GLuint name) {
   return log;
 }
 
-GLuint compile(const GlTable& gl, GLenum stage, std::string_view source) {
-  const GLuint shader = gl.CreateShader(stage);
+GlShader compile(const GlTable& gl, GLenum stage, std::string_view source) {
+  GlShader shader(gl, stage);
   std::string embedded;
   if (gl.is_embedded && source.starts_with(kFirstLine)) {
     embedded = std::string(kEmbeddedFirstLines).append(source.substr(kFirstLine.size()));
@@ -76,8 +75,8 @@ Status ShaderProgram::finish() {
     }
   }
   // The program keeps them alive.
-  gl_->DeleteShader(std::exchange(vertex_, 0));
-  gl_->DeleteShader(std::exchange(fragment_, 0));
+  vertex_ = {};
+  fragment_ = {};
   return fine;
 }
 
@@ -86,34 +85,6 @@ Result<ShaderProgram> ShaderProgram::link(const GlTable& gl, std::string_view na
   ShaderProgram program = begin(gl, name, vertex, fragment);
   if (Status linked = program.finish(); !linked) return linked.error();
   return program;
-}
-
-void ShaderProgram::release() {
-  for (const GLuint shader : {vertex_, fragment_}) {
-    if (shader != 0) gl_->DeleteShader(shader);
-  }
-  if (program_ != 0) gl_->DeleteProgram(program_);
-}
-
-ShaderProgram::~ShaderProgram() { release(); }
-
-ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept
-    : gl_(other.gl_),
-      name_(std::move(other.name_)),
-      program_(std::exchange(other.program_, 0)),
-      vertex_(std::exchange(other.vertex_, 0)),
-      fragment_(std::exchange(other.fragment_, 0)) {}
-
-ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
-  if (this != &other) {
-    release();
-    gl_ = other.gl_;
-    name_ = std::move(other.name_);
-    program_ = std::exchange(other.program_, 0);
-    vertex_ = std::exchange(other.vertex_, 0);
-    fragment_ = std::exchange(other.fragment_, 0);
-  }
-  return *this;
 }
 
 }  // namespace rocinante

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "viewer/gl/gl_table.h"
+#include "viewer/gl/gl_name.h"
 
 namespace rocinante {
 
@@ -22,24 +22,18 @@ class ShaderProgram {
   static Result<ShaderProgram> link(const GlTable& gl, std::string_view name,
                                     std::string_view vertex, std::string_view fragment);
 
-  ~ShaderProgram();
-  ShaderProgram(ShaderProgram&& other) noexcept;
-  ShaderProgram& operator=(ShaderProgram&& other) noexcept;
-
   void use() const { gl_->UseProgram(program_); }
   /// -1 when the program has no such uniform (setting it then does nothing).
   GLint uniform(const char* name) const { return gl_->GetUniformLocation(program_, name); }
 
  private:
-  ShaderProgram(const GlTable& gl, std::string_view name)
-      : gl_(&gl), name_(name), program_(gl.CreateProgram()) {}
+  ShaderProgram(const GlTable& gl, std::string_view name) : gl_(&gl), name_(name), program_(gl) {}
   Status compiled(GLuint shader, std::string_view stage) const;
-  void release();
 
   const GlTable* gl_;
   std::string name_;
-  GLuint program_ = 0;
-  GLuint vertex_ = 0, fragment_ = 0;  // until it is finished
+  GlProgram program_;
+  GlShader vertex_, fragment_;  // until it is finished
 };
 
 }  // namespace rocinante

@@ -38,22 +38,7 @@ Result<BackdropPass> BackdropPass::create(const GlTable& gl) {
 }
 
 BackdropPass::BackdropPass(const GlTable& gl, ShaderProgram program)
-    : gl_(gl), program_(std::move(program)) {
-  gl_.GenVertexArrays(1, &empty_array_);
-  gl_.GenTextures(1, &texture_);
-}
-
-BackdropPass::BackdropPass(BackdropPass&& other) noexcept
-    : gl_(other.gl_),
-      program_(std::move(other.program_)),
-      empty_array_(std::exchange(other.empty_array_, 0)),
-      texture_(std::exchange(other.texture_, 0)),
-      uploaded_(other.uploaded_) {}
-
-BackdropPass::~BackdropPass() {
-  if (empty_array_ != 0) gl_.DeleteVertexArrays(1, &empty_array_);
-  if (texture_ != 0) gl_.DeleteTextures(1, &texture_);
-}
+    : gl_(gl), program_(std::move(program)) {}
 
 void BackdropPass::upload(const BackdropPicture& picture) {
   gl_.BindTexture(GL_TEXTURE_2D, texture_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cell/camera_lens.h"
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/shader_program.h"
 #include "viewer/picture/pixel_rectangle.h"
 #include "viewer/view/backdrop_frame.h"
@@ -12,9 +13,6 @@ namespace rocinante {
 class BackdropPass {
  public:
   static Result<BackdropPass> create(const GlTable& gl);
-  ~BackdropPass();
-  BackdropPass(BackdropPass&& other) noexcept;
-  BackdropPass& operator=(BackdropPass&&) = delete;
 
   /// Into the viewport, which is of this size. Blends by `opacity`; leaves depth test and blending
   /// off.
@@ -27,7 +25,8 @@ class BackdropPass {
 
   const GlTable& gl_;
   ShaderProgram program_;
-  GLuint empty_array_ = 0, texture_ = 0;
+  GlVertexArray empty_array_{gl_};
+  GlTexture texture_{gl_};
   std::uint64_t uploaded_ = 0;  ///< BackdropPicture::number; 0: none
 };
 

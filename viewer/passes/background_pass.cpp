@@ -12,32 +12,13 @@ namespace rocinante {
 BackgroundPass::BackgroundPass(const GlTable& gl)
     : gl_(gl),
       program_(ShaderProgram::begin(gl, "background", shader::kBackgroundVertex,
-                                    shader::kBackgroundFragment)) {
-  gl_.GenVertexArrays(1, &empty_array_);
-}
+                                    shader::kBackgroundFragment)) {}
 
 Status BackgroundPass::prepare() {
   if (ready_) return {};
   Status linked = program_.finish();
   ready_ = linked.has_value();
   return linked;
-}
-
-BackgroundPass::BackgroundPass(BackgroundPass&& other) noexcept
-    : gl_(other.gl_),
-      program_(std::move(other.program_)),
-      ready_(other.ready_),
-      empty_array_(std::exchange(other.empty_array_, 0)),
-      kept_(std::exchange(other.kept_, {})) {}
-
-BackgroundPass::~BackgroundPass() {
-  for (const Kept& kept : kept_) forget(kept);
-  gl_.DeleteVertexArrays(1, &empty_array_);
-}
-
-void BackgroundPass::forget(const Kept& kept) const {
-  gl_.DeleteFramebuffers(1, &kept.frame);
-  gl_.DeleteRenderbuffers(1, &kept.color);
 }
 
 void BackgroundPass::drawGradient(const CellScene& look) const {
@@ -65,9 +46,8 @@ const BackgroundPass::Kept* BackgroundPass::kept(const CellScene& look, int widt
   });
   if (found != kept_.end()) return &*found;
 
-  Kept made{look.background_top, look.background_bottom, width, height, samples};
-  gl_.GenFramebuffers(1, &made.frame);
-  gl_.GenRenderbuffers(1, &made.color);
+  Kept made{look.background_top, look.background_bottom, width, height, samples,
+            GlFramebuffer(gl_),  GlRenderbuffer(gl_)};
   gl_.BindRenderbuffer(GL_RENDERBUFFER, made.color);
   gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, made.frame);
@@ -78,15 +58,9 @@ const BackgroundPass::Kept* BackgroundPass::kept(const CellScene& look, int widt
     drawGradient(look);
   }
   gl_.BindFramebuffer(GL_FRAMEBUFFER, bound);
-  if (!complete) {
-    forget(made);
-    return nullptr;
-  }
-  if (kept_.size() == kKept) {
-    forget(kept_.front());
-    kept_.erase(kept_.begin());
-  }
-  kept_.push_back(made);
+  if (!complete) return nullptr;
+  if (kept_.size() == kKept) kept_.erase(kept_.begin());
+  kept_.push_back(std::move(made));
   return &kept_.back();
 }
 

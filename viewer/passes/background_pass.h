@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/cell/cell.h"
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/shader_program.h"
 #include "viewer/picture/pixel_rectangle.h"
 
@@ -16,9 +17,6 @@ class BackgroundPass {
  public:
   /// Begins its program.
   explicit BackgroundPass(const GlTable& gl);
-  ~BackgroundPass();
-  BackgroundPass(BackgroundPass&& other) noexcept;
-  BackgroundPass& operator=(BackgroundPass&&) = delete;
 
   /// Required before it draws; waits for the driver on first use.
   Status prepare();
@@ -34,19 +32,19 @@ class BackgroundPass {
     glm::vec3 top, bottom;
     int width = 0, height = 0;
     GLint samples = 0;
-    GLuint frame = 0, color = 0;
+    GlFramebuffer frame;
+    GlRenderbuffer color;
   };
   static constexpr std::size_t kKept = 4;                             // a view and its insets
   static constexpr std::int64_t kKeptBytes = std::int64_t{64} << 20;  // of one of them
 
   void drawGradient(const CellScene& look) const;
   const Kept* kept(const CellScene& look, int width, int height, GLint samples, GLuint bound);
-  void forget(const Kept& kept) const;
 
   const GlTable& gl_;
   ShaderProgram program_;
   bool ready_ = false;
-  GLuint empty_array_ = 0;
+  GlVertexArray empty_array_{gl_};
   std::vector<Kept> kept_;
 };
 

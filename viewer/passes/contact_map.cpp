@@ -1,6 +1,5 @@
 #include "viewer/passes/contact_map.h"
 
-#include <array>
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
@@ -55,52 +54,28 @@ ContactMap::ContactMap(const GlTable& gl, CasterDraw items, ShaderProgram ground
       items_(std::move(items)),
       ground_(std::move(ground)),
       openness_(std::move(openness)),
-      evened_(std::move(evened)) {
-  gl_.GenVertexArrays(1, &empty_array_);
-}
-
-ContactMap::ContactMap(ContactMap&& other) noexcept
-    : gl_(other.gl_),
-      items_(std::move(other.items_)),
-      ground_(std::move(other.ground_)),
-      openness_(std::move(other.openness_)),
-      evened_(std::move(other.evened_)),
-      empty_array_(std::exchange(other.empty_array_, 0)),
-      targets_(std::exchange(other.targets_, {})) {}
-
-ContactMap::~ContactMap() {
-  for (const auto& [view, target] : targets_) release(target);
-  if (empty_array_ != 0) gl_.DeleteVertexArrays(1, &empty_array_);
-}
-
-void ContactMap::release(const Target& target) const {
-  const std::array<GLuint, 3> frames{target.depth_frame, target.first_frame, target.second_frame};
-  const std::array<GLuint, 3> textures{target.depth, target.first, target.second};
-  gl_.DeleteFramebuffers(static_cast<GLsizei>(frames.size()), frames.data());
-  gl_.DeleteTextures(static_cast<GLsizei>(textures.size()), textures.data());
-}
+      evened_(std::move(evened)) {}
 
 /// Leaves one of its framebuffers bound when it creates them.
 Result<const ContactMap::Target*> ContactMap::targetOf(std::size_t view, int width, int height) {
   const auto found = targets_.find(view);
   if (found != targets_.end()) {
     if (found->second.width == width && found->second.height == height) return &found->second;
-    release(found->second);
     targets_.erase(found);
   }
   Target target;
   target.width = width;
   target.height = height;
   bool complete = true;
-  const auto make = [&](GLuint& texture, GLuint& frame, bool is_depth) {
-    gl_.GenTextures(1, &texture);
+  const auto make = [&](GlTexture& texture, GlFramebuffer& frame, bool is_depth) {
+    texture = GlTexture(gl_);
     gl_.BindTexture(GL_TEXTURE_2D, texture);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, is_depth ? GL_DEPTH_COMPONENT32F : GL_RG32F, width, height, 0,
                    is_depth ? GL_DEPTH_COMPONENT : GL_RG, GL_FLOAT, nullptr);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl_.GenFramebuffers(1, &frame);
+    frame = GlFramebuffer(gl_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, frame);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, is_depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
                              GL_TEXTURE_2D, texture, 0);
@@ -115,10 +90,9 @@ Result<const ContactMap::Target*> ContactMap::targetOf(std::size_t view, int wid
   make(target.second, target.second_frame, false);
   gl_.BindTexture(GL_TEXTURE_2D, 0);
   if (!complete) {
-    release(target);
     return Error{ErrorKind::refused, "the GL driver cannot create a framebuffer for contact", {}};
   }
-  return &targets_.emplace(view, target).first->second;
+  return &targets_.emplace(view, std::move(target)).first->second;
 }
 
 void ContactMap::drawDepths(const Target& target, std::span<const DrawnSet> sets,

@@ -3,6 +3,7 @@
 #include <map>
 #include <span>
 
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/shader_program.h"
 #include "viewer/passes/caster_draw.h"
 #include "viewer/picture/pixel_rectangle.h"
@@ -27,9 +28,6 @@ void bindContact(const GlTable& gl, const ShaderProgram& program, const ContactL
 class ContactMap {
  public:
   static Result<ContactMap> create(const GlTable& gl);
-  ~ContactMap();
-  ContactMap(ContactMap&& other) noexcept;
-  ContactMap& operator=(ContactMap&&) = delete;
 
   /// Draws the mostly opaque items of `sets` as `camera` sees them, and the ground up to `ground_m`
   /// from the origin (0: no ground). `view`: number of the view in its picture, whose map stays
@@ -42,13 +40,12 @@ class ContactMap {
   /// The textures of a view.
   struct Target {
     int width = 0, height = 0;
-    GLuint depth = 0, first = 0, second = 0;
-    GLuint depth_frame = 0, first_frame = 0, second_frame = 0;
+    GlTexture depth, first, second;
+    GlFramebuffer depth_frame, first_frame, second_frame;
   };
   ContactMap(const GlTable& gl, CasterDraw items, ShaderProgram ground, ShaderProgram openness,
              ShaderProgram evened);
   Result<const Target*> targetOf(std::size_t view, int width, int height);
-  void release(const Target& target) const;
   void drawDepths(const Target& target, std::span<const DrawnSet> sets, const Camera& camera,
                   double ground_m) const;
   void drawOpenness(const Target& target, const Camera& camera) const;
@@ -57,7 +54,7 @@ class ContactMap {
   const GlTable& gl_;
   CasterDraw items_;
   ShaderProgram ground_, openness_, evened_;
-  GLuint empty_array_ = 0;
+  GlVertexArray empty_array_{gl_};
   std::map<std::size_t, Target> targets_;
 };
 

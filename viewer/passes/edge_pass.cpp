@@ -27,7 +27,6 @@ Result<EdgePass> EdgePass::create(const GlTable& gl) {
 
 EdgePass::EdgePass(const GlTable& gl, ShaderProgram program)
     : gl_(gl), program_(std::move(program)) {
-  gl_.GenVertexArrays(1, &empty_array_);
   uniforms_.clip_from_model = program_.uniform("clip_from_model");
   uniforms_.eye = program_.uniform("eye");
   uniforms_.first_edge = program_.uniform("first_edge");
@@ -39,18 +38,6 @@ EdgePass::EdgePass(const GlTable& gl, ShaderProgram program)
   uniforms_.low = program_.uniform("low");
   uniforms_.alone = program_.uniform("alone");
   uniforms_.unit_px = program_.uniform("unit_px");
-}
-
-EdgePass::EdgePass(EdgePass&& other) noexcept
-    : gl_(other.gl_),
-      program_(std::move(other.program_)),
-      empty_array_(std::exchange(other.empty_array_, 0)),
-      edges_(std::exchange(other.edges_, {})),
-      uniforms_(other.uniforms_) {}
-
-EdgePass::~EdgePass() {
-  for (const auto& [mesh, edges] : edges_) gl_.DeleteTextures(1, &edges.texture);
-  if (empty_array_ != 0) gl_.DeleteVertexArrays(1, &empty_array_);
 }
 
 const EdgePass::Edges& EdgePass::edgesOf(const Mesh& mesh) {
@@ -77,7 +64,7 @@ const EdgePass::Edges& EdgePass::edgesOf(const Mesh& mesh) {
   }
   place->second.parts = std::move(found.parts);
   if (rows == 0) return place->second;
-  gl_.GenTextures(1, &place->second.texture);
+  place->second.texture = GlTexture(gl_);
   gl_.BindTexture(GL_TEXTURE_2D, place->second.texture);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kEdgesInRow * kTexels, rows, 0, GL_RGBA, GL_FLOAT,
                  texels.data());

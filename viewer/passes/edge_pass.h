@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viewer/cull/draw_list.h"
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/shader_program.h"
 #include "viewer/passes/mesh_edges.h"
 #include "viewer/view/camera.h"
@@ -26,9 +27,6 @@ class EdgePass {
   static constexpr float kSurfaceRanks = -10;
 
   static Result<EdgePass> create(const GlTable& gl);
-  ~EdgePass();
-  EdgePass(EdgePass&& other) noexcept;
-  EdgePass& operator=(EdgePass&&) = delete;
 
   using ColorOf = std::function<glm::vec4(const DrawItem&)>;
 
@@ -38,7 +36,7 @@ class EdgePass {
 
  private:
   struct Edges {
-    GLuint texture = 0;
+    GlTexture texture;
     std::vector<PartEdges> parts;
   };
   EdgePass(const GlTable& gl, ShaderProgram program);
@@ -47,8 +45,8 @@ class EdgePass {
 
   const GlTable& gl_;
   ShaderProgram program_;
-  GLuint empty_array_ = 0;
-  std::map<const Mesh*, Edges> edges_;  // lookup only, iterated only to delete
+  GlVertexArray empty_array_{gl_};
+  std::map<const Mesh*, Edges> edges_;  // lookup only
   struct Uniforms {
     GLint clip_from_model, eye, first_edge, every_edge, color, viewport, near, lift, low, unit_px,
         alone;

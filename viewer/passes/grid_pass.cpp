@@ -13,26 +13,13 @@
 namespace rocinante {
 
 GridPass::GridPass(const GlTable& gl) : gl_(gl) {
-  gl_.GenVertexArrays(1, &array_);
   gl_.BindVertexArray(array_);
-  gl_.GenBuffers(1, &vertices_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
   constexpr std::array<float, 8> kCorners{-1, -1, 1, -1, -1, 1, 1, 1};
   gl_.BufferData(GL_ARRAY_BUFFER, sizeof(kCorners), kCorners.data(), GL_STATIC_DRAW);
   gl_.EnableVertexAttribArray(0);
   gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
   gl_.BindVertexArray(0);
-}
-
-GridPass::GridPass(GridPass&& other) noexcept
-    : gl_(other.gl_),
-      programs_(std::move(other.programs_)),
-      array_(std::exchange(other.array_, 0)),
-      vertices_(std::exchange(other.vertices_, 0)) {}
-
-GridPass::~GridPass() {
-  gl_.DeleteVertexArrays(1, &array_);
-  gl_.DeleteBuffers(1, &vertices_);
 }
 
 /// The one that is darkened by shadows, by contact, by both or by neither.

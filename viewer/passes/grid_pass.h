@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/cell/cell.h"
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/shader_program.h"
 #include "viewer/passes/contact_map.h"
 #include "viewer/passes/shadow_map.h"
@@ -16,9 +17,6 @@ namespace rocinante {
 class GridPass {
  public:
   explicit GridPass(const GlTable& gl);
-  ~GridPass();
-  GridPass(GridPass&& other) noexcept;
-  GridPass& operator=(GridPass&&) = delete;
 
   /// Draws nothing when the cell's grid has no size or no step. `shadows` and `contact`, if not
   /// null, darken the ground that the grid covers.
@@ -30,7 +28,8 @@ class GridPass {
 
   const GlTable& gl_;
   std::map<std::pair<bool, bool>, ShaderProgram> programs_;  // made on first use
-  GLuint array_ = 0, vertices_ = 0;
+  GlVertexArray array_{gl_};
+  GlBuffer vertices_{gl_};
 };
 
 }  // namespace rocinante

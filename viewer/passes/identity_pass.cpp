@@ -82,18 +82,6 @@ IdentityPass::IdentityPass(const GlTable& gl, ShaderProgram surface, ShaderProgr
       number_(surface_.uniform("number")),
       buffer_(gl) {}
 
-IdentityPass::IdentityPass(IdentityPass&& other) noexcept
-    : gl_(other.gl_),
-      surface_(std::move(other.surface_)),
-      flat_(std::move(other.flat_)),
-      clip_from_model_(other.clip_from_model_),
-      map_along_(other.map_along_),
-      map_offset_(other.map_offset_),
-      has_holes_(other.has_holes_),
-      cutoff_(other.cutoff_),
-      number_(other.number_),
-      buffer_(std::move(other.buffer_)) {}
-
 void IdentityPass::begin(const PixelRectangle& part, int frame_height) const {
   if (gl_.ClipControl != nullptr) gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   setViewport(gl_, part, frame_height);

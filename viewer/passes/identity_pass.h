@@ -28,8 +28,6 @@ struct NumberedPixel {
 class IdentityPass {
  public:
   static Result<IdentityPass> create(const GlTable& gl);
-  IdentityPass(IdentityPass&& other) noexcept;
-  IdentityPass& operator=(IdentityPass&&) = delete;
 
   /// Clears a part of the framebuffer to 0, and draws only there until the next call.
   void begin(const PixelRectangle& part, int frame_height) const;

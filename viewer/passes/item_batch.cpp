@@ -1,7 +1,6 @@
 #include "viewer/passes/item_batch.h"
 
 #include <cstddef>
-#include <utility>
 
 #include "viewer/passes/item_matrices.h"
 
@@ -28,10 +27,7 @@ bool sameSides(const DrawItem& a, const DrawItem& b, const SceneCatalog& catalog
 }  // namespace
 
 ItemBatch::ItemBatch(const GlTable& gl) : gl_(gl) {
-  gl_.GenVertexArrays(1, &array_);
   gl_.BindVertexArray(array_);
-  gl_.GenBuffers(1, &vertex_buffer_);
-  gl_.GenBuffers(1, &index_buffer_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
   gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
   const auto attribute = [&](GLuint place, GLint components, std::size_t offset) {
@@ -43,18 +39,6 @@ ItemBatch::ItemBatch(const GlTable& gl) : gl_(gl) {
   attribute(1, 3, offsetof(Vertex, from_eye));
   attribute(2, 3, offsetof(Vertex, normal));
   gl_.BindVertexArray(0);
-}
-
-ItemBatch::ItemBatch(ItemBatch&& other) noexcept
-    : gl_(other.gl_),
-      array_(std::exchange(other.array_, 0)),
-      vertex_buffer_(std::exchange(other.vertex_buffer_, 0)),
-      index_buffer_(std::exchange(other.index_buffer_, 0)) {}
-
-ItemBatch::~ItemBatch() {
-  gl_.DeleteVertexArrays(1, &array_);
-  gl_.DeleteBuffers(1, &vertex_buffer_);
-  gl_.DeleteBuffers(1, &index_buffer_);
 }
 
 std::size_t ItemBatch::reach(std::span<const DrawItem> items, const SceneCatalog& catalog) {

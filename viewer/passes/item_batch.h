@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "viewer/cull/draw_list.h"
-#include "viewer/gl/gl_table.h"
+#include "viewer/gl/gl_name.h"
 #include "viewer/view/camera.h"
 
 namespace rocinante {
@@ -19,9 +19,6 @@ namespace rocinante {
 class ItemBatch {
  public:
   explicit ItemBatch(const GlTable& gl);
-  ~ItemBatch();
-  ItemBatch(ItemBatch&& other) noexcept;
-  ItemBatch& operator=(ItemBatch&&) = delete;
 
   /// Number of leading items that can be drawn as one batch; 0: not even the first. They share
   /// culling, looks and lifts.
@@ -42,7 +39,8 @@ class ItemBatch {
   void flush();
 
   const GlTable& gl_;
-  GLuint array_ = 0, vertex_buffer_ = 0, index_buffer_ = 0;
+  GlVertexArray array_{gl_};
+  GlBuffer vertex_buffer_{gl_}, index_buffer_{gl_};
   std::vector<Vertex> vertices_;
   std::vector<std::uint32_t> indices_;
 };

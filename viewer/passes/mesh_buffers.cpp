@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 
 namespace rocinante {
 
@@ -14,14 +15,11 @@ MeshBuffers::MeshBuffers(const GlTable& gl, const SceneCatalog& catalog, InputsH
     inputs.add(vertices);
     inputs.add(indices);
 
-    Buffers buffers;
-    gl_.GenVertexArrays(1, &buffers.array);
+    Buffers buffers{GlVertexArray(gl_), GlBuffer(gl_), GlBuffer(gl_), {}};
     gl_.BindVertexArray(buffers.array);
-    gl_.GenBuffers(1, &buffers.vertices);
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffers.vertices);
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size()), vertices.data(),
                    GL_STATIC_DRAW);
-    gl_.GenBuffers(1, &buffers.indices);
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices);
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size()), indices.data(),
                    GL_STATIC_DRAW);
@@ -34,7 +32,7 @@ MeshBuffers::MeshBuffers(const GlTable& gl, const SceneCatalog& catalog, InputsH
     attribute(1, 3, offsetof(Vertex, normal));
     attribute(2, 2, offsetof(Vertex, texture));
     if (!mesh.colors.empty()) addColors(mesh.colors, buffers, inputs);
-    meshes_.push_back(buffers);
+    meshes_.push_back(std::move(buffers));
   }
   gl_.BindVertexArray(0);
 }
@@ -48,7 +46,7 @@ void MeshBuffers::addColors(const std::vector<std::uint32_t>& colors, Buffers& b
       bytes.push_back(static_cast<std::uint8_t>(color >> shift));
   }
   inputs.add(std::as_bytes(std::span(bytes)));
-  gl_.GenBuffers(1, &buffers.colors);
+  buffers.colors = GlBuffer(gl_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffers.colors);
   gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
                  GL_STATIC_DRAW);
@@ -67,15 +65,6 @@ void MeshBuffers::setDetail(std::size_t number, std::span<const std::uint32_t> o
   gl_.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, bytes(own), own.data());
   gl_.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, bytes(own), bytes(coarser), coarser.data());
   gl_.BindVertexArray(0);
-}
-
-MeshBuffers::~MeshBuffers() {
-  for (const Buffers& buffers : meshes_) {
-    gl_.DeleteVertexArrays(1, &buffers.array);
-    gl_.DeleteBuffers(1, &buffers.vertices);
-    gl_.DeleteBuffers(1, &buffers.indices);
-    gl_.DeleteBuffers(1, &buffers.colors);
-  }
 }
 
 }  // namespace rocinante

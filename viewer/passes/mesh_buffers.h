@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "viewer/cull/scene_catalog.h"
-#include "viewer/gl/gl_table.h"
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/inputs_hash.h"
 
 namespace rocinante {
@@ -16,9 +16,6 @@ class MeshBuffers {
  public:
   /// Adds the uploaded data to `inputs`.
   MeshBuffers(const GlTable& gl, const SceneCatalog& catalog, InputsHash& inputs);
-  ~MeshBuffers();
-  MeshBuffers(const MeshBuffers&) = delete;
-  MeshBuffers& operator=(const MeshBuffers&) = delete;
 
   /// Appends the indices of coarser versions to the mesh's own, `own`.
   void setDetail(std::size_t number, std::span<const std::uint32_t> own,
@@ -28,8 +25,9 @@ class MeshBuffers {
 
  private:
   struct Buffers {
-    GLuint array = 0, vertices = 0, indices = 0;
-    GLuint colors = 0;  // 0: none
+    GlVertexArray array;
+    GlBuffer vertices, indices;
+    GlBuffer colors;  // 0: none
   };
   void addColors(const std::vector<std::uint32_t>& colors, Buffers& buffers, InputsHash& inputs);
 

@@ -108,32 +108,12 @@ Result<OutlinePass> OutlinePass::create(const GlTable& gl) {
 }
 
 OutlinePass::OutlinePass(const GlTable& gl, ShaderProgram mask, ShaderProgram line)
-    : gl_(gl), mask_(std::move(mask)), line_(std::move(line)) {
-  gl_.GenVertexArrays(1, &empty_array_);
-}
-
-OutlinePass::OutlinePass(OutlinePass&& other) noexcept
-    : gl_(other.gl_),
-      mask_(std::move(other.mask_)),
-      line_(std::move(other.line_)),
-      empty_array_(std::exchange(other.empty_array_, 0)),
-      frame_(std::exchange(other.frame_, 0)),
-      covered_(std::exchange(other.covered_, 0)),
-      cover_(std::exchange(other.cover_, 0)),
-      width_(other.width_),
-      height_(other.height_) {}
-
-OutlinePass::~OutlinePass() {
-  if (empty_array_ != 0) gl_.DeleteVertexArrays(1, &empty_array_);
-  if (frame_ != 0) gl_.DeleteFramebuffers(1, &frame_);
-  if (covered_ != 0) gl_.DeleteTextures(1, &covered_);
-  if (cover_ != 0) gl_.DeleteTextures(1, &cover_);
-}
+    : gl_(gl), mask_(std::move(mask)), line_(std::move(line)) {}
 
 Status OutlinePass::resize(int width, int height) {
   if (frame_ != 0 && width == width_ && height == height_) return {};
-  if (frame_ == 0) gl_.GenFramebuffers(1, &frame_);
-  if (covered_ == 0) gl_.GenTextures(1, &covered_);
+  if (frame_ == 0) frame_ = GlFramebuffer(gl_);
+  if (covered_ == 0) covered_ = GlTexture(gl_);
   gl_.BindTexture(GL_TEXTURE_2D, covered_);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
@@ -203,7 +183,7 @@ void OutlinePass::makeLine(double scale) {
   gl_.ReadPixels(left_, bottom_, width, height, GL_RED, GL_UNSIGNED_BYTE, covered.data());
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
   const std::vector<std::uint8_t> cover = outlineOf(covered, width, height, scale);
-  if (cover_ == 0) gl_.GenTextures(1, &cover_);
+  if (cover_ == 0) cover_ = GlTexture(gl_);
   gl_.BindTexture(GL_TEXTURE_2D, cover_);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, cover.data());

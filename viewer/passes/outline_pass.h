@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/shader_program.h"
 #include "viewer/passes/drawn_set.h"
 #include "viewer/view/camera.h"
@@ -22,9 +23,6 @@ std::vector<std::uint8_t> outlineOf(const std::vector<std::uint8_t>& covered, in
 class OutlinePass {
  public:
   static Result<OutlinePass> create(const GlTable& gl);
-  ~OutlinePass();
-  OutlinePass(OutlinePass&& other) noexcept;
-  OutlinePass& operator=(OutlinePass&&) = delete;
 
   /// Draws the covered pixels into a separate buffer of the camera's size. Restores the framebuffer
   /// binding, not the viewport.
@@ -39,7 +37,9 @@ class OutlinePass {
 
   const GlTable& gl_;
   ShaderProgram mask_, line_;
-  GLuint empty_array_ = 0, frame_ = 0, covered_ = 0, cover_ = 0;
+  GlVertexArray empty_array_{gl_};
+  GlFramebuffer frame_;        // none until there is an outline
+  GlTexture covered_, cover_;  // the same
   int width_ = 0, height_ = 0;
   bool found_ = false;
   /// Bounds of the covered pixels plus the line, in pixels from the bottom left.

@@ -1,14 +1,11 @@
 #include "viewer/passes/overlay_buffer.h"
 
 #include <cstddef>
-#include <utility>
 
 namespace rocinante {
 
 OverlayBuffer::OverlayBuffer(const GlTable& gl) : gl_(gl) {
-  gl_.GenVertexArrays(1, &array_);
   gl_.BindVertexArray(array_);
-  gl_.GenBuffers(1, &vertices_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
   for (GLuint place = 0; place < 4; ++place) gl_.EnableVertexAttribArray(place);
   const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
@@ -20,16 +17,6 @@ OverlayBuffer::OverlayBuffer(const GlTable& gl) : gl_(gl) {
                           offset(offsetof(OverlayVertex, abgr)));
   gl_.VertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, offset(offsetof(OverlayVertex, kind)));
   gl_.BindVertexArray(0);
-}
-
-OverlayBuffer::OverlayBuffer(OverlayBuffer&& other) noexcept
-    : gl_(other.gl_),
-      array_(std::exchange(other.array_, 0)),
-      vertices_(std::exchange(other.vertices_, 0)) {}
-
-OverlayBuffer::~OverlayBuffer() {
-  gl_.DeleteVertexArrays(1, &array_);
-  gl_.DeleteBuffers(1, &vertices_);
 }
 
 void OverlayBuffer::draw(std::span<const OverlayVertex> vertices) const {

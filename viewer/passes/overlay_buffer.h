@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "viewer/gl/gl_table.h"
+#include "viewer/gl/gl_name.h"
 #include "viewer/overlay/overlay.h"
 
 namespace rocinante {
@@ -12,16 +12,14 @@ namespace rocinante {
 class OverlayBuffer {
  public:
   explicit OverlayBuffer(const GlTable& gl);
-  ~OverlayBuffer();
-  OverlayBuffer(OverlayBuffer&& other) noexcept;
-  OverlayBuffer& operator=(OverlayBuffer&&) = delete;
 
   /// Uploads the vertices and draws them with the program in use.
   void draw(std::span<const OverlayVertex> vertices) const;
 
  private:
   const GlTable& gl_;
-  GLuint array_ = 0, vertices_ = 0;
+  GlVertexArray array_{gl_};
+  GlBuffer vertices_{gl_};
 };
 
 }  // namespace rocinante

@@ -1,7 +1,5 @@
 #include "viewer/passes/overlay_pass.h"
 
-#include <utility>
-
 #include "viewer/passes/shader_source.h"
 
 namespace rocinante {
@@ -10,9 +8,7 @@ OverlayPass::OverlayPass(const GlTable& gl)
     : gl_(gl),
       program_(
           ShaderProgram::begin(gl, "overlay", shader::kOverlayVertex, shader::kOverlayFragment)),
-      buffer_(gl) {
-  gl_.GenTextures(1, &atlas_texture_);
-}
+      buffer_(gl) {}
 
 void OverlayPass::useText(const TextAtlas& atlas) {
   if (atlas.linePixels() == line_px_) return;
@@ -33,16 +29,6 @@ Status OverlayPass::prepare() {
   ready_ = linked.has_value();
   return linked;
 }
-
-OverlayPass::OverlayPass(OverlayPass&& other) noexcept
-    : gl_(other.gl_),
-      program_(std::move(other.program_)),
-      ready_(other.ready_),
-      buffer_(std::move(other.buffer_)),
-      atlas_texture_(std::exchange(other.atlas_texture_, 0)),
-      line_px_(other.line_px_) {}
-
-OverlayPass::~OverlayPass() { gl_.DeleteTextures(1, &atlas_texture_); }
 
 void OverlayPass::drawVertices(const Overlay& overlay) const {
   program_.use();

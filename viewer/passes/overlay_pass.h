@@ -1,5 +1,6 @@
 #pragma once
 
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/shader_program.h"
 #include "viewer/overlay/overlay.h"
 #include "viewer/passes/overlay_buffer.h"
@@ -12,9 +13,6 @@ class OverlayPass {
  public:
   /// Begins its program.
   explicit OverlayPass(const GlTable& gl);
-  ~OverlayPass();
-  OverlayPass(OverlayPass&& other) noexcept;
-  OverlayPass& operator=(OverlayPass&&) = delete;
 
   /// Required before it draws; waits for the driver on first use.
   Status prepare();
@@ -33,7 +31,7 @@ class OverlayPass {
   ShaderProgram program_;
   bool ready_ = false;
   OverlayBuffer buffer_;
-  GLuint atlas_texture_ = 0;
+  GlTexture atlas_texture_{gl_};
   int line_px_ = 0;  ///< of the atlas in the texture
 };
 

@@ -24,14 +24,12 @@ Result<ShadowMap> ShadowMap::create(const GlTable& gl) {
   ShadowMap map(gl, std::move(*drawn));
   GLint bound = 0;
   gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  gl.GenTextures(1, &map.depth_);
   gl.BindTexture(GL_TEXTURE_2D, map.depth_);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, kSide, kSide, 0, GL_DEPTH_COMPONENT,
                 GL_FLOAT, nullptr);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.GenFramebuffers(1, &map.frame_);
   gl.BindFramebuffer(GL_FRAMEBUFFER, map.frame_);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.depth_, 0);
   gl.DrawBuffer(GL_NONE);
@@ -46,17 +44,6 @@ Result<ShadowMap> ShadowMap::create(const GlTable& gl) {
 
 ShadowMap::ShadowMap(const GlTable& gl, CasterDraw casters)
     : gl_(gl), casters_(std::move(casters)) {}
-
-ShadowMap::ShadowMap(ShadowMap&& other) noexcept
-    : gl_(other.gl_),
-      casters_(std::move(other.casters_)),
-      frame_(std::exchange(other.frame_, 0)),
-      depth_(std::exchange(other.depth_, 0)) {}
-
-ShadowMap::~ShadowMap() {
-  if (frame_ != 0) gl_.DeleteFramebuffers(1, &frame_);
-  if (depth_ != 0) gl_.DeleteTextures(1, &depth_);
-}
 
 Camera ShadowMap::lightCamera(const ShadowFit& fit) const {
   const ClipDepth depth =

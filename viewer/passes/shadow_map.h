@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/shader_program.h"
 #include "viewer/passes/caster_draw.h"
 #include "viewer/passes/shadow_fit.h"
@@ -27,9 +28,6 @@ class ShadowMap {
   static constexpr int kSide = 2048;
 
   static Result<ShadowMap> create(const GlTable& gl);
-  ~ShadowMap();
-  ShadowMap(ShadowMap&& other) noexcept;
-  ShadowMap& operator=(ShadowMap&&) = delete;
 
   /// The camera for the list given to draw().
   Camera lightCamera(const ShadowFit& fit) const;
@@ -45,7 +43,8 @@ class ShadowMap {
 
   const GlTable& gl_;
   CasterDraw casters_;
-  GLuint frame_ = 0, depth_ = 0;
+  GlFramebuffer frame_{gl_};
+  GlTexture depth_{gl_};
 };
 
 }  // namespace rocinante

@@ -50,20 +50,19 @@ TextureStore::TextureStore(const GlTable& gl, const std::vector<CatalogTexture>&
       inputs_(inputs),
       names_(files.size()),
       translucent_(files.size()) {
-  plainSampler(TextureWrap::repeat, TextureWrap::repeat);
+  makePlainSampler(TextureWrap::repeat, TextureWrap::repeat);
   if (!gl_.is_embedded) finish();
 }
 
-GLuint& TextureStore::plainSampler(TextureWrap wrap_u, TextureWrap wrap_v) {
-  GLuint& sampler =
+void TextureStore::makePlainSampler(TextureWrap wrap_u, TextureWrap wrap_v) {
+  GlSampler& sampler =
       plain_samplers_[static_cast<std::size_t>(wrap_u) * kWraps + static_cast<std::size_t>(wrap_v)];
-  if (sampler != 0) return sampler;
-  gl_.GenSamplers(1, &sampler);
+  if (sampler != 0) return;
+  sampler = GlSampler(gl_);
   gl_.SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   gl_.SamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl_.SamplerParameteri(sampler, GL_TEXTURE_WRAP_S, glWrap(wrap_u));
   gl_.SamplerParameteri(sampler, GL_TEXTURE_WRAP_T, glWrap(wrap_v));
-  return sampler;
 }
 
 bool TextureStore::readNext() {
@@ -94,15 +93,6 @@ void TextureStore::read(const CatalogTexture& texture, std::size_t number) {
   names_[number] = upload(std::move(*picture), texture);
 }
 
-TextureStore::~TextureStore() {
-  for (const GLuint sampler : plain_samplers_) {
-    if (sampler != 0) gl_.DeleteSamplers(1, &sampler);
-  }
-  for (const GLuint name : names_) {
-    if (name != 0) gl_.DeleteTextures(1, &name);
-  }
-}
-
 void TextureStore::bind(std::size_t number) const {
   gl_.BindTexture(GL_TEXTURE_2D, names_[number]);
   if (!is_plain_) return;
@@ -118,14 +108,13 @@ void TextureStore::endPlainFiltering() const {
   gl_.BindSampler(0, 0);
 }
 
-GLuint TextureStore::upload(Picture picture, const CatalogTexture& use) {
+GlTexture TextureStore::upload(Picture picture, const CatalogTexture& use) {
   GLint max_side = 0;
   gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_side);
   while (picture.width > max_side || picture.height > max_side) picture = halved(picture);
   flipRows(picture);
 
-  GLuint name = 0;
-  gl_.GenTextures(1, &name);
+  GlTexture name(gl_);
   gl_.BindTexture(GL_TEXTURE_2D, name);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   // Before the pixels: a renderer that knows of smaller levels has memory made for all at once.
@@ -141,7 +130,7 @@ GLuint TextureStore::upload(Picture picture, const CatalogTexture& use) {
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, glWrap(use.wrap_u));
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, glWrap(use.wrap_v));
-  plainSampler(use.wrap_u, use.wrap_v);
+  makePlainSampler(use.wrap_u, use.wrap_v);
   // Browsers' renderers differ most in this filter: without it a page looks as the reproducible
   // profile does. llvmpipe's takes seconds for one frame at some views, or never ends.
   if (profile_ == Profile::fast && !gl_.is_embedded && !gl_.is_software &&

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "viewer/cull/scene_catalog.h"
-#include "viewer/gl/gl_table.h"
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/inputs_hash.h"
 #include "viewer/gl/renderer_key.h"
 #include "viewer/picture/picture.h"
@@ -23,7 +23,6 @@ class TextureStore {
   /// finish() reads, so that something is drawn before; then both references must hold until then.
   TextureStore(const GlTable& gl, const std::vector<CatalogTexture>& files, Profile profile,
                InputsHash& inputs);
-  ~TextureStore();
   TextureStore(const TextureStore&) = delete;
   TextureStore& operator=(const TextureStore&) = delete;
 
@@ -49,9 +48,9 @@ class TextureStore {
 
  private:
   void read(const CatalogTexture& file, std::size_t number);
-  GLuint upload(Picture picture, const CatalogTexture& use);
-  /// The sampler of plain filtering with that wrap, made on first use.
-  GLuint& plainSampler(TextureWrap wrap_u, TextureWrap wrap_v);
+  GlTexture upload(Picture picture, const CatalogTexture& use);
+  /// That of plain filtering with that wrap, if there is none yet.
+  void makePlainSampler(TextureWrap wrap_u, TextureWrap wrap_v);
 
   const GlTable& gl_;
   const std::vector<CatalogTexture>& files_;
@@ -59,9 +58,9 @@ class TextureStore {
   InputsHash& inputs_;
   std::size_t read_ = 0;  // how many
   static constexpr std::size_t kWraps = 3;
-  std::array<GLuint, kWraps * kWraps> plain_samplers_{};  // by wrap_u and wrap_v; 0: not made
+  std::array<GlSampler, kWraps * kWraps> plain_samplers_;  // by wrap_u and wrap_v; 0: not made
   mutable bool is_plain_ = false;
-  std::vector<GLuint> names_;
+  std::vector<GlTexture> names_;
   std::vector<std::uint8_t> translucent_;
   std::vector<std::string> warnings_;
 };

@@ -17,12 +17,6 @@ constexpr Nanoseconds kRest = std::chrono::milliseconds(60);
 
 }  // namespace
 
-MomentPreview::~MomentPreview() {
-  const GLuint texture = static_cast<GLuint>(model_.hover.texture);
-  if (gl_ != nullptr && texture != 0) gl_->DeleteTextures(1, &texture);
-  model_.hover = {};
-}
-
 bool MomentPreview::advance(Renderer& renderer, int width, int height, double scale,
                             SteadyTime now) {
   const std::optional<LogTime> wanted = model_.hover.wanted;
@@ -50,10 +44,10 @@ bool MomentPreview::advance(Renderer& renderer, int width, int height, double sc
 }
 
 bool MomentPreview::draw(Renderer& renderer, const PosedScene& scene) {
-  gl_ = &renderer.gl();
+  const GlTable& gl = renderer.gl();
   if (!pixels_ || pixels_->width() != width_ || pixels_->height() != height_) {
     pixels_.reset();
-    auto made = FrameBuffer::create(*gl_, width_, height_, 1);
+    auto made = FrameBuffer::create(gl, width_, height_, 1);
     if (!made.ok()) return false;
     pixels_ = std::move(*made);
   }
@@ -69,18 +63,15 @@ bool MomentPreview::draw(Renderer& renderer, const PosedScene& scene) {
   if (!renderer.draw(frame, *pixels_).ok()) return false;
   pixels_->resolve();
   const Picture picture = pixels_->read();
-  auto texture = static_cast<GLuint>(model_.hover.texture);
-  if (texture == 0) {
-    gl_->GenTextures(1, &texture);
-    model_.hover.texture = texture;
-  }
-  gl_->BindTexture(GL_TEXTURE_2D, texture);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                  picture.rgba.data());
-  gl_->BindTexture(GL_TEXTURE_2D, 0);
+  if (texture_ == 0) texture_ = GlTexture(gl);
+  model_.hover.texture = texture_;
+  gl.BindTexture(GL_TEXTURE_2D, texture_);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                picture.rgba.data());
+  gl.BindTexture(GL_TEXTURE_2D, 0);
   model_.hover.width = width_;
   model_.hover.height = height_;
   return true;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "viewer/gl/gl_name.h"
 #include "viewer/render/renderer.h"
 #include "viewer/render/scaled_view.h"
 #include "viewer/ui/model/view_model.h"
@@ -14,7 +15,7 @@ namespace rocinante {
 class MomentPreview {
  public:
   explicit MomentPreview(ViewModel& model) : model_(model) {}
-  ~MomentPreview();
+  ~MomentPreview() { model_.hover = {}; }
   MomentPreview(const MomentPreview&) = delete;
   MomentPreview& operator=(const MomentPreview&) = delete;
 
@@ -37,7 +38,7 @@ class MomentPreview {
   SteadyTime wanted_since_{};
   int width_ = 0, height_ = 0;
   std::optional<FrameBuffer> pixels_;
-  const GlTable* gl_ = nullptr;
+  GlTexture texture_;
 };
 
 }  // namespace rocinante

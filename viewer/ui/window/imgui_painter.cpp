@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "viewer/gl/gl_name.h"
 #include "viewer/gl/shader_program.h"
 
 namespace rocinante {
@@ -38,12 +39,6 @@ void main() { color = tint * texture(glyphs, at); }
 
 struct ImguiPainter::Impl {
   explicit Impl(const GlTable& table) : gl(table) {}
-  ~Impl() {
-    gl.DeleteTextures(1, &texture);
-    gl.DeleteBuffers(1, &vertices);
-    gl.DeleteBuffers(1, &indices);
-    gl.DeleteVertexArrays(1, &array);
-  }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -55,13 +50,12 @@ struct ImguiPainter::Impl {
 
   const GlTable gl;
   std::optional<ShaderProgram> program;
-  GLuint texture = 0, vertices = 0, indices = 0, array = 0;
+  GlTexture texture;
+  GlBuffer vertices{gl}, indices{gl};
+  GlVertexArray array{gl};
 };
 
 void ImguiPainter::Impl::makeBuffers() {
-  gl.GenVertexArrays(1, &array);
-  gl.GenBuffers(1, &vertices);
-  gl.GenBuffers(1, &indices);
   gl.BindVertexArray(array);
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
@@ -80,7 +74,7 @@ void ImguiPainter::Impl::makeFontTexture() {
   int width = 0;
   int height = 0;
   ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-  gl.GenTextures(1, &texture);
+  texture = GlTexture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -150,7 +144,7 @@ Result<ImguiPainter> ImguiPainter::create(const GlTable& gl) {
 }
 
 void ImguiPainter::refreshFont() {
-  impl_->gl.DeleteTextures(1, &impl_->texture);
+  impl_->texture = {};
   impl_->makeFontTexture();
 }
 
