@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -60,37 +62,52 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& words,
   made.last_signal_ = options.last_signal;
   made.said_ = ::memfd_create("said", MFD_CLOEXEC);
   if (made.said_ < 0) return Error{ErrorKind::refused, std::strerror(errno), words.front()};
+  std::array<int, 2> ends{-1, -1};  // ours, and its
+  if (options.ours != Ours::none) {
+    const int fault = options.ours == Ours::output
+                          ? ::pipe2(ends.data(), O_CLOEXEC)
+                          : ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data());
+    if (fault != 0) return Error{ErrorKind::refused, std::strerror(errno), words.front()};
+  }
+  made.stream_ = ends[0];
   const Result<pid_t> process =
-      startChild(words, {options.in, options.out, made.said_}, options.own_group);
+      startChild(words,
+                 {options.ours == Ours::input ? ends[1] : options.in,
+                  options.ours == Ours::output ? ends[1] : options.out, made.said_},
+                 options.own_group);
+  if (ends[1] >= 0) ::close(ends[1]);
   if (!process) return process.error();
   made.process_ = *process;
   return made;
 }
 
-ChildProcess::ChildProcess(ChildProcess&& other) noexcept
-    : process_(std::exchange(other.process_, -1)),
-      said_(std::exchange(other.said_, -1)),
-      last_signal_(other.last_signal_),
-      end_(other.end_) {}
+void ChildProcess::swap(ChildProcess& other) {
+  std::swap(process_, other.process_);
+  std::swap(said_, other.said_);
+  std::swap(stream_, other.stream_);
+  std::swap(last_signal_, other.last_signal_);
+  std::swap(end_, other.end_);
+}
+
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept { swap(other); }
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
-  if (this == &other) return *this;
-  end();
-  process_ = std::exchange(other.process_, -1);
-  said_ = std::exchange(other.said_, -1);
-  last_signal_ = other.last_signal_;
-  end_ = other.end_;
+  ChildProcess taken(std::move(other));
+  swap(taken);
   return *this;
 }
 
-ChildProcess::~ChildProcess() { end(); }
-
-void ChildProcess::end() {
+ChildProcess::~ChildProcess() {
+  closeStream();
   if (process_ > 0) {
     ::kill(process_, last_signal_);
     look(true);
   }
-  if (said_ >= 0) ::close(std::exchange(said_, -1));
+  if (said_ >= 0) ::close(said_);
+}
+
+void ChildProcess::closeStream() {
+  if (stream_ >= 0) ::close(std::exchange(stream_, -1));
 }
 
 std::optional<ChildProcess::End> ChildProcess::look(bool wait) {
@@ -108,11 +125,16 @@ std::optional<ChildProcess::End> ChildProcess::look(bool wait) {
   return end_;
 }
 
+std::uint64_t ChildProcess::saidBytes() const {
+  return said_ < 0 ? 0
+                   : static_cast<std::uint64_t>(std::max<off_t>(0, ::lseek(said_, 0, SEEK_END)));
+}
+
 std::string ChildProcess::said(std::size_t most_bytes) const {
-  const off_t size = said_ < 0 ? 0 : std::max<off_t>(0, ::lseek(said_, 0, SEEK_END));
-  std::string text(std::min(most_bytes, static_cast<std::size_t>(size)), '\0');
+  const std::uint64_t size = saidBytes();
+  std::string text(std::min<std::uint64_t>(most_bytes, size), '\0');
   const ssize_t got =
-      ::pread(said_, text.data(), text.size(), size - static_cast<off_t>(text.size()));
+      ::pread(said_, text.data(), text.size(), static_cast<off_t>(size - text.size()));
   text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   text.erase(text.find_last_not_of(" \n") + 1);
   return text;

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <sys/types.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,8 +30,11 @@ Result<pid_t> startChild(const std::vector<std::string>& words, const ChildStrea
 /// it for the program to go on. One thread.
 class ChildProcess {
  public:
+  /// Which of its streams has its other end here, as stream().
+  enum class Ours { none, input, output };
   struct Options {
-    int in = -1, out = -1;  ///< as in ChildStreams
+    int in = -1, out = -1;  ///< as in ChildStreams, of those that are not ours
+    Ours ours = Ours::none;
     bool own_group = false;
     int last_signal = SIGTERM;  ///< sent when this is destroyed before the program ended
   };
@@ -42,7 +46,7 @@ class ChildProcess {
     std::string text() const;  ///< "exit 2", "signal 9"
   };
 
-  /// Errors as startChild(); refused when there is no memory for what it says.
+  /// Errors as startChild(); refused when there is no memory for what it says, or no stream.
   static Result<ChildProcess> start(const std::vector<std::string>& words, const Options& options);
   /// Waits until the program has ended.
   ~ChildProcess();
@@ -54,14 +58,23 @@ class ChildProcess {
   End wait() { return *look(true); }
   /// The end of what it wrote to its standard error, at most so much, without trailing blanks.
   std::string said(std::size_t most_bytes = 65536) const;
+  /// How much that is so far, in memory of ours.
+  std::uint64_t saidBytes() const;
+
+  /// Our end of what Options::ours names, closed with this: a pipe to read its output from, or a
+  /// socket to send() its input to, which needs no SIGPIPE. -1: none, or closed.
+  int stream() const { return stream_; }
+  /// The end of its input; or its output is wanted no more.
+  void closeStream();
 
  private:
   ChildProcess() = default;
   std::optional<End> look(bool wait);
-  void end();
+  void swap(ChildProcess& other);
 
   pid_t process_ = -1;
   int said_ = -1;  ///< a file in memory
+  int stream_ = -1;
   int last_signal_ = SIGTERM;
   End end_;
 };

@@ -15,12 +15,8 @@ namespace rocinante {
 /// A child program whose output is read as it comes. Not thread-safe.
 class ChildPipe {
  public:
-  /// not_found when there is no such program.
+  /// not_found when there is no such program. What still runs is ended with this.
   static Result<ChildPipe> start(const std::vector<std::string>& words);
-  /// Ends the program if it still runs.
-  ~ChildPipe();
-  ChildPipe(ChildPipe&& other) noexcept;
-  ChildPipe& operator=(ChildPipe&& other) noexcept;
 
   /// Fills `into`; fewer bytes at the end of the output. refused when `stopped`, which is asked ten
   /// times a second and may be empty, says so, or when nothing comes for half a minute.
@@ -29,11 +25,9 @@ class ChildPipe {
   Status ended();
 
  private:
-  ChildPipe(ChildProcess child, int output) : child_(std::move(child)), output_(output) {}
-  void closeOutput();
+  explicit ChildPipe(ChildProcess child) : child_(std::move(child)) {}
 
   ChildProcess child_;
-  int output_ = -1;
 };
 
 }  // namespace rocinante

@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <optional>
@@ -32,14 +31,7 @@ struct VideoFile::Impl {
   std::unique_ptr<PartFile> part;
   bool overwrite = false;
   std::size_t picture_bytes = 0;
-  std::optional<ChildProcess> child;
-  int pictures = -1;  ///< ffmpeg's standard input
-
-  ~Impl() { closePictures(); }
-
-  void closePictures() {
-    if (pictures >= 0) ::close(std::exchange(pictures, -1));
-  }
+  std::optional<ChildProcess> child;  ///< its input is ours
 
   /// ffmpeg's last message, on one line.
   std::string said() const {
@@ -54,7 +46,7 @@ struct VideoFile::Impl {
   }
 
   Status ended() {
-    closePictures();
+    child->closeStream();
     const ChildProcess::End end = child->wait();
     if (end.ok()) return {};
     const std::string why = said();
@@ -81,12 +73,6 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
   Result<PartFile> part = PartFile::make(path);
   if (!part) return part.error();
   impl->part = std::make_unique<PartFile>(std::move(*part));
-  std::array<int, 2> ends{-1, -1};
-  // A socket, not a pipe: it can write without SIGPIPE after the reader has died.
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    return videoError(std::string("cannot write to ffmpeg: ") + std::strerror(errno), path);
-  }
-  impl->pictures = ends[0];
 
   // "file:", so that a name is not taken for a protocol or an option.
   std::vector<std::string> arguments{"ffmpeg",
@@ -124,9 +110,8 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
       {"-f", path.extension() == ".mkv" ? "matroska" : path.extension().string().substr(1)});
   arguments.push_back("file:" + impl->part->beside().string());
   // Its own process group, so that only we handle Ctrl-C.
-  Result<ChildProcess> child =
-      ChildProcess::start(arguments, {.in = ends[1], .own_group = true, .last_signal = SIGKILL});
-  ::close(ends[1]);
+  auto child = ChildProcess::start(
+      arguments, {.ours = ChildProcess::Ours::input, .own_group = true, .last_signal = SIGKILL});
   if (!child) {
     return videoError(child.error().kind == ErrorKind::not_found
                           ? std::string("--video needs ffmpeg, which is not in PATH; --frames "
@@ -144,7 +129,7 @@ Status VideoFile::add(const Picture& picture) {
   std::size_t left = picture.rgba.size();
   if (left != my.picture_bytes) return videoError("a picture has a different size", my.path);
   while (left > 0) {
-    const ssize_t sent = ::send(my.pictures, bytes, left, MSG_NOSIGNAL);
+    const ssize_t sent = ::send(my.child->stream(), bytes, left, MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;
     if (sent < 0) {
       if (Status end = my.ended(); !end) return end;

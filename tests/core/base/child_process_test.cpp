@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -87,6 +88,27 @@ TEST(ChildProcess, IsEndedWithItsOwner) {
   auto killed = ChildProcess::start({"sh", "-c", "kill -9 $$"}, {.last_signal = SIGKILL});
   ASSERT_TRUE(killed.ok());
   EXPECT_EQ(killed->wait().text(), "signal 9");
+}
+
+TEST(ChildProcess, HasOneStreamOfItsOwnerIfWanted) {
+  auto talks = ChildProcess::start({"sh", "-c", "echo out; echo err >&2"},
+                                   {.ours = ChildProcess::Ours::output});
+  ASSERT_TRUE(talks.ok()) << talks.error().text();
+  ChildProcess moved = std::move(*talks);
+  EXPECT_EQ(talks->stream(), -1);
+  std::array<char, 64> out{};
+  EXPECT_EQ(::read(moved.stream(), out.data(), out.size()), 4);
+  EXPECT_EQ(::read(moved.stream(), out.data(), out.size()), 0);
+  EXPECT_TRUE(moved.wait().ok());
+  EXPECT_EQ(moved.said(), "err");
+
+  auto listens = ChildProcess::start({"sh", "-c", "cat >&2"}, {.ours = ChildProcess::Ours::input});
+  ASSERT_TRUE(listens.ok()) << listens.error().text();
+  EXPECT_EQ(::send(listens->stream(), "in", 2, MSG_NOSIGNAL), 2);
+  listens->closeStream();
+  EXPECT_EQ(listens->stream(), -1);
+  EXPECT_TRUE(listens->wait().ok());
+  EXPECT_EQ(listens->said(), "in");
 }
 
 }  // namespace
