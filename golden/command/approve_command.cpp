@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/atomic_file.h"
+#include "core/cli/progress_line.h"
 #include "golden/approval/approval.h"
 #include "golden/approval/approval_list.h"
 #include "golden/command/commands.h"
@@ -97,20 +98,22 @@ class Approver {
   /// Counts frames that may not be approved. A write error ends the run, and nothing is approved.
   Result<Counts> run() {
     const std::size_t frames = session_.frames().size();
-    const bool shows_progress =
-        !arguments_.interactive && frames > 8 && ::isatty(STDERR_FILENO) == 1;
+    cli::ProgressLine line("approving");
     for (std::size_t i = 0; i < frames && !quit_; ++i) {
       const SuiteFrame& frame = session_.frames()[i];
       if (list_ && !list_->contains(frame.name)) continue;
-      if (shows_progress) fmt::print(stderr, "\r{}/{} ", i, frames);
+      if (!arguments_.interactive) {
+        line.show(static_cast<double>(i) / static_cast<double>(frames));
+      }
       const Status done = approveOne(frame);
       if (cli::stopRequested()) return interrupted();
       if (unwritten_) return *unwritten_;
       if (done) continue;
+      line.clear();
       cli::warn(done.error().text());
       ++counts_.refused;
     }
-    if (shows_progress) fmt::print(stderr, "\r              \r");
+    line.clear();
     const auto left_alone = approval_.commit();
     if (!left_alone.ok()) return left_alone.error();
     for (const std::string& name : *left_alone) {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/cli/progress_line.h"
 #include "core/cli/worker_threads.h"
 #include "golden/command/commands.h"
 #include "golden/command/compare_command.h"
@@ -144,7 +144,7 @@ void printWhy(const std::vector<JudgedFrame>& frames) {
 
 Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bool quiet) {
   const std::size_t frames = session.frames().size();
-  const bool progress = ::isatty(STDERR_FILENO) == 1 && frames > 8;
+  cli::ProgressLine progress("judging");
   JobOptions options;
   options.jobs = jobs > 0 ? jobs : usefulJobs(frames, std::thread::hardware_concurrency());
   options.stop = cli::stopRequested;
@@ -153,18 +153,17 @@ Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bo
   options.tell = [&](const JudgedFrame& judged) {
     if (quiet) return;
     if (isFine(judged.verdict)) {
+      progress.clear();
       fmt::print("{}", frameText(judged, judged.rule));
     } else {
       failed.push_back(frameText(judged, judged.rule));
     }
   };
-  if (progress) {
-    options.progress = [](std::size_t done, std::size_t of) {
-      fmt::print(stderr, "\r{}/{} ", done, of);
-      if (done == of) fmt::print(stderr, "\r              \r");
-    };
-  }
+  options.progress = [&](std::size_t done, std::size_t of) {
+    progress.show(static_cast<double>(done) / static_cast<double>(of));
+  };
   auto judged = judgeAll(session, options);
+  progress.clear();
   if (!judged.ok()) {
     for (const std::string& line : failed) fmt::print("{}", line);
   }
