@@ -13,11 +13,13 @@
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "core/report/json_text.h"
+#include "viewer/backdrop/backdrop_options.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/gl/context_option.h"
 #include "viewer/gl/shader_cache.h"
 #include "viewer/picture/picture_options.h"
 #include "viewer/program/render_job.h"
+#include "viewer/view/scene_options.h"
 
 namespace {
 
@@ -191,10 +193,7 @@ int main(int argc, char** argv) {
                                 "another log of the same cell: its devices as clear ghosts, where "
                                 "they are elsewhere")
                      ->type_name("LOG");
-  app.add_option("--align", job.align,
-                 "of --beside: origin, events, event:TEXT, or an offset, 2.5s; default: origin")
-      ->needs(second)
-      ->type_name("HOW");
+  addAlignOption(app, second, job.align);
   app.add_option(
          "--at", job.moments.at,
          "a moment: 12.5, 1m02.5s, -1s from the end, RFC 3339, or an event's text; repeatable")
@@ -233,19 +232,7 @@ int main(int argc, char** argv) {
       ->option_text("CAMERA[:CORNER][:SIZE]")
       ->allow_extra_args(false);
   app.add_flag("--no-insets", without_insets, "leave out the cell's insets");
-  auto* backdrop = app.add_option("--backdrop", backdrop_text,
-                                  "pictures of a real camera behind and over the model: a picture, "
-                                  "a folder with times, or a video (by ffmpeg)")
-                       ->option_text("FILE[,camera=NAME][,fps=N]");
-  app.add_option("--backdrop-offset", job.backdrop.offset,
-                 "the session time at which the backdrop begins: 2.5s, -300ms; default: 0")
-      ->needs(backdrop)
-      ->type_name("SECONDS");
-  app.add_option("--backdrop-opacity", job.backdrop.opacity,
-                 "how much of the backdrop covers the model: 0 (nothing) to 1")
-      ->needs(backdrop)
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+  auto* backdrop = addBackdropOptions(app, backdrop_text, job.backdrop);
   app.add_flag("--overlay", job.look.panel, "time, devices, joint values and rates in a corner");
   app.add_option("--size", size, "size in pixels")->capture_default_str();
   app.add_option("--scale", job.look.scale,
@@ -258,11 +245,7 @@ int main(int argc, char** argv) {
                  "level of detail: 0 (everything) to 9, as in `rocinante view`")
       ->check(CLI::Range(0, kCoarsestRung))
       ->capture_default_str();
-  app.add_option("--joints", job.joints,
-                 "without a session: all joint values of a device in its model's order, "
-                 "\"0 -0.785 0\"; repeatable")
-      ->option_text("[DEVICE=]VALUES")
-      ->allow_extra_args(false);
+  addJointsOption(app, job.joints);
   app.add_option("--hide", job.look.hide,
                  "do not draw PATH: DEVICE, DEVICE/LINK, layer/NAME; repeatable")
       ->allow_extra_args(false);
@@ -305,11 +288,7 @@ int main(int argc, char** argv) {
         std::tie(job.look.width, job.look.height) = *pixels;
         if (Status set = setLooks(looks, job.look.style); !set) return set.error();
         if (backdrop->count() > 0) {
-          auto wanted = parseBackdrop(backdrop_text);
-          if (!wanted) return wanted.error();
-          wanted->offset = job.backdrop.offset;
-          wanted->opacity = job.backdrop.opacity;
-          job.backdrop = std::move(*wanted);
+          if (Status read = readBackdrop(backdrop_text, job.backdrop); !read) return read.error();
         }
         job.show_insets = !without_insets;
         job.hashes = hash || json;
