@@ -36,8 +36,8 @@ rocinante_web_sources(core/packet packet text_name text_number header_reader sta
   packet_text_decoder packet_text_writer state_folder fold_statement state_forgetting session_state
   item_text joint_order restatement)
 rocinante_web_sources(core/mcap append_record byte_sink chunk_expander chunk_head no_lz4_frame open_chunk
-  open_chunk_stream parse_record record_probe records record_stepper summary tail_reserve torn_chunk)
-rocinante_web_sources(core/log other_format captured_range chunk_indexes clock_message followed_file followed_records
+  parse_record record_probe records record_stepper summary tail_reserve torn_chunk)
+rocinante_web_sources(core/log other_format captured_range chunk_indexes clock_message file_order
   foreign_file import_record last_message log_end log_index log_index_summary log_index_walk log_profile
   log_reader log_types loss_message mapped_file message_span octets_before recorded_losses span_cache
   span_damage span_merge)

@@ -11,35 +11,13 @@ bool isCapturedIn(const SpanCache& cache, ChannelId id) {
          cache.channels()[id]->captured();
 }
 
-/// The times of all messages, by the spans' own.
-CapturedRange rangeOfSpans(const SpanCache& cache) {
-  CapturedRange range;
-  bool first = true;
-  for (const MessageSpan& span : cache.spans()) {
-    if (!span.hasMessages()) continue;
-    range.start = first ? span.start_time : std::min(range.start, span.start_time);
-    range.end = first ? span.end_time : std::max(range.end, span.end_time);
-    first = false;
-  }
-  return range;
+bool mayHoldCaptured(const SpanCache& cache, const MessageSpan& span) {
+  return span.channels.empty() ||
+         std::ranges::any_of(span.channels, [&](ChannelId id) { return isCapturedIn(cache, id); });
 }
 
-/// The spans that may hold captured messages.
-std::vector<std::uint32_t> spansWithCaptured(const SpanCache& cache) {
-  std::vector<std::uint32_t> spans;
-  for (std::uint32_t i = 0; i < cache.spans().size(); ++i) {
-    const std::vector<ChannelId>& ids = cache.spans()[i].channels;
-    if (ids.empty() ||
-        std::ranges::any_of(ids, [&](ChannelId id) { return isCapturedIn(cache, id); })) {
-      spans.push_back(i);
-    }
-  }
-  return spans;
-}
-
-LogTime earliestCaptured(SpanCache& cache, std::vector<std::uint32_t>& spans) {
+void findEarlier(LogTime& start, SpanCache& cache, std::vector<std::uint32_t>& spans) {
   std::ranges::sort(spans, {}, [&](std::uint32_t i) { return cache.spans()[i].start_time; });
-  LogTime start = LogTime::max();
   for (const std::uint32_t i : spans) {
     const MessageSpan& span = cache.spans()[i];
     if (span.start_time >= start) break;
@@ -54,13 +32,11 @@ LogTime earliestCaptured(SpanCache& cache, std::vector<std::uint32_t>& spans) {
       start = std::min(start, span.start_time);
     }
   }
-  return start;
 }
 
-LogTime latestCaptured(SpanCache& cache, std::vector<std::uint32_t>& spans) {
+void findLater(LogTime& end, SpanCache& cache, std::vector<std::uint32_t>& spans) {
   std::ranges::sort(spans, std::greater{},
                     [&](std::uint32_t i) { return cache.spans()[i].end_time; });
-  LogTime end{};
   for (const std::uint32_t i : spans) {
     const MessageSpan& span = cache.spans()[i];
     if (span.end_time <= end) break;
@@ -73,16 +49,24 @@ LogTime latestCaptured(SpanCache& cache, std::vector<std::uint32_t>& spans) {
       break;
     }
   }
-  return end;
 }
 
 }  // namespace
 
-CapturedRange capturedRange(SpanCache& cache, bool others) {
-  if (!others) return rangeOfSpans(cache);
-  std::vector<std::uint32_t> spans = spansWithCaptured(cache);
-  const CapturedRange range{earliestCaptured(cache, spans), latestCaptured(cache, spans)};
-  return range.start > range.end ? CapturedRange{} : range;
+void widen(CapturedRange& range, SpanCache& cache, std::size_t from, std::size_t until,
+           bool others) {
+  std::vector<std::uint32_t> mixed;
+  for (std::size_t i = from; i < until; ++i) {
+    const MessageSpan& span = cache.spans()[i];
+    if (others) {
+      if (mayHoldCaptured(cache, span)) mixed.push_back(static_cast<std::uint32_t>(i));
+    } else if (span.hasMessages()) {
+      range.start = std::min(range.start, span.start_time);
+      range.end = std::max(range.end, span.end_time);
+    }
+  }
+  findEarlier(range.start, cache, mixed);
+  findLater(range.end, cache, mixed);
 }
 
 }  // namespace rocinante

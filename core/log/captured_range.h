@@ -6,14 +6,15 @@ namespace rocinante {
 
 /// The log times of the first and the last captured message.
 struct CapturedRange {
-  LogTime start{};
+  LogTime start = LogTime::max();  ///< behind `end` while there is none
   LogTime end{};
 };
 
-/// Of a log that has captured messages; both are zero when none of them can be read and no index
-/// gives their times. Without `others`, messages that are not captured, the spans' own times
-/// suffice; with them, the spans at either end are read until no other can hold an earlier or later
-/// message.
-CapturedRange capturedRange(SpanCache& cache, bool others);
+/// Widens `range` by the captured messages of the spans [from, until): not at all when none of them
+/// can be read and no index gives their times. Without `others`, messages that are not captured,
+/// the spans' own times suffice; with them, the spans at either end are read until no other can
+/// hold an earlier or later message.
+void widen(CapturedRange& range, SpanCache& cache, std::size_t from, std::size_t until,
+           bool others);
 
 }  // namespace rocinante

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/log/log_reader.h"
+
 namespace rocinante {
 
 namespace {
@@ -30,6 +32,25 @@ std::string ContentHash::finish() { return hexOf(captured_.finish()); }
 std::string ContentHash::finishDecoded() {
   const std::string hash = hexOf(decoded_.finish());
   return std::exchange(any_decoded_, false) ? hash : std::string();
+}
+
+Result<SessionHashes> sessionHashes(LogReader& reader) {
+  if (Status rewound = reader.rewind(); !rewound) return rewound.error();
+  ContentHash hash;
+  while (true) {
+    Result<std::optional<LogMessage>> message = reader.next();
+    if (!message) return message.error();
+    if (!*message) break;
+    hash.add(**message);
+  }
+  if (Status rewound = reader.rewind(); !rewound) return rewound.error();
+  return SessionHashes{hash.finish(), hash.finishDecoded()};
+}
+
+Result<std::string> contentSha256(LogReader& reader) {
+  Result<SessionHashes> hashes = sessionHashes(reader);
+  if (!hashes) return hashes.error();
+  return std::move(hashes->content);
 }
 
 }  // namespace rocinante

@@ -12,19 +12,24 @@
 
 namespace rocinante {
 
-/// The positions of everything in a log, from its summary or from a walk over the file.
-struct LogIndex {
+/// The part of an index that does not grow with the log's length.
+struct IndexTables {
   mcap::Header header;
-  std::vector<MessageSpan> spans;  ///< in the file's order
   std::map<ChannelId, LogChannel> channels;
   std::map<ChannelId, std::uint16_t> schema_ids;  ///< of channels that have one
   std::map<std::uint16_t, std::shared_ptr<const LogSchema>> schemas;
   std::map<ChannelId, std::uint64_t> message_counts;
+  bool ended = false;   ///< its writer has ended the data: no message follows
+  bool closed = false;  ///< the file ends with the Footer and the closing magic
+};
+
+/// The positions of everything in a log, from its summary or from a walk over the file.
+struct LogIndex : IndexTables {
+  std::vector<MessageSpan> spans;  ///< in the file's order
   std::vector<LogAttachment> attachments;
   std::vector<std::uint64_t> attachment_offsets;  ///< as `attachments`
   std::vector<LogMetadata> metadata;
   std::vector<DamageSpan> damage;
-  bool closed = false;  ///< the file ends with the Footer and the closing magic
 };
 
 /// Lists a damage. Many small ones, one directly after the other, are listed as one.

@@ -10,6 +10,7 @@
 #include "core/log/chunk_indexes.h"
 #include "core/log/log_end.h"
 #include "core/log/log_profile.h"
+#include "core/mcap/byte_cursor.h"
 #include "core/mcap/chunk_head.h"
 #include "core/mcap/parse_record.h"
 #include "core/mcap/record_stepper.h"
@@ -24,49 +25,63 @@ namespace {
 /// Loose messages are grouped up to this size, so that a run is read like a chunk.
 constexpr std::uint64_t kLooseRunBytes = 1U << 20U;
 
+/// While a file is written, a longer record that its end cuts is no record.
+constexpr std::uint64_t kMostAwaitedBytes = mcap::kMaxChunkBytes;
+
 /// Of the file, between two calls of releasePages().
 constexpr std::uint64_t kWalkBeforeRelease = std::uint64_t{64} << 20U;
 
-/// Walks over one file. Every step either takes a record or reports why it cannot.
+/// Where a walk is in its file, and what it carries from one record to the next.
+struct WalkPlace {
+  std::uint64_t position = mcap::magic().size();
+  mcap::ExpansionBudget budget{0};
+  bool chunks_seen = false;
+  std::optional<MessageSpan> loose;  ///< the open run of loose messages
+  std::optional<MessageSpan> chunk;  ///< the chunk whose indexes are being read
+  std::vector<mcap::IndexEntries> indexes;
+};
+
+/// Walks over one file. Every step either adds a record to the index or reports why it cannot.
 class Walk {
  public:
-  explicit Walk(ByteView file) : file_(file), decoder_(file), probe_(file), budget_(file.size()) {}
-  /// Continues where `other` is, in the same file or in what it has grown to.
-  Walk(const Walk& other, ByteView file) : Walk(file) {
-    budget_ = other.budget_;
-    budget_.grow(file.size() - other.file_.size());
-    index_ = other.index_;
-    position_ = other.position_;
-    chunks_seen_ = other.chunks_seen_;
-    loose_ = other.loose_;
-    chunk_ = other.chunk_;
-    indexes_ = other.indexes_;
-  }
+  /// From `place` on. `mapped`: whose bytes these are, if anybody's.
+  Walk(ByteView file, const MappedFile* mapped, WalkPlace place, LogIndex& index)
+      : file_(file),
+        mapped_(mapped),
+        decoder_(file),
+        probe_(file),
+        at_(std::move(place)),
+        released_(at_.position),
+        index_(index) {}
 
   /// Takes the records that are complete, up to the first of which that is not known: of a chunk
   /// that is still open, or that nothing follows yet, or of damage.
   void runSettled() {
-    while (position_ < file_.size() && settledAt(position_) && takeRecord()) {
-    }
+    while (at_.position < file_.size() && settledAt(at_.position) && takeRecord()) releasePages();
   }
-  std::size_t settledSpans() const { return index_.spans.size(); }
-  std::uint64_t position() const { return position_; }
+  const WalkPlace& place() const { return at_; }
 
-  LogIndex run(const MappedFile* mapped = nullptr) {
-    std::uint64_t released = position_;
-    while (position_ < file_.size() && !index_.closed) {
+  /// Takes the rest. While the file is `being_written`, a record that is there in part is not
+  /// there yet.
+  void run(bool being_written) {
+    const std::size_t damages = index_.damage.size();
+    while (at_.position < file_.size() && !index_.closed) {
+      if (being_written && cutAt(at_.position)) break;
       if (!takeRecord()) skipDamage();
-      if (mapped == nullptr || position_ - released < kWalkBeforeRelease) continue;
-      mapped->releasePages();
-      released = position_;
+      releasePages();
     }
+    if (being_written) at_.indexes.clear();  // the others may be still to come
     endChunk(false);
     endLooseRun();
-    if (!index_.closed && !summary_begun_) {
+    if (!index_.closed && !index_.ended) {
       damaged(file_.size(), file_.size(), "the file ends without a summary: it was never closed",
               std::nullopt);
     }
-    return std::move(index_);
+    // What is not written yet is not lost.
+    while (being_written && !index_.closed && index_.damage.size() > damages &&
+           index_.damage.back().to == file_.size()) {
+      index_.damage.pop_back();
+    }
   }
 
  private:
@@ -89,9 +104,25 @@ class Walk {
     return head && !head->open() && mcap::recordAt(file_, record->end());
   }
 
-  /// Takes the record at position_ and moves behind it. False when there is none.
+  /// Whether the end of the file cuts the record there. An open chunk is read as far as it goes.
+  bool cutAt(std::uint64_t position) const {
+    if (mcap::recordAt(file_, position)) return false;
+    if (const auto head = chunkHeadAt(file_, position); head && head->open()) return false;
+    mcap::ByteCursor cursor(file_.subspan(static_cast<std::size_t>(position)));
+    if (cursor.number<std::uint8_t>() == 0) return false;
+    const auto length = cursor.number<std::uint64_t>();
+    return !cursor.ok() || length <= kMostAwaitedBytes || length == mcap::kOpenEnded;
+  }
+
+  void releasePages() {
+    if (mapped_ == nullptr || at_.position - released_ < kWalkBeforeRelease) return;
+    mapped_->releasePages();
+    released_ = at_.position;
+  }
+
+  /// Takes the record at the position and moves behind it. False when there is none.
   bool takeRecord() {
-    const std::optional<mcap::Record> record = mcap::recordAt(file_, position_);
+    const std::optional<mcap::Record> record = mcap::recordAt(file_, at_.position);
     if (!record) return takeTornChunk();
     if (record->opcode != Opcode::message_index) endChunk(record->opcode <= Opcode::data_end);
     switch (record->opcode) {
@@ -122,7 +153,7 @@ class Walk {
       case Opcode::summary_offset:
         return false;  // not in the data section
     }
-    position_ = record->end();  // a private or later opcode
+    at_.position = record->end();  // a private or later opcode
     return true;
   }
 
@@ -137,12 +168,12 @@ class Walk {
   /// Unknown fields may follow the known ones. Whole records may not: then the length is wrong, and
   /// trusting it would skip them.
   void moveBehind(const mcap::Record& record, std::size_t used) {
-    position_ = record.end();
+    at_.position = record.end();
     const std::uint64_t known_end = record.offset + mcap::kPrefixBytes + used;
-    if (known_end == position_ || !probe_.plausibleAt(known_end)) return;
+    if (known_end == at_.position || !probe_.plausibleAt(known_end)) return;
     damaged(record.offset, known_end, "a record's length reaches over the records after it",
             std::uint64_t{0});
-    position_ = known_end;
+    at_.position = known_end;
   }
 
   bool takeSchema(const mcap::Record& record) {
@@ -170,30 +201,30 @@ class Walk {
     if (!mcap::parse(record.content, message)) return false;
     // Our recorders write none: it is another record with a broken opcode.
     if (index_.header.profile == profile::kName) return false;
-    position_ = record.end();
-    if (!loose_ && chunks_seen_) {
+    at_.position = record.end();
+    if (!at_.loose && at_.chunks_seen) {
       damaged(record.offset, record.end(),
               "messages lie outside the chunks, where no checksum covers them", std::uint64_t{0});
     }
-    if (loose_ && record.end() - loose_->offset > kLooseRunBytes) endLooseRun();
+    if (at_.loose && record.end() - at_.loose->offset > kLooseRunBytes) endLooseRun();
     const LogTime time = logTimeOf(message.log_time);
-    if (!loose_) {
-      loose_.emplace();
-      loose_->loose = true;
-      loose_->offset = record.offset;
-      loose_->start_time = loose_->end_time = time;
+    if (!at_.loose) {
+      at_.loose.emplace();
+      at_.loose->loose = true;
+      at_.loose->offset = record.offset;
+      at_.loose->start_time = at_.loose->end_time = time;
     }
-    loose_->end = record.end();
-    loose_->start_time = std::min(loose_->start_time, time);
-    loose_->end_time = std::max(loose_->end_time, time);
+    at_.loose->end = record.end();
+    at_.loose->start_time = std::min(at_.loose->start_time, time);
+    at_.loose->end_time = std::max(at_.loose->end_time, time);
     ++index_.message_counts[message.channel_id];
     return true;
   }
 
   void endLooseRun() {
-    if (!loose_) return;
-    index_.spans.push_back(std::move(*loose_));
-    loose_.reset();
+    if (!at_.loose) return;
+    index_.spans.push_back(std::move(*at_.loose));
+    at_.loose.reset();
   }
 
   bool takeChunk(const mcap::Record& record) {
@@ -210,51 +241,51 @@ class Walk {
   }
 
   MessageSpan& startChunk(const mcap::Chunk& chunk, std::uint64_t offset, std::uint64_t end) {
-    chunks_seen_ = true;
-    chunk_.emplace();
-    chunk_->offset = offset;
-    chunk_->end = chunk_->index_end = end;
-    chunk_->chunk = chunk;
-    chunk_->chunk.compression = compressionName(chunk.compression);
-    chunk_->start_time = logTimeOf(chunk.message_start_time);
-    chunk_->end_time = logTimeOf(chunk.message_end_time);
-    indexes_.clear();
-    return *chunk_;
+    at_.chunks_seen = true;
+    at_.chunk.emplace();
+    at_.chunk->offset = offset;
+    at_.chunk->end = at_.chunk->index_end = end;
+    at_.chunk->chunk = chunk;
+    at_.chunk->chunk.compression = compressionName(chunk.compression);
+    at_.chunk->start_time = logTimeOf(chunk.message_start_time);
+    at_.chunk->end_time = logTimeOf(chunk.message_end_time);
+    at_.indexes.clear();
+    return *at_.chunk;
   }
 
   bool takeMessageIndex(const mcap::Record& record) {
     const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record.content);
     if (!index) return false;
     moveBehind(record, mcap::IndexEntries::kHeadBytes + index->entries.size());
-    if (!chunk_) {
+    if (!at_.chunk) {
       damaged(record.offset, record.end(), "a message index does not follow a chunk",
               index->size());
       return true;
     }
-    chunk_->index_end = position_;
-    if (index->size() > 0) indexes_.push_back(*index);
+    at_.chunk->index_end = at_.position;
+    if (index->size() > 0) at_.indexes.push_back(*index);
     return true;
   }
 
   /// Uses the chunk's indexes without expanding it if they match its header, name known channels
   /// only, and a sound record follows (`followed`), so that none is missing; otherwise expands it.
   void endChunk(bool followed) {
-    if (!chunk_) return;
-    MessageSpan span = std::move(*chunk_);
-    chunk_.reset();
-    if (!span.cut) span.over_budget = !budget_.take(span.chunk);
-    bool trusted = followed && !span.cut && indexesSpan(indexes_, span.chunk);
-    for (const mcap::IndexEntries& index : indexes_) {
+    if (!at_.chunk) return;
+    MessageSpan span = std::move(*at_.chunk);
+    at_.chunk.reset();
+    if (!span.cut) span.over_budget = !at_.budget.take(span.chunk);
+    bool trusted = followed && !span.cut && indexesSpan(at_.indexes, span.chunk);
+    for (const mcap::IndexEntries& index : at_.indexes) {
       trusted = trusted && index_.channels.contains(index.channel);
     }
     if (!trusted) return expandChunk(std::move(span));
     std::uint64_t messages = 0;
-    for (const mcap::IndexEntries& index : indexes_) {
+    for (const mcap::IndexEntries& index : at_.indexes) {
       index_.message_counts[index.channel] += index.size();
       messages += index.size();
     }
     span.indexed_messages = messages;
-    addSpan(std::move(span), indexes_, &mcap::IndexEntries::channel);
+    addSpan(std::move(span), at_.indexes, &mcap::IndexEntries::channel);
   }
 
   template <class Range, class Channel>
@@ -288,7 +319,7 @@ class Walk {
     // Its contents are known now, and bounded for each chunk.
     if (span.cut) {
       span.chunk.uncompressed_size = scratch_.records.size();
-      span.over_budget = !budget_.take(span.chunk);
+      span.over_budget = !at_.budget.take(span.chunk);
     }
     if (!span.cut && (start != span.start_time || end != span.end_time)) {
       damaged(span.offset, span.offset + kChunkHeadBytes,
@@ -299,7 +330,7 @@ class Walk {
     std::map<ChannelId, std::uint64_t> counts;
     for (const SpanMessages::Place& place : places) ++counts[place.channel];
     std::map<ChannelId, std::uint64_t> indexed;
-    for (const mcap::IndexEntries& index : indexes_) indexed[index.channel] += index.size();
+    for (const mcap::IndexEntries& index : at_.indexes) indexed[index.channel] += index.size();
     if (!indexed.empty() && counts != indexed) {
       damaged(span.offset, span.end, "the message indexes after a chunk do not match its messages",
               std::uint64_t{0});
@@ -310,13 +341,13 @@ class Walk {
   }
 
   bool takeTornChunk() {
-    std::optional<TornChunk> torn = tornChunkAt(file_, position_, probe_);
+    std::optional<TornChunk> torn = tornChunkAt(file_, at_.position, probe_);
     if (!torn) return false;
     endChunk(false);
     endLooseRun();
-    damaged(position_, torn->end, std::move(torn->cause), torn->messages_lost);
-    startChunk(torn->chunk, position_, torn->end).cut = torn->cut;
-    position_ = torn->end;
+    damaged(at_.position, torn->end, std::move(torn->cause), torn->messages_lost);
+    startChunk(torn->chunk, at_.position, torn->end).cut = torn->cut;
+    at_.position = torn->end;
     return true;
   }
 
@@ -335,11 +366,11 @@ class Walk {
   bool takeDataEnd(const mcap::Record& record) {
     mcap::DataEnd data_end;
     if (!mcap::parse(record.content, data_end)) return false;
-    position_ = record.end();
-    summary_begun_ = true;
+    at_.position = record.end();
+    index_.ended = true;
     endLooseRun();
     std::optional<mcap::Statistics> told;
-    mcap::RecordStepper steps(file_, position_);
+    mcap::RecordStepper steps(file_, at_.position);
     while (const std::optional<mcap::Record> next = steps.next()) {
       mcap::Channel channel;
       if (next->opcode == Opcode::channel && mcap::parse(next->content, channel)) {
@@ -360,7 +391,7 @@ class Walk {
     if (!index_.closed) {
       damaged(record.end(), file_.size(), "the file ends inside its summary", std::uint64_t{0});
     }
-    position_ = file_.size();
+    at_.position = file_.size();
     return true;
   }
 
@@ -389,10 +420,10 @@ class Walk {
 
   /// Resumes at the next byte that begins a credible record.
   void skipDamage() {
-    const std::uint64_t from = position_;
+    const std::uint64_t from = at_.position;
     endChunk(false);
     endLooseRun();
-    const std::uint64_t next = position_ = probe_.resumeBehind(from);
+    const std::uint64_t next = at_.position = probe_.resumeBehind(from);
     const bool to_end = next == file_.size();
     damaged(from, next,
             to_end ? "the file ends inside a record"
@@ -401,26 +432,54 @@ class Walk {
   }
 
   ByteView file_;
+  const MappedFile* mapped_;
   SpanDecoder decoder_;
   RecordProbe probe_;
-  mcap::ExpansionBudget budget_;
-  LogIndex index_;
-  std::uint64_t position_ = mcap::magic().size();
+  WalkPlace at_;
+  std::uint64_t released_;  ///< the position at the last releasePages()
+  LogIndex& index_;
   SpanMessages scratch_;
-  bool chunks_seen_ = false;
-  bool summary_begun_ = false;
-
-  std::optional<MessageSpan> loose_;  ///< the open run of loose messages
-  std::optional<MessageSpan> chunk_;  ///< the chunk whose indexes are being read
-  std::vector<mcap::IndexEntries> indexes_;
 };
 
 }  // namespace
 
-LogIndex indexByWalking(ByteView file, const MappedFile* mapped) { return Walk(file).run(mapped); }
+LogIndex indexByWalking(ByteView file, const MappedFile* mapped) {
+  LogIndex index;
+  WalkPlace begin;
+  begin.budget.grow(file.size());
+  Walk(file, mapped, std::move(begin), index).run(false);
+  return index;
+}
 
 struct GrowingIndex::Impl {
-  std::optional<Walk> settled;
+  WalkPlace settled;             ///< behind the last record that stays as it is
+  std::uint64_t file_bytes = 0;  ///< of the longest file so far
+  // What the index held there.
+  IndexTables tables;
+  std::size_t spans = 0;
+  std::size_t attachments = 0;
+  std::size_t metadata = 0;
+  std::size_t damages = 0;
+  std::optional<DamageSpan> last_damage;  ///< a later one may lengthen it
+
+  void keep(const LogIndex& index) {
+    tables = index;
+    spans = index.spans.size();
+    attachments = index.attachments.size();
+    metadata = index.metadata.size();
+    damages = index.damage.size();
+    last_damage.reset();
+    if (damages > 0) last_damage = index.damage.back();
+  }
+  void restore(LogIndex& index) const {
+    static_cast<IndexTables&>(index) = tables;
+    index.spans.resize(spans);
+    index.attachments.resize(attachments);
+    index.attachment_offsets.resize(attachments);
+    index.metadata.resize(metadata);
+    index.damage.resize(damages);
+    if (last_damage) index.damage.back() = *last_damage;
+  }
 };
 
 GrowingIndex::GrowingIndex() : impl_(std::make_unique<Impl>()) {}
@@ -428,23 +487,22 @@ GrowingIndex::~GrowingIndex() = default;
 GrowingIndex::GrowingIndex(GrowingIndex&&) noexcept = default;
 GrowingIndex& GrowingIndex::operator=(GrowingIndex&&) noexcept = default;
 
-LogIndex GrowingIndex::update(ByteView file) {
-  if (impl_->settled) {
-    const Walk before = *std::move(impl_->settled);
-    impl_->settled.emplace(before, file);
-  } else {
-    impl_->settled.emplace(file);
+void GrowingIndex::update(const MappedFile& file, bool being_written, LogIndex& index) {
+  const ByteView bytes = file.bytes();
+  if (bytes.size() > impl_->file_bytes) {
+    impl_->settled.budget.grow(bytes.size() - impl_->file_bytes);
+    impl_->file_bytes = bytes.size();
   }
-  impl_->settled->runSettled();
-  return Walk(*impl_->settled, file).run();
+  impl_->restore(index);
+  Walk walk(bytes, &file, impl_->settled, index);
+  walk.runSettled();
+  impl_->settled = walk.place();
+  impl_->keep(index);
+  walk.run(being_written);
 }
 
-std::size_t GrowingIndex::settledSpans() const {
-  return impl_->settled ? impl_->settled->settledSpans() : 0;
-}
+std::size_t GrowingIndex::settledSpans() const { return impl_->spans; }
 
-std::uint64_t GrowingIndex::settledBytes() const {
-  return impl_->settled ? impl_->settled->position() : 0;
-}
+std::uint64_t GrowingIndex::settledBytes() const { return impl_->settled.position; }
 
 }  // namespace rocinante

@@ -15,7 +15,8 @@ namespace rocinante {
 LogIndex indexByWalking(ByteView file, const MappedFile* mapped = nullptr);
 
 /// The same for a file that grows: each record that is complete is walked over once, and only the
-/// rest again. Not for sharing between threads.
+/// rest again. The index is changed in place, so that an update costs what is new, however long the
+/// log is. Not for sharing between threads.
 class GrowingIndex {
  public:
   GrowingIndex();
@@ -23,9 +24,11 @@ class GrowingIndex {
   GrowingIndex(GrowingIndex&&) noexcept;
   GrowingIndex& operator=(GrowingIndex&&) noexcept;
 
-  /// The index of `file`, which begins at the same address and with the same bytes as in the last
-  /// call, except for chunks that were still open.
-  LogIndex update(ByteView file);
+  /// Makes `index`, which is that of the last call, the index of `file`: this begins at the same
+  /// address and with the same bytes, except for chunks that were still open. While it is
+  /// `being_written`, what its end cuts is neither read nor lost, except that an open chunk is read
+  /// as far as it goes.
+  void update(const MappedFile& file, bool being_written, LogIndex& index);
   /// The spans before this one stay as they are in later updates.
   std::size_t settledSpans() const;
   /// The offset from which the next update walks again.

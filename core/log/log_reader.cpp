@@ -8,7 +8,7 @@
 
 #include "core/base/hash.h"
 #include "core/log/captured_range.h"
-#include "core/log/content_hash.h"
+#include "core/log/file_order.h"
 #include "core/log/foreign_file.h"
 #include "core/log/last_message.h"
 #include "core/log/log_end.h"
@@ -51,11 +51,15 @@ struct LogReader::Impl {
   bool is_mapped = false;               ///< otherwise the bytes are in memory
   std::optional<GrowingIndex> growing;  ///< until the log is closed
   bool being_written = false;
+  bool followed = false;          ///< being_written until it is closed
   std::size_t settled_spans = 0;  ///< they stay as they are when the log grows
-  std::size_t walked_damage = 0;  ///< the first entries of index.damage; reading found the others
   ByteView file;
   std::string name;
   LogIndex index;
+  std::vector<DamageSpan> damage;  ///< that of `index`, then what reading found
+  std::size_t walked_damage = 0;   ///< how many are not from reading
+  std::uint64_t needed_bytes = 0;  ///< of the file: those behind held no message yet
+  std::uint64_t needed_for = 0;    ///< the messages that they hold
   std::vector<LogChannel> channels;
   std::vector<const LogChannel*> channel_by_id;
   LogSummary summary;
@@ -63,27 +67,36 @@ struct LogReader::Impl {
   std::vector<UnreadableRange> unreadable;
   std::size_t ranged =
       0;  ///< damages examined so far; those that cost messages are in `unreadable`
-  std::optional<bool> is_ordered;      ///< areInOrder(), found when there is damage
-  std::vector<LogTime> earliest_from;  ///< of all messages from a span on; found on the first call
+  std::optional<bool> is_ordered;  ///< areInOrder(), found when there is damage
+  CapturedRange settled_range;     ///< of the first `ranged_spans`
+  std::size_t ranged_spans = 0;
   std::optional<SpanCache> cache;
   std::optional<SpanMerge> merge;
+  std::optional<FileOrder> in_file;
   std::optional<LastMessage> last;  ///< made on the first call
 
+  Status checkMagic() const {
+    const bool begins = followed && file.size() < mcap::magic().size() &&
+                        std::ranges::equal(file, mcap::magic().first(file.size()));
+    if (begins || magicAt(file, 0)) return {};
+    return Error{ErrorKind::damaged, notALog(file), name};
+  }
+
+  bool isBeingWritten() const { return followed || mapped.beingWritten(); }
+
   Status build(bool may_grow = false) {
-    if (!magicAt(file, 0)) {
-      return Error{ErrorKind::damaged, notALog(file), name};
-    }
+    if (Status known = checkMagic(); !known) return known;
     std::vector<DamageSpan> summary_damage;
     if (std::optional<LogIndex> found = indexFromSummary(file, summary_damage)) {
       index = std::move(*found);
     } else if (may_grow) {
       growing.emplace();
-      being_written = mapped.beingWritten();
+      being_written = isBeingWritten();
       walkOn();
     } else {
       index = indexByWalking(file, is_mapped ? &mapped : nullptr);
     }
-    index.damage.insert(index.damage.begin(), summary_damage.begin(), summary_damage.end());
+    damage = std::move(summary_damage);
     useIndex();
     return {};
   }
@@ -99,47 +112,55 @@ struct LogReader::Impl {
     }
     if (cache) {
       cache->fileGrew(file, settled_spans);
+      merge->fileGrew(settled_spans);
+      in_file->fileGrew(settled_spans);
     } else {
-      cache.emplace(file, is_mapped ? &mapped : nullptr, index.spans, channel_by_id, index.damage);
+      cache.emplace(file, is_mapped ? &mapped : nullptr, index.spans, channel_by_id, damage);
+      merge.emplace(*cache);
+      in_file.emplace(*cache);
     }
-    merge.emplace(*cache);
+    damage.insert(damage.end(), index.damage.begin(), index.damage.end());
     summarise();
-    walked_damage = index.damage.size();
   }
 
-  /// The index of the file as it is now.
+  /// Brings the index to the file as it is now.
   void walkOn() {
-    index = growing->update(file);
-    // What is not written yet is not lost.
-    while (being_written && !index.closed && !index.damage.empty() &&
-           index.damage.back().to == file.size()) {
-      index.damage.pop_back();
-    }
+    growing->update(mapped, being_written, index);
+    std::uint64_t messages = 0;
+    for (const auto& [channel, count] : index.message_counts) messages += count;
+    if (messages > needed_for) needed_bytes = file.size();
+    needed_for = messages;
+    const std::uint64_t file_bytes = file.size();
+    needed_bytes = std::max(needed_bytes, std::min(growing->settledBytes(), file_bytes));
   }
 
   Result<bool> refresh() {
     if (!growing) return false;
+    if (followed && mapped.replaced()) {
+      return Error{ErrorKind::unreadable, "another file replaced the one that is followed", name};
+    }
     // First: what a writer that is gone has written is in the file.
-    const bool written = mapped.beingWritten();
-    const Result<bool> grown = mapped.grow();
+    const bool written = isBeingWritten();
+    const Result<bool> grown = mapped.grow(needed_bytes);
     if (!grown) return grown.error();
     if (!*grown && written == being_written) return false;
     being_written = written;
     const std::uint64_t settled_bytes = growing->settledBytes();
-    std::vector<DamageSpan> found(index.damage.begin() + static_cast<std::ptrdiff_t>(walked_damage),
-                                  index.damage.end());
+    std::vector<DamageSpan> found(damage.begin() + static_cast<std::ptrdiff_t>(walked_damage),
+                                  damage.end());
     std::erase_if(found, [&](const DamageSpan& each) { return each.from >= settled_bytes; });
+    damage.clear();
     file = mapped.bytes();
+    if (Status known = checkMagic(); !known) return known.error();
     walkOn();
     summary = {};
     losses.reset();
     unreadable.clear();
     ranged = 0;
     is_ordered.reset();
-    earliest_from.clear();
     last.reset();
     useIndex();
-    index.damage.insert(index.damage.end(), found.begin(), found.end());
+    damage.insert(damage.end(), found.begin(), found.end());
     settled_spans = growing->settledSpans();
     if (index.closed) growing.reset();
     return true;
@@ -191,15 +212,22 @@ struct LogReader::Impl {
     const std::optional<LogTime> origin = originIn(index.metadata, profile::kSession);
     const std::optional<LogTime> origin_again = originIn(index.metadata, profile::kEnd);
     if (origin && origin_again && *origin != *origin_again) {
-      index.damage.push_back({0, file.size(),
-                              "rocinante.session and rocinante.end give different origins; the "
-                              "first is used",
-                              std::uint64_t{0}});
+      damage.push_back({0, file.size(),
+                        "rocinante.session and rocinante.end give different origins; the "
+                        "first is used",
+                        std::uint64_t{0}});
     }
+    walked_damage = damage.size();
     if (summary.messages > 0) {
-      const CapturedRange range = capturedRange(*cache, others);
-      summary.start = range.start;
-      summary.end = range.end;
+      const std::size_t settled = growing ? growing->settledSpans() : 0;
+      widen(settled_range, *cache, ranged_spans, settled, others);
+      ranged_spans = settled;
+      CapturedRange range = settled_range;
+      widen(range, *cache, settled, index.spans.size(), others);
+      if (range.start <= range.end) {
+        summary.start = range.start;
+        summary.end = range.end;
+      }
     }
     summary.origin = origin ? *origin : origin_again ? *origin_again : summary.start;
     if (summary.messages == 0) summary.start = summary.end = summary.origin;
@@ -214,7 +242,7 @@ struct LogReader::Impl {
       const auto format = record.entries.find(std::string(profile::kFormatKey));
       summary.format = format == record.entries.end() ? std::string() : format->second;
       if (summary.format == profile::kFormat) return;
-      index.damage.push_back(
+      damage.push_back(
           {0, file.size(), profile::otherFormatText(summary.format), std::uint64_t{0}});
       noteOtherFormat(summary.format, name);
       return;
@@ -224,60 +252,42 @@ struct LogReader::Impl {
   const MessageSpan& spanAt(std::uint32_t i) const { return index.spans[i]; }
 
   void findUnreadable() {
-    if (ranged == index.damage.size()) return;
+    if (ranged == damage.size()) return;
     if (!is_ordered) is_ordered = areInOrder(index.spans);
-    for (; ranged < index.damage.size(); ++ranged) {
+    for (; ranged < damage.size(); ++ranged) {
       std::optional<UnreadableRange> range =
-          unreadableRange(index.damage[ranged], index.spans, *is_ordered, file.size());
+          unreadableRange(damage[ranged], index.spans, *is_ordered, file.size());
       if (!range) continue;
       range->damage = ranged;
       unreadable.push_back(*range);
     }
   }
-
-  bool inOrderAt(LogPosition place) {
-    const auto own = static_cast<std::size_t>(place.file_offset >> 32U);
-    if (own >= index.spans.size()) return false;
-    if (earliest_from.empty()) {
-      earliest_from.resize(index.spans.size() + 1, LogTime::max());
-      for (std::size_t i = index.spans.size(); i-- > 0;) {
-        const MessageSpan& span = index.spans[i];
-        earliest_from[i] = span.hasMessages() ? std::min(earliest_from[i + 1], span.start_time)
-                                              : earliest_from[i + 1];
-      }
-    }
-    if (earliest_from[own + 1] < place.time) return false;
-    if (spanAt(static_cast<std::uint32_t>(own)).start_time >= place.time) return true;
-    const std::shared_ptr<const SpanMessages> messages =
-        cache->get(static_cast<std::uint32_t>(own));
-    // They are in order of time.
-    for (const SpanMessages::Place& each : messages->places) {
-      if (each.time_ns >= place.time.time_since_epoch().count()) break;
-      if (each.offset > (place.file_offset & 0xFFFFFFFFU)) return false;
-    }
-    return true;
-  }
 };
 
 Result<LogReader> LogReader::openMapped(Result<MappedFile> mapped, std::string name,
-                                        bool may_grow) {
+                                        Growth growth) {
   if (!mapped) return mapped.error();
   auto impl = std::make_unique<Impl>();
   impl->mapped = std::move(*mapped);
   impl->is_mapped = true;
   impl->file = impl->mapped.bytes();
   impl->name = std::move(name);
-  if (Status built = impl->build(may_grow); !built) return built.error();
+  impl->followed = growth == Growth::to_the_end;
+  if (Status built = impl->build(growth != Growth::none); !built) return built.error();
   if (impl->growing) impl->settled_spans = impl->growing->settledSpans();
   return LogReader(std::move(impl));
 }
 
 Result<LogReader> LogReader::open(const std::filesystem::path& path) {
-  return openMapped(MappedFile::open(path), path.string(), false);
+  return openMapped(MappedFile::open(path), path.string(), Growth::none);
 }
 
 Result<LogReader> LogReader::openGrowing(const std::filesystem::path& path) {
-  return openMapped(MappedFile::openGrowing(path), path.string(), true);
+  return openMapped(MappedFile::openGrowing(path), path.string(), Growth::while_locked);
+}
+
+Result<LogReader> LogReader::follow(const std::filesystem::path& path) {
+  return openMapped(MappedFile::openGrowing(path), path.string(), Growth::to_the_end);
 }
 
 Result<LogReader> LogReader::openBytes(ByteView bytes, std::string name) {
@@ -295,6 +305,7 @@ LogReader& LogReader::operator=(LogReader&&) noexcept = default;
 
 Result<bool> LogReader::refresh() { return impl_->refresh(); }
 bool LogReader::growing() const { return impl_->growing && impl_->being_written; }
+bool LogReader::ended() const { return impl_->index.ended || impl_->index.closed; }
 const LogSummary& LogReader::summary() const { return impl_->summary; }
 const std::vector<LogChannel>& LogReader::channels() const { return impl_->channels; }
 const std::vector<LogMetadata>& LogReader::metadata() const { return impl_->index.metadata; }
@@ -305,7 +316,7 @@ const std::vector<LossSpan>& LogReader::losses() const {
   if (!impl_->losses) impl_->losses = recordedLosses(*impl_->cache, impl_->index.message_counts);
   return *impl_->losses;
 }
-const std::vector<DamageSpan>& LogReader::damage() const { return impl_->index.damage; }
+const std::vector<DamageSpan>& LogReader::damage() const { return impl_->damage; }
 const std::vector<UnreadableRange>& LogReader::unreadable() const {
   impl_->findUnreadable();
   return impl_->unreadable;
@@ -365,30 +376,15 @@ Result<std::optional<LogMessage>> LogReader::next() { return impl_->merge->next(
 
 Result<std::optional<LogMessage>> LogReader::previous() { return impl_->merge->previous(); }
 
-bool LogReader::inOrderAt(LogPosition place) { return impl_->inOrderAt(place); }
+Result<std::optional<LogMessage>> LogReader::nextInFile() { return impl_->in_file->next(); }
+
+void LogReader::skipInFile() { impl_->in_file->skipAll(); }
+
+bool LogReader::inOrderAt(LogPosition place) { return impl_->in_file->inOrderAt(place); }
 
 Result<std::optional<LogMessage>> LogReader::lastOf(ChannelId channel, LogTime moment) {
   if (!impl_->last) impl_->last.emplace(*impl_->cache);
   return impl_->last->find(channel, moment);
-}
-
-Result<SessionHashes> sessionHashes(LogReader& reader) {
-  if (Status rewound = reader.rewind(); !rewound) return rewound.error();
-  ContentHash hash;
-  while (true) {
-    Result<std::optional<LogMessage>> message = reader.next();
-    if (!message) return message.error();
-    if (!*message) break;
-    hash.add(**message);
-  }
-  if (Status rewound = reader.rewind(); !rewound) return rewound.error();
-  return SessionHashes{hash.finish(), hash.finishDecoded()};
-}
-
-Result<std::string> contentSha256(LogReader& reader) {
-  Result<SessionHashes> hashes = sessionHashes(reader);
-  if (!hashes) return hashes.error();
-  return std::move(hashes->content);
 }
 
 }  // namespace rocinante

@@ -50,6 +50,11 @@ class LogReader {
   /// The same for a log that may still be written: refresh() adds what is appended. While another
   /// program holds the log's lock, its missing end is no damage.
   static Result<LogReader> openGrowing(const std::filesystem::path& path);
+  /// The same to read a log to its end, most simply by nextInFile(). It is taken for being written
+  /// until it is closed, locked or not, from its first byte on: an empty file is a log too. Of its
+  /// end only what is whole is read, and nothing there is damage. refresh() is unreadable when
+  /// another file has taken its name.
+  static Result<LogReader> follow(const std::filesystem::path& path);
   /// The same over bytes in memory, which must outlive the reader: for tests and fuzzers.
   static Result<LogReader> openBytes(ByteView bytes, std::string name);
 
@@ -60,11 +65,14 @@ class LogReader {
   /// Reads what was appended since the log was opened or refreshed; true when there is something:
   /// messages, channels, the end, or that its writer has gone without one. Then everything borrowed
   /// from this reader is invalid, LogMessage::place() of earlier messages stays valid, and seek()
-  /// or seekAfter() must be called before next(). Costs what was appended, and a chunk at most.
-  /// unreadable when the log was truncated. For openGrowing(); otherwise always false.
+  /// or seekAfter() must be called before next(). Costs what was appended, and a chunk at most;
+  /// behind damage, all that is behind it. unreadable when the log was truncated. For openGrowing()
+  /// and follow(); otherwise always false.
   Result<bool> refresh();
   /// More may be appended: another program has the log open for writing.
   bool growing() const;
+  /// Its writer has ended the messages. The summary behind them may not be whole yet.
+  bool ended() const;
 
   const LogSummary& summary() const;
   LogStorage storage() const;
@@ -96,6 +104,12 @@ class LogReader {
   /// The last message of the channel at or before `moment`, found through the indexes; the reader
   /// does not move, but the payload is borrowed until the next call of any kind.
   Result<std::optional<LogMessage>> lastOf(ChannelId channel, LogTime moment);
+  /// The next message in the order of the file, from its beginning on and independent of next() and
+  /// seek(): each once, and after a refresh() also those that were appended with earlier times.
+  /// Empty when there is no more yet; its payload is borrowed until the next call of any kind.
+  Result<std::optional<LogMessage>> nextInFile();
+  /// nextInFile() goes on behind the last message that is there.
+  void skipInFile();
   /// True when no message after `place` (of a message) in the file sorts before it: then a fold up
   /// to there includes everything before it. The reader does not move.
   bool inOrderAt(LogPosition place);
@@ -105,7 +119,8 @@ class LogReader {
  private:
   struct Impl;
   explicit LogReader(std::unique_ptr<Impl> impl);
-  static Result<LogReader> openMapped(Result<MappedFile> mapped, std::string name, bool may_grow);
+  enum class Growth { none, while_locked, to_the_end };
+  static Result<LogReader> openMapped(Result<MappedFile> mapped, std::string name, Growth growth);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -73,14 +73,14 @@ Result<MappedFile> MappedFile::openWithRoom(const std::filesystem::path& path, s
   return mapped;
 }
 
-Result<bool> MappedFile::grow() {
+Result<bool> MappedFile::grow(std::uint64_t needed_bytes) {
   struct stat status {};
   if (::fstat(file_, &status) != 0) {
     return Error{ErrorKind::unreadable,
                  std::string("cannot read the log's size: ") + std::strerror(errno), name_};
   }
   const auto size = static_cast<std::uint64_t>(status.st_size);
-  if (size < bytes_.size()) {
+  if (size < needed_bytes) {
     return Error{ErrorKind::unreadable, "the log was truncated while it was read", name_};
   }
   if (size > mapped_bytes_) {
@@ -117,6 +117,13 @@ bool MappedFile::beingWritten() const {
   }
   ::flock(file_, LOCK_UN);
   return false;
+}
+
+bool MappedFile::replaced() const {
+  struct stat mine {};
+  struct stat named {};
+  return ::fstat(file_, &mine) == 0 && ::stat(name_.c_str(), &named) == 0 &&
+         (named.st_dev != mine.st_dev || named.st_ino != mine.st_ino);
 }
 
 bool MappedFile::whole() const {

@@ -32,13 +32,17 @@ class MappedFile {
   ByteView bytes() const { return bytes_; }
 
   /// Makes bytes() as long as the file is now; everything borrowed from it stays valid. False when
-  /// it has not grown. An error when the file has become shorter, or longer than the reserved
-  /// address space (256 GiB, or less where the system gives less).
-  Result<bool> grow();
+  /// it is as long as before. An error when the file has become shorter than `needed_bytes` (behind
+  /// them it may: a writer takes back what the disk has refused in part), or longer than the
+  /// reserved address space (256 GiB, or less where the system gives less).
+  Result<bool> grow(std::uint64_t needed_bytes);
 
   /// Another program, or another part of this one, holds the file's lock: it is writing
   /// (core/base/file_lock.h). False where the file system has no locks.
   bool beingWritten() const;
+
+  /// Another file has the name now. False when none has it.
+  bool replaced() const;
 
   /// False when the file has become shorter since it was opened.
   bool whole() const;

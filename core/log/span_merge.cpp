@@ -15,8 +15,6 @@ constexpr std::size_t kHeldBytes = std::size_t{48} << 20U;
 constexpr std::size_t kExpandedAgain = 8;
 constexpr std::size_t kMaxHeldBytes = std::size_t{768} << 20U;
 
-constexpr LogPosition kBeginning{LogTime(Nanoseconds(std::numeric_limits<std::int64_t>::min())), 0};
-
 }  // namespace
 
 LogPosition SpanMerge::behind(LogPosition place) {
@@ -26,9 +24,18 @@ LogPosition SpanMerge::behind(LogPosition place) {
   return place.time == LogTime::max() ? place : LogPosition{place.time + Nanoseconds(1), 0};
 }
 
-SpanMerge::SpanMerge(SpanCache& cache) : cache_(cache), place_(kBeginning), from_(kBeginning) {
-  for (way_ = 0; way_ < orders_.size(); ++way_) sortSpans();
-  way_ = kForwards;
+void SpanMerge::fileGrew(std::size_t first_changed) {
+  seek(kBeginning);
+  open_.clear();
+  for (Order& order : orders_) {
+    if (order.spans.size() <= first_changed) continue;
+    // In the order of the file they are the last; otherwise all are sorted again.
+    while (!order.spans.empty() && order.spans.back() >= first_changed) {
+      order.spans.pop_back();
+      order.latest_end.pop_back();
+    }
+    if (order.spans.size() != first_changed) order = {};
+  }
 }
 
 std::int64_t SpanMerge::startOf(std::uint32_t span) const {
@@ -41,17 +48,24 @@ std::int64_t SpanMerge::endOf(std::uint32_t span) const {
   return mirrored(nanosecondsOf(way_ == kForwards ? each.end_time : each.start_time));
 }
 
-void SpanMerge::sortSpans() {
+void SpanMerge::sortNewSpans() {
   Order& order = orders_[way_];
+  const std::size_t known = order.spans.size();
+  if (known == cache_.spans().size()) return;
   order.spans.resize(cache_.spans().size());
-  std::iota(order.spans.begin(), order.spans.end(), 0U);
-  const auto start = [&](std::uint32_t span) { return startOf(span); };
-  if (!std::ranges::is_sorted(order.spans, {}, start)) {
-    std::ranges::stable_sort(order.spans, {}, start);
+  const auto added = order.spans.begin() + static_cast<std::ptrdiff_t>(known);
+  std::iota(added, order.spans.end(), static_cast<std::uint32_t>(known));
+  const auto begins_before = [&](std::uint32_t a, std::uint32_t b) {
+    return startOf(a) < startOf(b);
+  };
+  if (!std::is_sorted(known == 0 ? added : added - 1, order.spans.end(), begins_before)) {
+    std::stable_sort(order.spans.begin(), order.spans.end(), begins_before);
+    order.latest_end.clear();
   }
-  std::int64_t latest = std::numeric_limits<std::int64_t>::min();
-  for (const std::uint32_t span : order.spans) {
-    latest = std::max(latest, endOf(span));
+  std::int64_t latest =
+      order.latest_end.empty() ? std::numeric_limits<std::int64_t>::min() : order.latest_end.back();
+  for (std::size_t i = order.latest_end.size(); i < order.spans.size(); ++i) {
+    latest = std::max(latest, endOf(order.spans[i]));
     order.latest_end.push_back(latest);
   }
 }
@@ -67,6 +81,7 @@ void SpanMerge::begin(Way way) {
   open_.clear();
   given_ = false;
   from_ = place_;
+  sortNewSpans();
   // Every span before this ends before the position.
   const std::vector<std::int64_t>& ends = orders_[way_].latest_end;
   const auto first = std::ranges::lower_bound(ends, mirrored(nanosecondsOf(from_.time)));

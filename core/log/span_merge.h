@@ -18,7 +18,9 @@ namespace rocinante {
 class SpanMerge {
  public:
   /// Begins before the first message. The cache is borrowed and must outlive the merge.
-  explicit SpanMerge(SpanCache& cache);
+  explicit SpanMerge(SpanCache& cache) : cache_(cache) {}
+  /// The cache's spans from `first_changed` on are others. Begins before the first message.
+  void fileGrew(std::size_t first_changed);
 
   /// Moves between two messages: those at or behind `place` are ahead, earlier ones behind.
   void seek(LogPosition place);
@@ -31,6 +33,8 @@ class SpanMerge {
   std::optional<LogMessage> previous() { return step(kBackwards); }
 
  private:
+  static constexpr LogPosition kBeginning{LogTime::min(), 0};
+
   // Backwards is forwards with every time and position mirrored: ~x reverses their order.
   using Way = std::size_t;
   static constexpr Way kForwards = 0;
@@ -53,7 +57,7 @@ class SpanMerge {
       return a.time_ns != b.time_ns ? a.time_ns > b.time_ns : a.order > b.order;
     }
   };
-  /// The spans in the order of their beginnings, in one direction.
+  /// The spans in the order of their beginnings, in one direction, as far as sorted.
   struct Order {
     std::vector<std::uint32_t> spans;      ///< by (mirrored start, place in the file)
     std::vector<std::int64_t> latest_end;  ///< of spans[0..i], mirrored: used by seek()
@@ -61,7 +65,7 @@ class SpanMerge {
 
   std::int64_t startOf(std::uint32_t span) const;
   std::int64_t endOf(std::uint32_t span) const;
-  void sortSpans();
+  void sortNewSpans();
   void begin(Way way);
   std::optional<LogMessage> step(Way way);
   void openNextSpan();
@@ -76,7 +80,7 @@ class SpanMerge {
   Way way_ = kForwards;
   bool begun_ = false;  ///< open_ holds the spans ahead, in direction `way_` from `place_`
   /// The current position: messages before it are behind.
-  LogPosition place_;
+  LogPosition place_ = kBeginning;
   LogPosition from_;                ///< the position at which open_ was built
   std::size_t next_span_ = 0;       ///< in the order of the direction
   std::vector<Open> open_;          ///< a heap: the next message on top

@@ -17,7 +17,6 @@ constexpr std::chrono::milliseconds kBetweenLooks{20};
 
 struct FollowCommandOptions {
   std::string log;
-  bool from_start = false;
   std::string format = "text";
   FollowOptions follow;
 };
@@ -34,9 +33,8 @@ Result<cli::Exit> runFollow(FollowCommandOptions& options) {
                                                     : CatFormat::text;
   cli::catchStopSignals();
   const cli::StopDeadline deadline("stopped while standard output was blocked");
-  Result<LogFollower> follower = LogFollower::open(
-      options.log, options.from_start ? LogFollower::From::start : LogFollower::From::now);
-  if (!follower) return follower.error();
+  Result<LogReader> log = LogReader::follow(options.log);
+  if (!log) return log.error();
   cli::Exit exit = cli::Exit::done;
   FollowEvents events;
   events.wait = [] {
@@ -47,7 +45,7 @@ Result<cli::Exit> runFollow(FollowCommandOptions& options) {
     cli::warn(fmt::format("{} ({}, byte {})", span.cause, options.log, span.from));
     exit = cli::Exit::no;
   };
-  const Result<std::uint64_t> shown = followLog(*follower, options.follow, events, toFlushedOutput);
+  const Result<std::uint64_t> shown = followLog(*log, options.follow, events, toFlushedOutput);
   if (!shown) return shown.error();
   return exit;
 }
@@ -59,7 +57,8 @@ LogCommand addFollowCommand(CLI::App& program) {
   CLI::App* const app =
       program.add_subcommand("follow", "print the messages of a log while it is recorded");
   app->add_option("LOG", options->log, "the log, which may still grow")->required();
-  app->add_flag("--from-start", options->from_start, "print the messages already there first");
+  app->add_flag("--from-start", options->follow.from_start,
+                "print the messages already there first");
   app->add_option("--channel", options->follow.channels,
                   "only topics that match this pattern; may be repeated")
       ->type_name("PATTERN")

@@ -1,6 +1,9 @@
-// Any bytes as a log: opened, read from the start and back, sought, its attachments read. Nothing
-// may crash, hang or take memory without bound; the messages come in time order, and the same ones
-// in both directions.
+// Any bytes as a log: opened, read from the start and back, sought, its attachments read; then
+// followed as a file that grows to them. Nothing may crash, hang or take memory without bound; the
+// messages come in time order, and the same ones in both directions.
+
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <limits>
@@ -37,10 +40,33 @@ void readBack(LogReader& reader) {
   if (back != forth && reader.damage().empty()) std::abort();
 }
 
+/// As a file that grows in four steps.
+void follow(ByteView bytes) {
+  const int file = ::memfd_create("growing", MFD_CLOEXEC);
+  if (file < 0) return;
+  Result<LogReader> reader = LogReader::follow("/proc/self/fd/" + std::to_string(file));
+  if (!reader) std::abort();
+  for (std::size_t step = 1; step <= 4; ++step) {
+    const std::size_t from = bytes.size() * (step - 1) / 4;
+    const std::size_t until = bytes.size() * step / 4;
+    if (::write(file, bytes.data() + from, until - from) < 0) std::abort();
+    if (!reader->refresh()) break;
+    while (const auto message = *reader->nextInFile()) {
+      if (message->channel == nullptr) std::abort();
+      // Every byte of a payload is read: a sanitizer sees one too many.
+      std::size_t sum = 0;
+      for (const std::byte byte : message->payload) sum += static_cast<std::size_t>(byte);
+      if (sum > message->payload.size() * 255) std::abort();
+    }
+  }
+  ::close(file);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const ByteView bytes(reinterpret_cast<const std::byte*>(data), size);
+  follow(bytes);
   Result<LogReader> reader = LogReader::openBytes(bytes, "fuzz");
   if (!reader) return 0;
   readOn(*reader);

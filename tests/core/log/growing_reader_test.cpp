@@ -2,36 +2,12 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <fstream>
-
+#include "tests/core/log/growing_file.h"
 #include "tests/core/log/log_support.h"
 #include "tests/core/log/write_history.h"
-#include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {
 namespace {
-
-/// A file that is changed in place, as a recorder does.
-class GrowingFile {
- public:
-  GrowingFile() : path_(folder_ / "growing.mcap") { std::ofstream(path_, std::ios::binary); }
-
-  void apply(const WriteHistory::Write& write) {
-    std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
-    if (write.offset) {
-      file.seekp(static_cast<std::streamoff>(*write.offset));
-    } else {
-      file.seekp(0, std::ios::end);
-    }
-    file.write(reinterpret_cast<const char*>(write.bytes.data()),
-               static_cast<std::streamsize>(write.bytes.size()));
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  TemporaryFolder folder_;
-  std::filesystem::path path_;
-};
 
 class GrowingReader : public testing::TestWithParam<bool> {};
 
@@ -138,7 +114,7 @@ TEST(GrowingReaderOfALockedFile, ATruncatedLogIsAnError) {
   for (const WriteHistory::Write& write : history.writes()) file.apply(write);
   auto reader = LogReader::openGrowing(file.path());
   ASSERT_TRUE(reader.ok());
-  std::filesystem::resize_file(file.path(), 20);
+  file.cutTo(20);
   const auto grown = reader->refresh();
   ASSERT_FALSE(grown.ok());
   EXPECT_EQ(grown.error().what, "the log was truncated while it was read");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <zstd.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,7 +40,7 @@ class WriteHistory {
   WriteHistory& operator=(const WriteHistory&) = delete;
 
   void beginOpenChunk() {
-    records_.clear();
+    beginRecords();
     chunk_offset_ = size_;
     Bytes whole;
     mcap::append(whole, chunk());
@@ -70,7 +71,7 @@ class WriteHistory {
     appendIndexes();
   }
   void addWholeChunk(int count) {
-    records_.clear();
+    beginRecords();
     ZSTD_CCtx_reset(zstd_, ZSTD_reset_session_only);
     stored_.clear();
     (void)pieceOf(count, ZSTD_e_end);
@@ -120,16 +121,25 @@ class WriteHistory {
     size_ += bytes.size();
     writes_.push_back({std::nullopt, std::move(bytes), messages_.size()});
   }
+  void beginRecords() {
+    records_.clear();
+    indexes_ = {mcap::MessageIndex{7, {}}, mcap::MessageIndex{8, {}}};
+    times_.clear();
+  }
   void appendIndexes() {
     Bytes bytes;
-    mcap::append(bytes, mcap::MessageIndex{7, {{1, 2}}});
+    for (const mcap::MessageIndex& index : indexes_) {
+      if (!index.records.empty()) mcap::append(bytes, index);
+    }
     append(std::move(bytes));
   }
   std::size_t headBytes() const { return 9 + 8 + 8 + 8 + 4 + 4 + (compressed_ ? 4 : 0) + 8; }
   mcap::Chunk chunk() const {
     mcap::Chunk chunk;
-    chunk.message_start_time = 1000;
-    chunk.message_end_time = 5000;
+    if (!times_.empty()) {
+      chunk.message_start_time = times_.front();
+      chunk.message_end_time = times_.back();
+    }
     chunk.uncompressed_size = records_.size();
     chunk.uncompressed_crc = crc32(records_);
     chunk.compression = compressed_ ? "zstd" : "";
@@ -139,14 +149,19 @@ class WriteHistory {
   /// `count` more messages of the chunk, as stored.
   Bytes pieceOf(int count, ZSTD_EndDirective how) {
     Bytes plain;
-    if (records_.empty()) mcap::append(plain, mcap::Channel{7, 0, "/udp/1/arm", "rk1", {}});
+    const std::array<std::string, 2> topics{"/udp/1/arm", "/udp/1/hand"};
+    for (std::uint16_t i = 0; i < 2 && records_.empty(); ++i) {
+      mcap::append(plain, mcap::Channel{indexes_[i].channel_id, 0, topics[i], "rk1", {}});
+    }
     for (int i = 0; i < count; ++i) {
       const auto n = static_cast<std::uint32_t>(messages_.size());
       // Their bytes look like records: only their length tells them apart.
       const std::string payload = "RK1 arm " + std::to_string(n) + " -\n" +
                                   std::string(n * 7 % 40, n % 2 == 0 ? '\x05' : '\x07');
-      mcap::append(plain, mcap::Message{7, n, 1000 + n, 900 + n, bytesOf(payload)});
-      messages_.push_back({"/udp/1/arm", n, 1000 + n, 900 + n, payload});
+      mcap::MessageIndex& index = indexes_[n % 3 == 1 ? 1 : 0];
+      index.records.emplace_back(times_.emplace_back(1000 + n), records_.size() + plain.size());
+      mcap::append(plain, mcap::Message{index.channel_id, n, 1000 + n, 900 + n, bytesOf(payload)});
+      messages_.push_back({topics[n % 3 == 1 ? 1 : 0], n, 1000 + n, 900 + n, payload});
     }
     records_.insert(records_.end(), plain.begin(), plain.end());
     Bytes piece = plain;
@@ -167,8 +182,11 @@ class WriteHistory {
   std::vector<KeptMessage> messages_;
   std::size_t size_ = 0;
   std::size_t chunk_offset_ = 0;
+  // Of the current chunk.
   Bytes records_;
   Bytes stored_;
+  std::array<mcap::MessageIndex, 2> indexes_;
+  std::vector<std::uint64_t> times_;
 };
 
 inline void record(WriteHistory& history) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/log/log_follower.h"
+#include "core/log/log_reader.h"
 #include "core/net/udp_socket.h"
 #include "tests/support/programs.h"
 
@@ -40,7 +40,7 @@ TEST_P(FollowARecorder, AndSeeEachDatagramBesideItAndAllOfThemAtItsEnd) {
   ASSERT_TRUE(endpoint.ok()) << endpoint.error().text();
   Result<UdpSender> sender = UdpSender::open(*endpoint);
   ASSERT_TRUE(sender.ok()) << sender.error().text();
-  Result<LogFollower> follower = Error{ErrorKind::not_found, "not open yet", {}};
+  Result<LogReader> follower = Error{ErrorKind::not_found, "not open yet", {}};
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(30);
   for (int i = 0; i < 25; ++i) {
     const std::string datagram = std::string("RK1 ") + (i % 5 == 0 ? "second " : "first ") +
@@ -49,11 +49,14 @@ TEST_P(FollowARecorder, AndSeeEachDatagramBesideItAndAllOfThemAtItsEnd) {
     // It comes before the next one is sent: nothing has to be closed for that.
     std::string came;
     while (came.empty() && std::chrono::steady_clock::now() < give_up) {
-      if (!follower.ok()) follower = LogFollower::open(log(), LogFollower::From::start);
+      if (!follower.ok()) follower = LogReader::follow(log());
       if (follower.ok()) {
-        const Result<std::optional<LogMessage>> message = follower->poll();
+        const Result<std::optional<LogMessage>> message = follower->nextInFile();
         ASSERT_TRUE(message.ok()) << message.error().text();
         if (*message && (*message)->channel->captured()) came = textOf((*message)->payload);
+        if (!*message) {
+          ASSERT_TRUE(follower->refresh().ok());
+        }
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -70,8 +73,8 @@ TEST_P(FollowARecorder, AndSeeEachDatagramBesideItAndAllOfThemAtItsEnd) {
   EXPECT_EQ(all_seen.out, stored.out);
   EXPECT_EQ(std::ranges::count(all_seen.out, '\n'), 25);
   EXPECT_EQ(std::ranges::count(some_seen.out, '\n'), 5);
-  while (!follower->ended()) ASSERT_TRUE(follower->poll().ok());
-  EXPECT_TRUE(follower->takeDamage().empty());
+  while (!follower->ended()) ASSERT_TRUE(follower->refresh().ok());
+  EXPECT_TRUE(follower->damage().empty());
   const ProgramResult doctor = runProgram("rocinante-log", {"doctor", log().string()});
   EXPECT_EQ(doctor.exit_code, 0) << doctor.out;
 }
