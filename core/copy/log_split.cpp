@@ -10,6 +10,8 @@
 #include "core/base/unfinished_path.h"
 #include "core/copy/copy_merge.h"
 #include "core/copy/log_preceding.h"
+#include "core/recording/record_path.h"
+#include "core/recording/seam.h"
 
 namespace rocinante {
 namespace {
@@ -54,7 +56,7 @@ class Boundaries {
       return full ? std::optional(time) : std::nullopt;
     }
     if (split_.time > Nanoseconds(0)) {
-      const LogTime begin = cellOf(time);
+      const LogTime begin = intervalBegin(time, origin_, split_.time);
       const bool first = cell_ == LogTime::max();
       const bool later = !first && begin > cell_;
       if (first || later) cell_ = begin;
@@ -68,13 +70,6 @@ class Boundaries {
   }
 
  private:
-  LogTime cellOf(LogTime time) const {
-    const std::int64_t from_origin = (time - origin_).count();
-    const std::int64_t span = split_.time.count();
-    const std::int64_t below = from_origin % span < 0 ? 1 : 0;
-    return origin_ + Nanoseconds((from_origin / span - below) * span);
-  }
-
   const SplitOptions& split_;
   LogTime origin_;
   LogTime cell_ = LogTime::max();  ///< start of the last item's interval; max: none yet
@@ -326,9 +321,8 @@ Result<UnfinishedPath> makeFolder(const std::filesystem::path& path) {
 
 std::string pieceName(const std::string& pattern, const std::filesystem::path& log,
                       std::uint64_t number) {
-  const std::string digits = fmt::format("{:03}", number);
   if (namesFolder(pattern)) {
-    return (std::filesystem::path(pattern) / (log.stem().string() + "-" + digits + ".mcap"))
+    return numberedPath(std::filesystem::path(pattern) / (log.stem().string() + ".mcap"), number)
         .string();
   }
   std::string name;
@@ -338,15 +332,12 @@ std::string pieceName(const std::string& pattern, const std::filesystem::path& l
       name += pattern[i];
     } else if (pattern[i + 1] == 'n' || pattern[i + 1] == '%') {
       numbered = numbered || pattern[i + 1] == 'n';
-      name += pattern[++i] == 'n' ? digits : "%";
+      name += pattern[++i] == 'n' ? fmt::format("{:03}", number) : "%";
     } else {
       name += '%';
     }
   }
-  if (numbered) return name;
-  const std::filesystem::path plain(name);
-  return (plain.parent_path() / (plain.stem().string() + "-" + digits + plain.extension().string()))
-      .string();
+  return numbered ? name : numberedPath(name, number).string();
 }
 
 Result<SplitReport> splitLog(const std::filesystem::path& log, const SplitOptions& split,

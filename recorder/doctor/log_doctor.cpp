@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/log/foreign_file.h"
 #include "core/log/mapped_file.h"
@@ -19,10 +20,6 @@ constexpr std::string_view kNotClosed = "not-closed";
 std::string hintFor(const DoctorReport& report) {
   if (!report.broke(kNotClosed)) return {};
   return fmt::format("rocinante log recover {}", plainText(report.name));
-}
-
-std::string counted(std::uint64_t number, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", number, number == 1 ? one : many);
 }
 
 }  // namespace
@@ -57,14 +54,14 @@ Result<DoctorReport> examineLog(const std::filesystem::path& path,
 std::string doctorText(const DoctorReport& report) {
   if (report.clean()) {
     return fmt::format("{}: sound ({} in {}, {} bytes)\n", plainText(report.name),
-                       counted(report.messages, "message", "messages"),
-                       counted(report.chunks, "chunk", "chunks"), report.file_bytes);
+                       countText(report.messages, "message"), countText(report.chunks, "chunk"),
+                       report.file_bytes);
   }
   std::uint64_t total = 0;
   for (const auto& [rule, count] : report.counts()) total += count;
   std::string out =
-      fmt::format("{}: {} of {}\n", plainText(report.name), counted(total, "breach", "breaches"),
-                  counted(report.counts().size(), "rule", "rules"));
+      fmt::format("{}: {} {} of {}\n", plainText(report.name), total,
+                  total == 1 ? "breach" : "breaches", countText(report.counts().size(), "rule"));
   for (const Finding& breach : report.breaches()) {
     out += fmt::format("  byte {:<10}  {:<18}  {}\n", *breach.byte, breach.rule, breach.text);
   }

@@ -6,22 +6,12 @@
 #include <utility>
 
 #include "core/log/log_profile.h"
+#include "core/recording/seam.h"
 
 namespace rocinante {
 namespace {
 
-using std::chrono::seconds;
-
-/// A restatement is abandoned after a second, so only an unbroken chain of them delays a seam
-/// longer.
-constexpr Nanoseconds kMaxWait = seconds(1);
-constexpr Nanoseconds kRetry = seconds(1);
-
-LogTime cellBegin(LogTime time, LogTime origin, Nanoseconds span) {
-  const Nanoseconds since = time - origin;
-  const std::int64_t below = since % span < Nanoseconds(0) ? 1 : 0;
-  return origin + (since / span - below) * span;
-}
+constexpr Nanoseconds kRetry = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -55,7 +45,7 @@ bool PieceSequence::seamDue(LogTime time) {
   if (time <= piece_->lastTime()) return false;
   if (retry_at_ && time < *retry_at_) return false;
   if (!wanted_since_) wanted_since_ = time;
-  return !piece_->state().restatementOpen(time) || time - *wanted_since_ >= kMaxWait;
+  return seamFits(piece_->state(), time, *wanted_since_);
 }
 
 Status PieceSequence::seam(LogTime time) {
@@ -94,7 +84,7 @@ Status PieceSequence::seam(LogTime time) {
 Status PieceSequence::write(const CapturedDatagram& datagram) {
   if (!origin_ && datagram.captured()) origin_ = datagram.time;
   if (piece_->empty() && options_.split.time > Nanoseconds(0)) {
-    time_cell_ = cellBegin(datagram.time, origin_.value_or(datagram.time), options_.split.time);
+    time_cell_ = intervalBegin(datagram.time, origin_.value_or(datagram.time), options_.split.time);
   }
   Status written = piece_->write(datagram);
   if (options_.split.size_bytes > 0) noteSize();

@@ -8,14 +8,12 @@
 #include "core/base/random_id.h"
 #include "core/foreign/decode/carried_decoders.h"
 #include "core/log/log_profile.h"
+#include "core/recording/seam.h"
 
 namespace rocinante {
 namespace {
 
 constexpr std::uint64_t kPieces = 10;
-/// A restatement is abandoned after a second, so only an unbroken chain of them delays a seam
-/// longer.
-constexpr Nanoseconds kMaxWait = std::chrono::seconds(1);
 
 RetentionLimits retentionOf(const KeepLimits& limits) {
   RetentionLimits kept;
@@ -59,7 +57,7 @@ bool KeptPieces::seamDue(LogTime time) {
       piece_->bytes() >= limits_.bytes / kPieces || time - *piece_began_ >= limits_.time / kPieces;
   if (!wanted) return false;
   if (!seam_wanted_) seam_wanted_ = time;
-  return !piece_->state().restatementOpen(time) || time - *seam_wanted_ >= kMaxWait;
+  return seamFits(piece_->state(), time, *seam_wanted_);
 }
 
 Status KeptPieces::seam(LogTime) { return closePiece(std::string(profile::kSplitReason)); }
@@ -142,8 +140,7 @@ Status KeptPieces::writeStep(const ClockStep& step) {
 Status KeptPieces::flush(LogTime reached, SteadyTime now) {
   Status done;
   if (finish_at_ && reached >= *finish_at_) {
-    const bool open = piece_ && piece_->state().restatementOpen(reached);
-    if (!open || reached - *finish_at_ >= kMaxWait) {
+    if (!piece_ || seamFits(piece_->state(), reached, *finish_at_)) {
       const LogTime until = *std::exchange(finish_at_, std::nullopt);
       done = closePiece(std::string(profile::kSplitReason));
       finished_until_ = std::max(finished_until_, until);
