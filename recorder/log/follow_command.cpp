@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <thread>
 
+#include "core/base/plain_text.h"
 #include "recorder/contents/log_follow.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/commands.h"
@@ -21,6 +24,23 @@ struct FollowCommandOptions {
   FollowOptions follow;
 };
 
+/// What the end by SIGBUS says.
+std::string truncated_farewell;
+
+/// A log is read in place: where another program truncates it meanwhile, the system sends SIGBUS.
+/// That ends as LogReader::refresh() does, which finds it at any other time.
+void endTruncated(int) {
+  [[maybe_unused]] const ssize_t told =
+      ::write(STDERR_FILENO, truncated_farewell.data(), truncated_farewell.size());
+  ::_exit(static_cast<int>(cli::Exit::could_not_run));
+}
+
+void endWhereTruncated(const std::string& log) {
+  truncated_farewell =
+      fmt::format("rocinante-log: the log was truncated while it was read ({})\n", plainText(log));
+  std::signal(SIGBUS, endTruncated);
+}
+
 Status toFlushedOutput(std::string_view text) {
   if (Status written = toStandardOutput(text); !written) return written;
   if (std::fflush(stdout) == 0) return {};
@@ -33,6 +53,7 @@ Result<cli::Exit> runFollow(FollowCommandOptions& options) {
                                                     : CatFormat::text;
   cli::catchStopSignals();
   const cli::StopDeadline deadline("stopped while standard output was blocked");
+  endWhereTruncated(options.log);
   Result<LogReader> log = LogReader::follow(options.log);
   if (!log) return log.error();
   cli::Exit exit = cli::Exit::done;
