@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/base/duration_text.h"
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/log/log_profile.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {

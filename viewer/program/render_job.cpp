@@ -12,6 +12,7 @@
 #include "viewer/backdrop/backdrop.h"
 #include "viewer/bake/cell_cache.h"
 #include "viewer/picture/picture_options.h"
+#include "viewer/program/measured_files.h"
 #include "viewer/program/render_files.h"
 #include "viewer/program/render_run.h"
 #include "viewer/view/inset_layout.h"
