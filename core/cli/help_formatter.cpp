@@ -10,9 +10,6 @@
 namespace rocinante::cli {
 namespace {
 
-/// The type of a positional, which is printed nowhere, where showRequired() marks it.
-constexpr const char* kRequired = "REQUIRED";
-
 constexpr const char* kExitCodes =
     "\nExit codes: 0 done, same or compatible; 1 the answer is no, or something was not kept;\n"
     "2 could not run, or nothing was judged.";
@@ -217,8 +214,6 @@ std::string examplesOf(std::string_view examples, const std::string& name) {
 }
 
 }  // namespace
-
-void showRequired(CLI::Option& positional) { positional.type_name(kRequired); }
 
 void setHelp(CLI::App& app, std::string_view examples) {
   const auto formatter = std::make_shared<HelpFormatter>();

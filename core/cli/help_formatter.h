@@ -4,7 +4,6 @@
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace rocinante::cli {
@@ -15,8 +14,8 @@ namespace rocinante::cli {
 /// Call it once every option and subcommand exists.
 void setHelp(CLI::App& app, std::string_view examples);
 
-/// The usage line shows this positional as required, though CLI11 does not ask for it: the program
-/// does, where an optional one stands before it and one word alone is meant for this.
-void showRequired(CLI::Option& positional);
+/// The type of a positional that the usage line shows as required, though CLI11 does not ask for
+/// it. It is printed nowhere.
+inline constexpr const char* kRequired = "REQUIRED";
 
 }  // namespace rocinante::cli

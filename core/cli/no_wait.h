@@ -1,13 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "core/cli/command_line.h"
 
 namespace rocinante::cli {
 
 /// `--no-wait`, the same in every program that opens endpoints: without it a NATS server that is
 /// not there yet is waited for, so that programs may be started in any order.
-inline void addNoWait(CLI::App& app, bool& no_wait) {
-  app.add_flag("--no-wait", no_wait, "end at once when a NATS server is not there yet");
+inline void addNoWait(CommandLine app, bool& no_wait) {
+  app.addFlag("--no-wait", no_wait, "end at once when a NATS server is not there yet");
 }
 
 /// For Endpoints, after parsing.

@@ -110,11 +110,12 @@ bool tellNotices() {
 
 }  // namespace
 
-int run(CLI::App& app, int argc, char** argv, std::string_view examples,
+int run(const Program& program, int argc, char** argv, std::string_view examples,
         const std::function<Result<Exit>()>& body) {
   fillClosedStandardStreams();
   // Makes write() report the file size limit as an error, like a full disk.
   ::signal(SIGXFSZ, SIG_IGN);
+  CLI::App& app = program.app();
   program_name = app.get_name();
   app.set_version_flag("--version", version());
   setHelp(app, examples);
@@ -145,6 +146,13 @@ int run(CLI::App& app, int argc, char** argv, std::string_view examples,
     warn(std::string("stopped by an internal error: ") + fault.what());
     return static_cast<int>(Exit::could_not_run);
   }
+}
+
+Result<Exit> runChosen(const std::vector<Subcommand>& subcommands) {
+  for (const Subcommand& each : subcommands) {
+    if (each.line.isChosen()) return each.run();
+  }
+  return Exit::could_not_run;
 }
 
 void catchStopSignals() {

@@ -5,12 +5,10 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
-
-namespace CLI {
-class App;
-}
+#include "core/cli/command_line.h"
 
 namespace rocinante::cli {
 
@@ -21,11 +19,19 @@ enum class Exit : int {
   could_not_run = 2  ///< arguments, files, display; or nothing was judged
 };
 
-/// Adds --version and the examples to `app`, parses, runs `body`, catches what libraries throw,
+/// Adds --version and the examples to `program`, parses, runs `body`, catches what libraries throw,
 /// prints an Error as one line on stderr ("rocinante-play: SENTENCE (PLACE)") and returns the exit
 /// code. `examples` is printed below --help.
-int run(CLI::App& app, int argc, char** argv, std::string_view examples,
+int run(const Program& program, int argc, char** argv, std::string_view examples,
         const std::function<Result<Exit>()>& body);
+
+/// A subcommand, and what it does once it was asked for.
+struct Subcommand {
+  CommandLine line;
+  std::function<Result<Exit>()> run;
+};
+/// Runs the one of them that was asked for: a body for run(), where Program::requireSubcommand().
+Result<Exit> runChosen(const std::vector<Subcommand>& subcommands);
 
 /// Becomes true on SIGINT or SIGTERM after catchStopSignals(); a second one more than half a second
 /// after the first ends the process at once.

@@ -1,39 +1,36 @@
 #include "core/cli/search_options.h"
 
-#include <CLI/CLI.hpp>
+#include "core/cli/command_line.h"
 
 namespace rocinante::cli {
 namespace {
 
-PackageFolder packageOf(const std::string& text) {
+Status addPackage(const std::string& text, ModelSearch& search) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-    throw CLI::ValidationError("--package", "`" + text + "` is not NAME=DIR");
+    return Error{ErrorKind::bad_argument, "`" + text + "` is not NAME=DIR", "--package"};
   }
-  return {text.substr(0, equals), text.substr(equals + 1)};
+  search.packages.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  return {};
 }
 
 }  // namespace
 
-void addSearchFolderOptions(CLI::App& app, ModelSearch& search) {
-  app.add_option("--search", search.search,
-                 "a root for package:// and relative names; may be repeated")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
-  app.add_option_function<std::vector<std::string>>(
-         "--package",
-         [&search](const std::vector<std::string>& given) {
-           for (const std::string& text : given) search.packages.push_back(packageOf(text));
-         },
-         "the folder for package://NAME/; may be repeated")
-      ->type_name("NAME=DIR")
-      ->allow_extra_args(false);
+void addSearchFolderOptions(CommandLine app, ModelSearch& search) {
+  app.addOption("--search", search.search,
+                "a root for package:// and relative names; may be repeated")
+      .valueName("DIR")
+      .oneEach();
+  const auto add_package = [&search](const std::string& text) { return addPackage(text, search); };
+  app.addParsed("--package", add_package, "the folder for package://NAME/; may be repeated")
+      .valueName("NAME=DIR")
+      .oneEach();
 }
 
-void addSearchOptions(CLI::App& app, ModelSearch& search) {
+void addSearchOptions(CommandLine app, ModelSearch& search) {
   addSearchFolderOptions(app, search);
-  app.add_flag("--search-env", search.search_environment,
-               "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
+  app.addFlag("--search-env", search.search_environment,
+              "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
 }
 
 std::vector<std::string> searchWords(const ModelSearch& search) {

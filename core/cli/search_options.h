@@ -4,18 +4,15 @@
 #include <vector>
 
 #include "core/base/model_search.h"
-
-namespace CLI {
-class App;
-}
+#include "core/cli/command_line.h"
 
 namespace rocinante::cli {
 
 /// Adds --search DIR, --package NAME=DIR and --search-env to a program or subcommand that loads
 /// models. `search` must outlive `app`.
-void addSearchOptions(CLI::App& app, ModelSearch& search);
+void addSearchOptions(CommandLine app, ModelSearch& search);
 /// Adds the first two alone: for programs that always search the environment.
-void addSearchFolderOptions(CLI::App& app, ModelSearch& search);
+void addSearchFolderOptions(CommandLine app, ModelSearch& search);
 
 /// The same options as command line words.
 std::vector<std::string> searchWords(const ModelSearch& search);

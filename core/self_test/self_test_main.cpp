@@ -1,7 +1,6 @@
 // rocinante-self-test: what `rocinante --self-test` runs. Reports what works on this machine, and
 // how to fix the rest. A separate program checks drawing; it is installed beside this one together
 // with the programs that draw.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -59,15 +58,15 @@ Result<std::vector<FactJob>> jobsFor(const std::vector<std::string>& only) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Reports what works on this machine, and how to fix the rest.",
-               "rocinante-self-test");
+  cli::Program app("Reports what works on this machine, and how to fix the rest.",
+                   "rocinante-self-test");
   std::vector<std::string> only;
   bool json = false;
-  app.add_option("--only", only, "check only these facts, separated by commas")
-      ->type_name("FACT,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_flag("--json", json, "print the facts as JSON");
+  app.addOption("--only", only, "check only these facts, separated by commas")
+      .valueName("FACT,...")
+      .separatedBy(',')
+      .oneEach();
+  app.addFlag("--json", json, "print the facts as JSON");
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     const Result<std::vector<FactJob>> jobs = jobsFor(only);
     if (!jobs) return jobs.error();

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -236,8 +235,8 @@ Result<cli::Exit> run(CheckArguments& my) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Checks whether a session fits a model: devices, joints, limits, losses.",
-               "rocinante-check");
+  cli::Program app("Checks whether a session fits a model: devices, joints, limits, losses.",
+                   "rocinante-check");
   CheckArguments my;
   declareCheck(app, my);
   return cli::run(app, argc, argv, kExamples, [&] { return run(my); });

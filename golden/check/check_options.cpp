@@ -1,7 +1,5 @@
 #include "golden/check/check_options.h"
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/duration_text.h"
 #include "core/cell/cell_rules.h"
 #include "core/check/rules/rule_list.h"
@@ -11,26 +9,27 @@ namespace rocinante {
 
 namespace {
 
-void declareWatch(CLI::App& app, CheckArguments& my, CLI::Option* live) {
-  auto* watch = app.add_flag("--watch", my.watch,
-                             "judge for ever: print each finding when it begins and when it ends")
-                    ->needs(live);
-  app.add_flag("--until-finding", my.until_finding,
-               "end when a finding that --fail-on counts begins")
-      ->needs(watch);
-  app.add_option("--on-finding", my.on_finding,
-                 "run this program, without a shell, for each finding that begins or ends:\n"
-                 "it reads the finding as JSON from its standard input")
-      ->needs(watch)
-      ->type_name("CMD");
-  app.add_option("--watch-severity", my.watch_severity, "pass over less severe findings")
-      ->needs(watch)
-      ->check(CLI::IsMember({"note", "warning", "error"}))
-      ->capture_default_str();
-  app.add_option("--hold", my.hold, "a finding ends when it has not occurred for TIME")
-      ->needs(watch)
-      ->type_name("TIME")
-      ->capture_default_str();
+void declareWatch(cli::CommandLine app, CheckArguments& my, cli::Option live) {
+  const cli::Option watch =
+      app.addFlag("--watch", my.watch,
+                  "judge for ever: print each finding when it begins and when it ends")
+          .needs(live);
+  app.addFlag("--until-finding", my.until_finding,
+              "end when a finding that --fail-on counts begins")
+      .needs(watch);
+  app.addOption("--on-finding", my.on_finding,
+                "run this program, without a shell, for each finding that begins or ends:\n"
+                "it reads the finding as JSON from its standard input")
+      .needs(watch)
+      .valueName("CMD");
+  app.addOption("--watch-severity", my.watch_severity, "pass over less severe findings")
+      .needs(watch)
+      .oneOf({"note", "warning", "error"})
+      .showDefault();
+  app.addOption("--hold", my.hold, "a finding ends when it has not occurred for TIME")
+      .needs(watch)
+      .valueName("TIME")
+      .showDefault();
 }
 
 Severity severityNamed(std::string_view name) {
@@ -42,65 +41,68 @@ Severity severityNamed(std::string_view name) {
 
 }  // namespace
 
-void declareCheck(CLI::App& app, CheckArguments& my) {
-  auto* cell =
-      app.add_option("CELL", my.cell, "a cell, a model file, or a log that carries its cell");
-  auto* log = app.add_option("LOG", my.log, "a recorded session");
-  auto* live = app.add_option("--live", my.live,
-                              "judge live packets received on EP; may be repeated: all of them "
-                              "together")
-                   ->type_name("EP")
-                   ->allow_extra_args(false);
-  live->excludes(log)->needs(cell);
-  app.add_option("--duration", my.duration,
-                 "how long to listen; default 2s, with --watch until it is stopped")
-      ->needs(live)
-      ->type_name("TIME");
-  app.add_option("--trust", my.trust,
-                 "judge only what is signed with a key of this file (rocinante key)")
-      ->needs(live)
-      ->type_name("FILE");
-  app.add_option("--decoders", my.decoders,
-                 "judge what is not packet text as this file declares; default: the cell's")
-      ->type_name("FILE");
+void declareCheck(cli::CommandLine app, CheckArguments& my) {
+  const cli::Option cell =
+      app.addOption("CELL", my.cell, "a cell, a model file, or a log that carries its cell");
+  const cli::Option log = app.addOption("LOG", my.log, "a recorded session");
+  const cli::Option live =
+      app.addOption("--live", my.live,
+                    "judge live packets received on EP; may be repeated: all of them "
+                    "together")
+          .valueName("EP")
+          .oneEach();
+  live.excludes(log).needs(cell);
+  app.addOption("--duration", my.duration,
+                "how long to listen; default 2s, with --watch until it is stopped")
+      .needs(live)
+      .valueName("TIME");
+  app.addOption("--trust", my.trust,
+                "judge only what is signed with a key of this file (rocinante key)")
+      .needs(live)
+      .valueName("FILE");
+  app.addOption("--decoders", my.decoders,
+                "judge what is not packet text as this file declares; default: the cell's")
+      .valueName("FILE");
   declareWatch(app, my, live);
   cli::addSearchOptions(app, my);
 
-  app.add_option("--rule", my.rules,
-                 "set a rule's severity, over the cell's: RULE=off|note|warning|error")
-      ->type_name("RULE=SEVERITY");
-  app.add_option("--preset", my.preset, "severities for a purpose, below those of --rule: ci")
-      ->check(CLI::IsMember({"ci"}));
-  auto* fail_on =
-      app.add_option("--fail-on", my.fail_on, "exit with 1 if a finding is at least this severe")
-          ->check(CLI::IsMember({"note", "warning", "error"}))
-          ->capture_default_str();
-  app.add_flag("--strict", my.strict, "the same as --fail-on warning")->excludes(fail_on);
-  auto* baseline = app.add_option("--baseline", my.baseline, "file of accepted findings");
-  app.add_flag("--update-baseline", my.update_baseline,
-               "write the current findings into the baseline and accept them")
-      ->needs(baseline)
-      ->excludes("--watch");
+  app.addOption("--rule", my.rules,
+                "set a rule's severity, over the cell's: RULE=off|note|warning|error")
+      .valueName("RULE=SEVERITY");
+  app.addOption("--preset", my.preset, "severities for a purpose, below those of --rule: ci")
+      .oneOf({"ci"});
+  const cli::Option fail_on =
+      app.addOption("--fail-on", my.fail_on, "exit with 1 if a finding is at least this severe")
+          .oneOf({"note", "warning", "error"})
+          .showDefault();
+  app.addFlag("--strict", my.strict, "the same as --fail-on warning").excludes(fail_on);
+  const cli::Option baseline =
+      app.addOption("--baseline", my.baseline, "file of accepted findings");
+  app.addFlag("--update-baseline", my.update_baseline,
+              "write the current findings into the baseline and accept them")
+      .needs(baseline)
+      .excludes("--watch");
 
-  auto* format = app.add_option("--format", my.format, "the format of standard output")
-                     ->check(CLI::IsMember({"text", "json", "junit", "sarif", "github"}))
-                     ->capture_default_str();
-  app.add_flag("--json", my.json, "the same as --format json")->excludes(format);
-  app.add_option("-o,--output", my.outputs,
-                 "also write text, json, junit, sarif or github to a file; repeatable")
-      ->type_name("FORMAT=FILE")
-      ->excludes("--watch");
-  app.add_flag("--force", my.force, "overwrite files of --output");
-  app.add_flag("-q,--quiet", my.quiet, "text: only counts and verdict");
-  app.add_option("--most", my.most_a_rule, "text, github: most findings shown per rule; 0: all")
-      ->capture_default_str();
-  app.add_option("--rule-pages", my.rule_pages, "sarif: the URL of docs/rules");
+  const cli::Option format = app.addOption("--format", my.format, "the format of standard output")
+                                 .oneOf({"text", "json", "junit", "sarif", "github"})
+                                 .showDefault();
+  app.addFlag("--json", my.json, "the same as --format json").excludes(format);
+  app.addOption("-o,--output", my.outputs,
+                "also write text, json, junit, sarif or github to a file; repeatable")
+      .valueName("FORMAT=FILE")
+      .excludes("--watch");
+  app.addFlag("--force", my.force, "overwrite files of --output");
+  app.addFlag("-q,--quiet", my.quiet, "text: only counts and verdict");
+  app.addOption("--most", my.most_a_rule, "text, github: most findings shown per rule; 0: all")
+      .showDefault();
+  app.addOption("--rule-pages", my.rule_pages, "sarif: the URL of docs/rules");
 
-  auto* list = app.add_flag("--list-rules", my.list_rules, "list every rule with its severity");
-  auto* explain =
-      app.add_option("--explain", my.explain, "explain a rule and what to do")->type_name("RULE");
-  list->excludes(explain)->excludes(cell);
-  explain->excludes(cell);
+  const cli::Option list =
+      app.addFlag("--list-rules", my.list_rules, "list every rule with its severity");
+  const cli::Option explain =
+      app.addOption("--explain", my.explain, "explain a rule and what to do").valueName("RULE");
+  list.excludes(explain).excludes(cell);
+  explain.excludes(cell);
 }
 
 Result<std::vector<CellRule>> readRuleArguments(const CheckArguments& arguments) {

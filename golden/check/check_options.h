@@ -6,11 +6,8 @@
 #include "core/base/result.h"
 #include "core/cell/cell.h"
 #include "core/check/reports/report_formats.h"
+#include "core/cli/command_line.h"
 #include "golden/check/check_watch.h"
-
-namespace CLI {
-class App;
-}
 
 namespace rocinante {
 
@@ -40,7 +37,7 @@ struct CheckArguments : ModelSearch {
   bool wantsJson() const { return json || format == "json"; }
 };
 
-void declareCheck(CLI::App& app, CheckArguments& arguments);
+void declareCheck(cli::CommandLine app, CheckArguments& arguments);
 
 /// The rules given by --rule; bad_argument for an unknown rule or severity.
 Result<std::vector<CellRule>> readRuleArguments(const CheckArguments& arguments);

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -156,39 +155,40 @@ Result<std::string> suiteText(const AddArguments& arguments) {
 
 }  // namespace
 
-CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments) {
-  CLI::App* command = app.add_subcommand("add", "append a case to a suite, without a picture");
+cli::CommandLine addCaseCommand(cli::CommandLine app, AddArguments& arguments) {
+  const cli::CommandLine command =
+      app.addSubcommand("add", "append a case to a suite, without a picture");
   const auto list = [&](const char* option, std::vector<std::string>& values, const char* text) {
-    command->add_option(option, values, text)->allow_extra_args(false);
+    command.addOption(option, values, text).oneEach();
   };
-  command->add_option("SUITE", arguments.suite, "the suite's TOML file")->required();
-  command->add_option("--case", arguments.name, "the case's name")->required();
-  command->add_option("--at", arguments.at, "a session time, or the text of an event");
-  command->add_option("--event", arguments.event, "the event with this text");
-  command->add_option("--occurrence", arguments.occurrence,
-                      "which of several such events: 1 first, -1 last");
-  command->add_option("--events", arguments.events,
-                      "one frame per event whose text matches this pattern");
-  command->add_option("--after", arguments.after, "delay after the event");
-  command->add_option("--every", arguments.every, "one frame per period, as 500ms");
+  command.addOption("SUITE", arguments.suite, "the suite's TOML file").required();
+  command.addOption("--case", arguments.name, "the case's name").required();
+  command.addOption("--at", arguments.at, "a session time, or the text of an event");
+  command.addOption("--event", arguments.event, "the event with this text");
+  command.addOption("--occurrence", arguments.occurrence,
+                    "which of several such events: 1 first, -1 last");
+  command.addOption("--events", arguments.events,
+                    "one frame per event whose text matches this pattern");
+  command.addOption("--after", arguments.after, "delay after the event");
+  command.addOption("--every", arguments.every, "one frame per period, as 500ms");
   list("--camera", arguments.cameras, "a camera of the cell or the session; repeatable");
-  command->add_option("--size", arguments.size, "picture size in pixels, as 640x480");
-  command->add_option("--samples", arguments.samples, "1 or 4");
+  command.addOption("--size", arguments.size, "picture size in pixels, as 640x480");
+  command.addOption("--samples", arguments.samples, "1 or 4");
   list("--layer", arguments.layers, "draw only this layer; repeatable");
   list("--hide", arguments.hide, "do not draw PATH; repeatable");
   list("--show", arguments.show, "draw PATH even if hidden; repeatable");
   list("--mask", arguments.mask, "do not judge PATH; repeatable");
   list("--style", arguments.style, "a style, as KEY=VALUE; repeatable");
-  command->add_option("--tolerance", arguments.tolerance,
-                      "exact, rounding, cpu, loose or a tolerance of the suite");
-  command->add_option("--expect", arguments.expect,
-                      "`different`: expect a difference; needs --reason");
-  command->add_option("--reason", arguments.reason, "why a difference is expected");
+  command.addOption("--tolerance", arguments.tolerance,
+                    "exact, rounding, cpu, loose or a tolerance of the suite");
+  command.addOption("--expect", arguments.expect,
+                    "`different`: expect a difference; needs --reason");
+  command.addOption("--reason", arguments.reason, "why a difference is expected");
   list("--tag", arguments.tags, "repeatable");
-  command->add_option("--cell", arguments.cell,
-                      "of a new suite; of a suite that exists it must be the same");
-  command->add_option("--log", arguments.log,
-                      "of a new suite; of a suite that exists it must be the same");
+  command.addOption("--cell", arguments.cell,
+                    "of a new suite; of a suite that exists it must be the same");
+  command.addOption("--log", arguments.log,
+                    "of a new suite; of a suite that exists it must be the same");
   return command;
 }
 

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <optional>
@@ -233,40 +232,41 @@ Result<std::optional<ApprovalList>> listOf(const ApproveArguments& arguments) {
 
 }  // namespace
 
-CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
-  CLI::App* command = app.add_subcommand("approve", "accept the frames drawn now as goldens");
-  addSuiteOptions(*command, arguments.suite);
-  addIncompleteOption(*command, arguments.suite);
-  command->add_option("-m,--message", arguments.message, "why; kept in the manifest")->required();
+cli::CommandLine addApproveCommand(cli::CommandLine app, ApproveArguments& arguments) {
+  const cli::CommandLine command =
+      app.addSubcommand("approve", "accept the frames drawn now as goldens");
+  addSuiteOptions(command, arguments.suite);
+  addIncompleteOption(command, arguments.suite);
+  command.addOption("-m,--message", arguments.message, "why; kept in the manifest").required();
   command
-      ->add_option("--from", arguments.from,
-                   "only frames and runs of this list that match it (as copied from the report)")
-      ->type_name("LIST");
-  CLI::Option* const artifact =
+      .addOption("--from", arguments.from,
+                 "only frames and runs of this list that match it (as copied from the report)")
+      .valueName("LIST");
+  const cli::Option artifact =
       command
-          ->add_option("--artifact", arguments.artifact,
-                       "take the pictures of this report of CI (a folder or ZIP file) instead of "
-                       "drawing")
-          ->type_name("DIR|ZIP")
-          ->needs("--from");
+          .addOption("--artifact", arguments.artifact,
+                     "take the pictures of this report of CI (a folder or ZIP file) instead of "
+                     "drawing")
+          .valueName("DIR|ZIP")
+          .needs("--from");
   for (const char* of_drawing :
        {"--log", "--only", "--tag", "--not-tag", "--shard", "--incomplete"}) {
-    artifact->excludes(command->get_option(of_drawing));
+    artifact.excludes(command.option(of_drawing));
   }
-  command->add_flag("--also", arguments.also, "keep the pictures accepted so far");
-  command->add_flag("-i,--interactive", arguments.interactive, "ask about each frame")
-      ->excludes(artifact);
-  CLI::Option* const run =
+  command.addFlag("--also", arguments.also, "keep the pictures accepted so far");
+  command.addFlag("-i,--interactive", arguments.interactive, "ask about each frame")
+      .excludes(artifact);
+  const cli::Option run =
       command
-          ->add_option("--run", arguments.run,
-                       "add the log under test of this [[run]] to its accepted ones; draws nothing")
-          ->type_name("RUN")
-          ->excludes(artifact);
-  command->add_flag("--replace", arguments.replace, "with --run: instead of those accepted so far")
-      ->needs(run);
-  command->add_flag("--anyway", arguments.anyway,
-                    "also a log of a run that `check` finds incompatible, or that widens what is "
-                    "accepted very far");
+          .addOption("--run", arguments.run,
+                     "add the log under test of this [[run]] to its accepted ones; draws nothing")
+          .valueName("RUN")
+          .excludes(artifact);
+  command.addFlag("--replace", arguments.replace, "with --run: instead of those accepted so far")
+      .needs(run);
+  command.addFlag("--anyway", arguments.anyway,
+                  "also a log of a run that `check` finds incompatible, or that widens what is "
+                  "accepted very far");
   return command;
 }
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <tuple>
@@ -306,27 +305,26 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
 
 }  // namespace
 
-CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments) {
-  CLI::App* command = app.add_subcommand(
+cli::CommandLine addBisectCommand(cli::CommandLine app, BisectArguments& arguments) {
+  const cli::CommandLine command = app.addSubcommand(
       "bisect", "find the first time at which two logs, cells or builds draw different pictures");
-  command->add_option("CELL", arguments.cell, "the cell; default: the one that LOG carries");
-  cli::showRequired(*command->add_option("LOG", arguments.log, "the session"));
-  command->add_option("--other-log", arguments.other_log, "compare with this log");
-  command->add_option("--other-cell", arguments.other_cell, "compare with this cell");
-  command->add_option("--other-render", arguments.other_render,
-                      "compare with this rocinante-render of another build");
-  command->add_option("--camera", arguments.camera, "a camera of the cell; default: its first");
-  command->add_option("--size", arguments.size, "picture size")->capture_default_str();
-  command->add_option("--samples", arguments.samples, "multisampling: 1 or 4")
-      ->capture_default_str();
-  command->add_option("--from", arguments.from, "start at this session time");
-  command->add_option("--until", arguments.until, "end before this session time");
+  command.addOption("CELL", arguments.cell, "the cell; default: the one that LOG carries");
+  command.addOption("LOG", arguments.log, "the session").showRequired();
+  command.addOption("--other-log", arguments.other_log, "compare with this log");
+  command.addOption("--other-cell", arguments.other_cell, "compare with this cell");
+  command.addOption("--other-render", arguments.other_render,
+                    "compare with this rocinante-render of another build");
+  command.addOption("--camera", arguments.camera, "a camera of the cell; default: its first");
+  command.addOption("--size", arguments.size, "picture size").showDefault();
+  command.addOption("--samples", arguments.samples, "multisampling: 1 or 4").showDefault();
+  command.addOption("--from", arguments.from, "start at this session time");
+  command.addOption("--until", arguments.until, "end before this session time");
   command
-      ->add_option("--most-frames", arguments.most_frames,
-                   "compare up to this many moments one by one; bisect longer ranges")
-      ->capture_default_str();
-  cli::addSearchOptions(*command, arguments);
-  command->add_flag("--json", arguments.json, "answer as JSON");
+      .addOption("--most-frames", arguments.most_frames,
+                 "compare up to this many moments one by one; bisect longer ranges")
+      .showDefault();
+  cli::addSearchOptions(command, arguments);
+  command.addFlag("--json", arguments.json, "answer as JSON");
   return command;
 }
 

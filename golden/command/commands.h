@@ -27,7 +27,7 @@ struct RunArguments {
   std::filesystem::path viewer;  ///< folder of what they are made of; empty: the installed one
   int jobs = 1;                  ///< 0: by the number of frames and processors
 };
-CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments);
+cli::CommandLine addRunCommand(cli::CommandLine app, RunArguments& arguments);
 /// Draws every frame, judges it, writes the reports and prints the verdicts.
 Result<cli::Exit> runSuiteCommand(const RunArguments& arguments);
 
@@ -43,7 +43,7 @@ struct ApproveArguments {
   bool anyway = false;   ///< of a run: also a log that is refused otherwise
   bool also = false;     ///< keep the pictures accepted so far
 };
-CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments);
+cli::CommandLine addApproveCommand(cli::CommandLine app, ApproveArguments& arguments);
 /// Makes the frames drawn now the goldens of the selected frames.
 Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments);
 
@@ -52,7 +52,7 @@ struct SuggestArguments {
   std::string run;
   std::vector<std::filesystem::path> recordings;
 };
-CLI::App* addSuggestCommand(CLI::App& app, SuggestArguments& arguments);
+cli::CommandLine addSuggestCommand(cli::CommandLine app, SuggestArguments& arguments);
 /// Prints the limits of a run with which recordings of it accept each other, as TOML.
 Result<cli::Exit> runSuggestCommand(const SuggestArguments& arguments);
 
@@ -62,7 +62,7 @@ struct ListArguments {
   bool verify = false;  ///< read every golden and check its hash
   bool json = false;
 };
-CLI::App* addListCommand(CLI::App& app, ListArguments& arguments);
+cli::CommandLine addListCommand(cli::CommandLine app, ListArguments& arguments);
 /// Prints the frames with their goldens and the faults of the folder. Draws nothing.
 Result<cli::Exit> runListCommand(const ListArguments& arguments);
 
@@ -74,7 +74,7 @@ struct AddArguments {
   int occurrence = 0, samples = 0;
   std::vector<std::string> cameras, layers, hide, show, mask, tags, style;
 };
-CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments);
+cli::CommandLine addCaseCommand(cli::CommandLine app, AddArguments& arguments);
 /// Appends the case to the suite's file; does not draw or approve.
 Result<cli::Exit> runAddCommand(const AddArguments& arguments);
 
@@ -88,8 +88,8 @@ struct GcArguments {
   int keep_days = 14;
   bool dry_run = false;
 };
-CLI::App* addPushCommand(CLI::App& app, PushArguments& arguments);
-CLI::App* addGcCommand(CLI::App& app, GcArguments& arguments);
+cli::CommandLine addPushCommand(cli::CommandLine app, PushArguments& arguments);
+cli::CommandLine addGcCommand(cli::CommandLine app, GcArguments& arguments);
 /// Puts what the suites' manifests name into the ref of their store.
 Result<cli::Exit> runPushCommand(const PushArguments& arguments);
 /// Removes from the ref of a suite's store what no branch names.
@@ -101,7 +101,7 @@ struct DiffArguments {
   std::filesystem::path suite;  ///< empty: every manifest of goldens in the repository
   std::string report, json_file;
 };
-CLI::App* addDiffCommand(CLI::App& app, DiffArguments& arguments);
+cli::CommandLine addDiffCommand(cli::CommandLine app, DiffArguments& arguments);
 /// Prints which goldens changed since a git revision. Exit code 0: none, 1: some.
 Result<cli::Exit> runDiffCommand(const DiffArguments& arguments);
 
@@ -110,7 +110,7 @@ struct ReportArguments {
   std::vector<std::filesystem::path> folders;
   ReportFiles files;
 };
-CLI::App* addReportCommand(CLI::App& app, ReportArguments& arguments);
+cli::CommandLine addReportCommand(cli::CommandLine app, ReportArguments& arguments);
 /// Merges the reports of shards; the exit code is that of a single run.
 Result<cli::Exit> runReportCommand(const ReportArguments& arguments);
 
@@ -122,7 +122,7 @@ struct SessionArguments : ModelSearch {
   RunLimits limits;
   bool no_pictures = false, json = false;
 };
-CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments);
+cli::CommandLine addSessionCommand(cli::CommandLine app, SessionArguments& arguments);
 Result<cli::Exit> runSessionCommand(const SessionArguments& arguments);
 
 /// Arguments of `rocinante golden bisect`.
@@ -133,7 +133,7 @@ struct BisectArguments : ModelSearch {
   std::size_t most_frames = 2000;
   bool json = false;
 };
-CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments);
+cli::CommandLine addBisectCommand(cli::CommandLine app, BisectArguments& arguments);
 Result<cli::Exit> runBisectCommand(const BisectArguments& arguments);
 
 /// Makes the pictures that a job of CI drew the goldens of the frames in `list`. Draws nothing and

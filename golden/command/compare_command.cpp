@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "core/base/figure_text.h"
@@ -67,20 +66,19 @@ void printAnswer(const FilesComparison& files, bool quiet) {
 
 }  // namespace
 
-CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
-  CLI::App* command = app.add_subcommand("compare", "compare two pictures");
-  command->add_option("A", arguments.frame, "a picture; - is standard input")->required();
-  command->add_option("B", arguments.golden, "the picture to compare it with")->required();
-  command->add_option("--tier", arguments.tier, kTierNames)->capture_default_str();
+cli::CommandLine addCompareCommand(cli::CommandLine app, CompareArguments& arguments) {
+  const cli::CommandLine command = app.addSubcommand("compare", "compare two pictures");
+  command.addOption("A", arguments.frame, "a picture; - is standard input").required();
+  command.addOption("B", arguments.golden, "the picture to compare it with").required();
+  command.addOption("--tier", arguments.tier, kTierNames).showDefault();
   command
-      ->add_option("--mask", arguments.masks,
-                   "X,Y,WIDTHxHEIGHT: leave these pixels out; repeatable")
-      ->type_name("RECT")
-      ->allow_extra_args(false);
-  command->add_option("--difference", arguments.difference, "write a picture of the differences");
-  command->add_flag("--force", arguments.force, "replace an existing --difference file");
-  command->add_flag("-q,--quiet", arguments.quiet, "only the verdict, no figures or map");
-  command->add_flag("--json", arguments.json, "print all figures as JSON");
+      .addOption("--mask", arguments.masks, "X,Y,WIDTHxHEIGHT: leave these pixels out; repeatable")
+      .valueName("RECT")
+      .oneEach();
+  command.addOption("--difference", arguments.difference, "write a picture of the differences");
+  command.addFlag("--force", arguments.force, "replace an existing --difference file");
+  command.addFlag("-q,--quiet", arguments.quiet, "only the verdict, no figures or map");
+  command.addFlag("--json", arguments.json, "print all figures as JSON");
   return command;
 }
 

@@ -20,7 +20,7 @@ struct CompareArguments {
 };
 
 /// Adds the sub-command `compare` to `app`; parsing fills `arguments`, which must outlive it.
-CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments);
+cli::CommandLine addCompareCommand(cli::CommandLine app, CompareArguments& arguments);
 
 /// Compares the two pictures and prints the answer.
 Result<cli::Exit> runCompareCommand(const CompareArguments& arguments);

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 
@@ -126,16 +125,15 @@ Result<std::vector<JudgedFrame>> allChanges(const DiffArguments& arguments) {
 
 }  // namespace
 
-CLI::App* addDiffCommand(CLI::App& app, DiffArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("diff", "list the goldens that changed since a git revision");
-  command->add_option("REV", arguments.revision, "a commit, branch or tag")->required();
-  command->add_option("SUITE", arguments.suite, "default: every suite of the repository");
-  command->add_option("--report", arguments.report, "folder for index.html and the pictures");
+cli::CommandLine addDiffCommand(cli::CommandLine app, DiffArguments& arguments) {
+  const cli::CommandLine command =
+      app.addSubcommand("diff", "list the goldens that changed since a git revision");
+  command.addOption("REV", arguments.revision, "a commit, branch or tag").required();
+  command.addOption("SUITE", arguments.suite, "default: every suite of the repository");
+  command.addOption("--report", arguments.report, "folder for index.html and the pictures");
   command
-      ->add_option("--json", arguments.json_file, "write the changes as JSON; - is standard output")
-      ->expected(0, 1)
-      ->default_str("-");
+      .addOption("--json", arguments.json_file, "write the changes as JSON; - is standard output")
+      .bareMeans("-");
   return command;
 }
 

@@ -1,6 +1,5 @@
 // rocinante-golden-compare: what `rocinante golden compare` runs. The renderer's libraries take
 // longer to load than two pictures take to compare, and comparing needs none of them.
-#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "core/cli/program.h"
@@ -13,8 +12,9 @@ int main(int argc, char** argv) {
   words.insert(words.begin() + (argc > 0 ? 1 : 0), verb);
   words.push_back(nullptr);
 
-  CLI::App app("Visual regression: any two pictures against each other.", "rocinante-golden");
-  app.require_subcommand(1);
+  rocinante::cli::Program app("Visual regression: any two pictures against each other.",
+                              "rocinante-golden");
+  app.requireSubcommand();
   rocinante::CompareArguments arguments;
   rocinante::addCompareCommand(app, arguments);
   return rocinante::cli::run(app, argc + 1, words.data(),

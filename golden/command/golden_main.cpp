@@ -1,7 +1,6 @@
 // rocinante-golden: visual regression (docs/programs/golden.md).
-#include <CLI/CLI.hpp>
-#include <functional>
 #include <memory>
+#include <vector>
 
 #include "core/cli/program.h"
 #include "golden/command/commands.h"
@@ -26,39 +25,37 @@ constexpr char kExamples[] =
     "  rocinante golden report shard-1 shard-2 shard-3 --report out/report --junit out/junit.xml\n"
     "  rocinante golden compare before.png after.png --tier cpu\n";
 
-using Chosen = std::function<Result<cli::Exit>()>;
+using Commands = std::vector<cli::Subcommand>;
 
-/// Declares a subcommand; `chosen` does it once it was asked for.
 template <class Arguments>
-CLI::App& add(CLI::App& app, Chosen& chosen, CLI::App* (*declare)(CLI::App&, Arguments&),
-              Result<cli::Exit> (*run)(const Arguments&)) {
+cli::CommandLine add(cli::CommandLine app, Commands& commands,
+                     cli::CommandLine (*declare)(cli::CommandLine, Arguments&),
+                     Result<cli::Exit> (*run)(const Arguments&)) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App& command = *declare(app, *arguments);
-  command.callback(
-      [&chosen, arguments, run] { chosen = [arguments, run] { return run(*arguments); }; });
-  return command;
+  commands.push_back({declare(app, *arguments), [arguments, run] { return run(*arguments); }});
+  return commands.back().line;
 }
 
 int goldenMain(int argc, char** argv) {
-  CLI::App app("Visual regression: frames of a cell and a log against accepted pictures.",
-               "rocinante-golden");
-  app.require_subcommand(1);
-  Chosen chosen;
-  addContextOption(add(app, chosen, addRunCommand, runSuiteCommand));
-  addContextOption(add(app, chosen, addApproveCommand, runApproveCommand));
-  add(app, chosen, addListCommand, runListCommand);
-  add(app, chosen, addCaseCommand, runAddCommand);
-  addContextOption(add(app, chosen, addDiffCommand, runDiffCommand));
-  add(app, chosen, addReportCommand, runReportCommand);
-  add(app, chosen, addCompareCommand, runCompareCommand);
-  addContextOption(add(app, chosen, addBisectCommand, runBisectCommand));
-  addContextOption(add(app, chosen, addSessionCommand, runSessionCommand));
-  add(app, chosen, addSuggestCommand, runSuggestCommand);
-  add(app, chosen, addPushCommand, runPushCommand);
-  add(app, chosen, addGcCommand, runGcCommand);
+  cli::Program app("Visual regression: frames of a cell and a log against accepted pictures.",
+                   "rocinante-golden");
+  app.requireSubcommand();
+  Commands commands;
+  addContextOption(add(app, commands, addRunCommand, runSuiteCommand));
+  addContextOption(add(app, commands, addApproveCommand, runApproveCommand));
+  add(app, commands, addListCommand, runListCommand);
+  add(app, commands, addCaseCommand, runAddCommand);
+  addContextOption(add(app, commands, addDiffCommand, runDiffCommand));
+  add(app, commands, addReportCommand, runReportCommand);
+  add(app, commands, addCompareCommand, runCompareCommand);
+  addContextOption(add(app, commands, addBisectCommand, runBisectCommand));
+  addContextOption(add(app, commands, addSessionCommand, runSessionCommand));
+  add(app, commands, addSuggestCommand, runSuggestCommand);
+  add(app, commands, addPushCommand, runPushCommand);
+  add(app, commands, addGcCommand, runGcCommand);
   return cli::run(app, argc, argv, kExamples, [&] {
     cli::catchStopSignals();
-    return chosen();
+    return cli::runChosen(commands);
   });
 }
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "core/base/duration_text.h"
@@ -105,12 +104,12 @@ void printJson(const SuiteSession& session, const std::vector<std::string>& faul
 
 }  // namespace
 
-CLI::App* addListCommand(CLI::App& app, ListArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("list", "list the frames of a suite, their goldens and stale files");
-  addSuiteOptions(*command, arguments.suite);
-  command->add_flag("--verify", arguments.verify, "read every golden and check its hash");
-  command->add_flag("--json", arguments.json, "print the answer as JSON");
+cli::CommandLine addListCommand(cli::CommandLine app, ListArguments& arguments) {
+  const cli::CommandLine command =
+      app.addSubcommand("list", "list the frames of a suite, their goldens and stale files");
+  addSuiteOptions(command, arguments.suite);
+  command.addFlag("--verify", arguments.verify, "read every golden and check its hash");
+  command.addFlag("--json", arguments.json, "print the answer as JSON");
   return command;
 }
 

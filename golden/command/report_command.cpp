@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "golden/command/commands.h"
@@ -10,11 +9,10 @@
 
 namespace rocinante {
 
-CLI::App* addReportCommand(CLI::App& app, ReportArguments& arguments) {
-  CLI::App* command = app.add_subcommand("report", "merge the reports of shards");
-  command->add_option("DIR", arguments.folders, "folders written by `run --report DIR`")
-      ->required();
-  addReportFiles(*command, arguments.files);
+cli::CommandLine addReportCommand(cli::CommandLine app, ReportArguments& arguments) {
+  const cli::CommandLine command = app.addSubcommand("report", "merge the reports of shards");
+  command.addOption("DIR", arguments.folders, "folders written by `run --report DIR`").required();
+  addReportFiles(command, arguments.files);
   return command;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -24,19 +23,18 @@ Status appendToFile(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-void addReportFiles(CLI::App& command, ReportFiles& files) {
-  command.add_option("--report", files.folder, "folder for index.html and the pictures");
-  command.add_option("--junit", files.junit, "write JUnit XML");
-  command.add_option("--sarif", files.sarif, "write SARIF 2.1.0, for code scanning");
-  command.add_option("--summary", files.summary,
-                     "append Markdown for the job's page, as to $GITHUB_STEP_SUMMARY");
-  CLI::Option* const json =
+void addReportFiles(cli::CommandLine command, ReportFiles& files) {
+  command.addOption("--report", files.folder, "folder for index.html and the pictures");
+  command.addOption("--junit", files.junit, "write JUnit XML");
+  command.addOption("--sarif", files.sarif, "write SARIF 2.1.0, for code scanning");
+  command.addOption("--summary", files.summary,
+                    "append Markdown for the job's page, as to $GITHUB_STEP_SUMMARY");
+  const cli::Option json =
       command
-          .add_option("--json", files.json_file, "write the verdicts as JSON; - is standard output")
-          ->expected(0, 1)
-          ->default_str("-");
-  command.add_flag("--github", files.github, "annotate the suite file in GitHub Actions")
-      ->excludes(json);
+          .addOption("--json", files.json_file, "write the verdicts as JSON; - is standard output")
+          .bareMeans("-");
+  command.addFlag("--github", files.github, "annotate the suite file in GitHub Actions")
+      .excludes(json);
 }
 
 Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {

@@ -23,7 +23,7 @@ struct ReportFiles {
 
 /// Adds --report, --junit, --json, --sarif, --summary and --github to a subcommand; parsing fills
 /// `files`, which must outlive it.
-void addReportFiles(CLI::App& command, ReportFiles& files);
+void addReportFiles(cli::CommandLine command, ReportFiles& files);
 
 Status writeReportFiles(const SuiteReport& report, const ReportFiles& files);
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <thread>
 #include <tuple>
@@ -172,30 +171,30 @@ Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bo
 
 }  // namespace
 
-CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
-  CLI::App* command = app.add_subcommand("run", "draw and judge every case");
-  addSuiteOptions(*command, arguments.suite);
-  addIncompleteOption(*command, arguments.suite);
+cli::CommandLine addRunCommand(cli::CommandLine app, RunArguments& arguments) {
+  const cli::CommandLine command = app.addSubcommand("run", "draw and judge every case");
+  addSuiteOptions(command, arguments.suite);
+  addIncompleteOption(command, arguments.suite);
   command
-      ->add_option("-j,--jobs", arguments.jobs,
-                   "drawing processes; 0: chosen from the frames and processors")
-      ->check(CLI::Range(0, 64))
-      ->capture_default_str();
-  command->add_flag("-v,--verbose", arguments.verbose,
-                    "print why each frame differs link by link, and a map of where");
-  addReportFiles(*command, arguments.files);
-  auto* pages =
+      .addOption("-j,--jobs", arguments.jobs,
+                 "drawing processes; 0: chosen from the frames and processors")
+      .within(0, 64)
+      .showDefault();
+  command.addFlag("-v,--verbose", arguments.verbose,
+                  "print why each frame differs link by link, and a map of where");
+  addReportFiles(command, arguments.files);
+  const cli::Option pages =
       command
-          ->add_flag("--page", arguments.pages,
-                     "with --report: a page of the session of what is not fine, which opens in a "
-                     "browser at its moment")
-          ->needs("--report");
+          .addFlag("--page", arguments.pages,
+                   "with --report: a page of the session of what is not fine, which opens in a "
+                   "browser at its moment")
+          .needs("--report");
   command
-      ->add_option("--viewer", arguments.viewer,
-                   "with --page: the folder of rocinante-viewer.js and .wasm; without it, the "
-                   "installed one")
-      ->option_text("DIR")
-      ->needs(pages);
+      .addOption("--viewer", arguments.viewer,
+                 "with --page: the folder of rocinante-viewer.js and .wasm; without it, the "
+                 "installed one")
+      .valueText("DIR")
+      .needs(pages);
   return command;
 }
 

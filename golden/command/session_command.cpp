@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <tuple>
 
@@ -52,23 +51,23 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
 
 }  // namespace
 
-CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments) {
-  CLI::App* command = app.add_subcommand(
+cli::CommandLine addSessionCommand(cli::CommandLine app, SessionArguments& arguments) {
+  const cli::CommandLine command = app.addSubcommand(
       "session", "compare two recordings of one scenario, aligned by their events");
-  command->add_option("A", arguments.a, "the accepted recording")->required();
-  command->add_option("B", arguments.b, "the new recording")->required();
-  command->add_option("CELL", arguments.cell, "the cell; default: the one that A carries");
+  command.addOption("A", arguments.a, "the accepted recording").required();
+  command.addOption("B", arguments.b, "the new recording").required();
+  command.addOption("CELL", arguments.cell, "the cell; default: the one that A carries");
   command
-      ->add_option("--accepted", arguments.more_accepted,
-                   "one more accepted recording beside A; may be repeated: B is judged in the band "
-                   "of all")
-      ->type_name("LOG")
-      ->allow_extra_args(false);
-  command->add_option("--align", arguments.align, "how times are matched: events, origin or warp")
-      ->check(CLI::IsMember({"events", "origin", "warp"}))
-      ->capture_default_str();
+      .addOption("--accepted", arguments.more_accepted,
+                 "one more accepted recording beside A; may be repeated: B is judged in the band "
+                 "of all")
+      .valueName("LOG")
+      .oneEach();
+  command.addOption("--align", arguments.align, "how times are matched: events, origin or warp")
+      .oneOf({"events", "origin", "warp"})
+      .showDefault();
   const auto addLimit = [&](const char* name, double& limit, const char* what) {
-    command->add_option(name, limit, what)->capture_default_str();
+    command.addOption(name, limit, what).showDefault();
   };
   addLimit("--joint-deg", arguments.limits.joint_deg, "largest difference of a joint angle");
   addLimit("--position-mm", arguments.limits.position_mm, "largest difference of a position");
@@ -76,15 +75,14 @@ CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments) {
   addLimit("--event-ms", arguments.limits.event_ms,
            "how much earlier or later an event or a value may come");
   command
-      ->add_option("--tier", arguments.tier,
-                   std::string("tolerance of the pictures: ") + kTierNames)
-      ->capture_default_str();
-  command->add_option("--camera", arguments.camera, "a camera of the cell; default: its first");
-  command->add_option("--size", arguments.size, "picture size")->capture_default_str();
-  command->add_flag("--no-pictures", arguments.no_pictures, "compare behaviour alone");
-  command->add_option("--report", arguments.report, "folder for index.html and the pictures");
-  cli::addSearchOptions(*command, arguments);
-  command->add_flag("--json", arguments.json, "print the answer as JSON");
+      .addOption("--tier", arguments.tier, std::string("tolerance of the pictures: ") + kTierNames)
+      .showDefault();
+  command.addOption("--camera", arguments.camera, "a camera of the cell; default: its first");
+  command.addOption("--size", arguments.size, "picture size").showDefault();
+  command.addFlag("--no-pictures", arguments.no_pictures, "compare behaviour alone");
+  command.addOption("--report", arguments.report, "folder for index.html and the pictures");
+  cli::addSearchOptions(command, arguments);
+  command.addFlag("--json", arguments.json, "print the answer as JSON");
   return command;
 }
 

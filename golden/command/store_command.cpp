@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "golden/approval/golden_folder.h"
 #include "golden/approval/manifest.h"
 #include "golden/command/commands.h"
@@ -31,25 +29,23 @@ Result<std::set<std::string>> namesInManifest(const std::string& text, const std
 
 }  // namespace
 
-CLI::App* addPushCommand(CLI::App& app, PushArguments& arguments) {
-  CLI::App* command = app.add_subcommand(
+cli::CommandLine addPushCommand(cli::CommandLine app, PushArguments& arguments) {
+  const cli::CommandLine command = app.addSubcommand(
       "push", "put accepted pictures and logs into the ref that the suite's `store` names");
-  command->add_option("SUITE", arguments.suites, "suites with `store = \"git:refs/...\"`")
-      ->required();
+  command.addOption("SUITE", arguments.suites, "suites with `store = \"git:refs/...\"`").required();
   return command;
 }
 
-CLI::App* addGcCommand(CLI::App& app, GcArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("gc", "remove from the ref of the suite's `store` what no branch names");
-  command->add_option("SUITE", arguments.suite, "a suite with `store = \"git:refs/...\"`")
-      ->required();
+cli::CommandLine addGcCommand(cli::CommandLine app, GcArguments& arguments) {
+  const cli::CommandLine command =
+      app.addSubcommand("gc", "remove from the ref of the suite's `store` what no branch names");
+  command.addOption("SUITE", arguments.suite, "a suite with `store = \"git:refs/...\"`").required();
   command
-      ->add_option("--keep-days", arguments.keep_days,
-                   "keep what was pushed in the last days: its branch may not be there yet")
-      ->check(CLI::Range(0, 3650))
-      ->capture_default_str();
-  command->add_flag("-n,--dry-run", arguments.dry_run, "only tell what would be removed");
+      .addOption("--keep-days", arguments.keep_days,
+                 "keep what was pushed in the last days: its branch may not be there yet")
+      .within(0, 3650)
+      .showDefault();
+  command.addFlag("-n,--dry-run", arguments.dry_run, "only tell what would be removed");
   return command;
 }
 

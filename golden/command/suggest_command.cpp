@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "core/base/figure_text.h"
@@ -36,15 +35,15 @@ void print(const std::string& run, const RunSpec& spec, const LimitSuggestion& f
 
 }  // namespace
 
-CLI::App* addSuggestCommand(CLI::App& app, SuggestArguments& arguments) {
-  CLI::App* command = app.add_subcommand(
+cli::CommandLine addSuggestCommand(cli::CommandLine app, SuggestArguments& arguments) {
+  const cli::CommandLine command = app.addSubcommand(
       "suggest", "print limits of a run with which several recordings of it are the same");
-  addSuiteOptions(*command, arguments.suite);
-  command->add_option("--run", arguments.run, "the run of the suite")->required();
+  addSuiteOptions(command, arguments.suite);
+  command.addOption("--run", arguments.run, "the run of the suite").required();
   command
-      ->add_option("RECORDING", arguments.recordings,
-                   "recordings of the run that are all meant to be the same, at least three")
-      ->required();
+      .addOption("RECORDING", arguments.recordings,
+                 "recordings of the run that are all meant to be the same, at least three")
+      .required();
   return command;
 }
 

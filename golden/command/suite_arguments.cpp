@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -16,27 +15,26 @@
 #include "core/cli/worker_threads.h"
 
 namespace rocinante {
-void addSuiteOptions(CLI::App& app, SuiteArguments& arguments) {
-  app.add_option("SUITE", arguments.suite, "the suite's TOML file")->required();
-  app.add_option("--cell", arguments.cell, "use this cell instead of the suite's");
-  app.add_option("--log", arguments.logs,
-                 "use this log instead of the suite's; RUN=FILE: the log under test of a [[run]]; "
-                 "repeatable")
-      ->option_text("[RUN=]FILE")
-      ->allow_extra_args(false);
-  app.add_option("--only", arguments.only,
-                 "only frames and cases that match this pattern; repeatable")
-      ->allow_extra_args(false);
-  app.add_option("--tag", arguments.tags, "only cases with this tag; repeatable")
-      ->allow_extra_args(false);
-  app.add_option("--not-tag", arguments.not_tags, "only cases without this tag; repeatable")
-      ->allow_extra_args(false);
-  app.add_option("--shard", arguments.shard, "part I of N of the cases")->option_text("I/N");
+void addSuiteOptions(cli::CommandLine app, SuiteArguments& arguments) {
+  app.addOption("SUITE", arguments.suite, "the suite's TOML file").required();
+  app.addOption("--cell", arguments.cell, "use this cell instead of the suite's");
+  app.addOption("--log", arguments.logs,
+                "use this log instead of the suite's; RUN=FILE: the log under test of a [[run]]; "
+                "repeatable")
+      .valueText("[RUN=]FILE")
+      .oneEach();
+  app.addOption("--only", arguments.only,
+                "only frames and cases that match this pattern; repeatable")
+      .oneEach();
+  app.addOption("--tag", arguments.tags, "only cases with this tag; repeatable").oneEach();
+  app.addOption("--not-tag", arguments.not_tags, "only cases without this tag; repeatable")
+      .oneEach();
+  app.addOption("--shard", arguments.shard, "part I of N of the cases").valueText("I/N");
   cli::addSearchOptions(app, arguments);
 }
 
-void addIncompleteOption(CLI::App& app, SuiteArguments& arguments) {
-  app.add_flag("--incomplete", arguments.incomplete, "accept frames with missing visual meshes");
+void addIncompleteOption(cli::CommandLine app, SuiteArguments& arguments) {
+  app.addFlag("--incomplete", arguments.incomplete, "accept frames with missing visual meshes");
 }
 
 Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {

@@ -22,9 +22,9 @@ struct SuiteArguments : ModelSearch {
 };
 
 /// Adds SUITE and its options to a subcommand; parsing fills `arguments`, which must outlive it.
-void addSuiteOptions(CLI::App& app, SuiteArguments& arguments);
+void addSuiteOptions(cli::CommandLine app, SuiteArguments& arguments);
 /// Adds --incomplete to subcommands that judge or approve.
-void addIncompleteOption(CLI::App& app, SuiteArguments& arguments);
+void addIncompleteOption(cli::CommandLine app, SuiteArguments& arguments);
 /// bad_argument for an invalid shard.
 Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments);
 /// bad_argument when the suite has no run of that name.

@@ -1,6 +1,5 @@
 // rocinante-self-test-draw: the part of `rocinante --self-test` that draws. A separate program, so
 // that `--self-test` also works on a machine without it.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -21,15 +20,15 @@ constexpr std::string_view kExamples =
 
 int main(int argc, char** argv) {
   using namespace rocinante;
-  CLI::App app("Draws a small built-in frame and prints facts as one line of JSON.",
-               "rocinante-self-test-draw");
+  cli::Program app("Draws a small built-in frame and prints facts as one line of JSON.",
+                   "rocinante-self-test-draw");
   std::vector<std::string> only;
   std::filesystem::path output;
-  app.add_option("--only", only, "context, key, frame, cache, pictures; default: all of them")
-      ->type_name("FACT,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_option("-o,--output", output, "write the frame as PNG")->type_name("FILE");
+  app.addOption("--only", only, "context, key, frame, cache, pictures; default: all of them")
+      .valueName("FACT,...")
+      .separatedBy(',')
+      .oneEach();
+  app.addOption("-o,--output", output, "write the frame as PNG").valueName("FILE");
   addContextOption(app);
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     const auto wanted = [&](const char* name) {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -51,25 +50,25 @@ Result<cli::Exit> trust(const TrustArguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Makes keys that sign datagrams, and entries of trust files (docs/signing.md).",
-               "rocinante-key");
-  app.require_subcommand(1);
+  cli::Program app("Makes keys that sign datagrams, and entries of trust files (docs/signing.md).",
+                   "rocinante-key");
+  app.requireSubcommand();
   std::string made;
-  CLI::App* const make_command = app.add_subcommand("make", "make a key pair");
-  make_command->add_option("FILE", made, "the secret key's file; the public one is FILE.pub")
-      ->required();
+  const cli::CommandLine make_command = app.addSubcommand("make", "make a key pair");
+  make_command.addOption("FILE", made, "the secret key's file; the public one is FILE.pub")
+      .required();
   TrustArguments trusted;
-  CLI::App* const trust_command =
-      app.add_subcommand("trust", "print a public key's entry for a trust file");
-  trust_command->add_option("FILE", trusted.key, "a key file, secret or public")->required();
+  const cli::CommandLine trust_command =
+      app.addSubcommand("trust", "print a public key's entry for a trust file");
+  trust_command.addOption("FILE", trusted.key, "a key file, secret or public").required();
   trust_command
-      ->add_option("--source", trusted.sources,
-                   "the SOURCEs that this key may send, as a pattern; repeatable")
-      ->allow_extra_args(false)
-      ->option_text("PATTERN");
-  trust_command->add_flag("--relay", trusted.relay,
-                          "it may also restate for them (by=, via=) and answer subscribers");
+      .addOption("--source", trusted.sources,
+                 "the SOURCEs that this key may send, as a pattern; repeatable")
+      .oneEach()
+      .valueText("PATTERN");
+  trust_command.addFlag("--relay", trusted.relay,
+                        "it may also restate for them (by=, via=) and answer subscribers");
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
-    return make_command->parsed() ? make(made) : trust(trusted);
+    return make_command.isChosen() ? make(made) : trust(trusted);
   });
 }

@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 
 #include "core/base/atomic_file.h"
@@ -51,75 +50,75 @@ struct Arguments {
   bool quiet = false;
 };
 
-void declareWhat(CLI::App& app, Arguments& my) {
-  app.add_option("LOG", my.options.logs, "logs to play, on one time line")
-      ->required()
-      ->option_text("...");
-  app.add_option("--from", my.options.from, "begin at this session time (12.5s, -1s, RFC 3339)")
-      ->option_text("TIME");
-  app.add_option("--until", my.options.until, "end before this session time")->option_text("TIME");
-  app.add_option("--loop", my.loop, "play N times (0: until stopped), or repeat the part A-B")
-      ->option_text("N|A-B=1");
-  app.add_option("--channel", my.options.channels.only, "only topics that match; repeatable")
-      ->allow_extra_args(false)
-      ->option_text("PATTERN");
-  app.add_option("--mute", my.options.channels.muted, "not the topics that match; repeatable")
-      ->allow_extra_args(false)
-      ->option_text("PATTERN");
+void declareWhat(cli::CommandLine app, Arguments& my) {
+  app.addOption("LOG", my.options.logs, "logs to play, on one time line")
+      .required()
+      .valueText("...");
+  app.addOption("--from", my.options.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+      .valueText("TIME");
+  app.addOption("--until", my.options.until, "end before this session time").valueText("TIME");
+  app.addOption("--loop", my.loop, "play N times (0: until stopped), or repeat the part A-B")
+      .valueText("N|A-B=1");
+  app.addOption("--channel", my.options.channels.only, "only topics that match; repeatable")
+      .oneEach()
+      .valueText("PATTERN");
+  app.addOption("--mute", my.options.channels.muted, "not the topics that match; repeatable")
+      .oneEach()
+      .valueText("PATTERN");
 }
 
-void declareWhere(CLI::App& app, Arguments& my) {
-  app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
-      ->option_text("EP");
+void declareWhere(cli::CommandLine app, Arguments& my) {
+  app.addOption("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
+      .valueText("EP");
   cli::addNoWait(app, my.no_wait);
-  app.add_option("--map", my.maps, "send topics that match elsewhere; repeatable")
-      ->allow_extra_args(false)
-      ->option_text("PATTERN=EP");
-  app.add_flag("--keep-ports", my.options.keep_ports,
-               "send from the ports of the original senders");
+  app.addOption("--map", my.maps, "send topics that match elsewhere; repeatable")
+      .oneEach()
+      .valueText("PATTERN=EP");
+  app.addFlag("--keep-ports", my.options.keep_ports, "send from the ports of the original senders");
 }
 
-void declareHow(CLI::App& app, Arguments& my) {
-  auto* speed = app.add_option("--speed", my.speed, "log seconds per second, 0.01 to 1000")
-                    ->option_text("X=1");
-  auto* at_once = app.add_flag("--asap", my.options.at_once,
-                               "as fast as the network takes them, without a schedule")
-                      ->excludes(speed)
-                      ->option_text(" ");
-  auto* lockstep = app.add_flag("--lockstep", my.options.lockstep,
-                                "after each, send `step N` to the controller and wait for `ack N`")
-                       ->excludes(speed)
-                       ->excludes(at_once)
-                       ->option_text(" ");
-  app.add_option("--ack-timeout", my.ack_timeout, "how long to wait for an ack, then exit 1")
-      ->needs(lockstep)
-      ->option_text("TIME=1s");
-  app.add_option("--gap-limit", my.gap_limit, "shorten silences to at most this")
-      ->option_text("TIME");
-  app.add_option("--restate", my.restate,
-                 "restate every source's state first, then this often; 0: only first; off")
-      ->option_text("TIME=2s");
-  app.add_option("--key", my.options.key,
-                 "sign the player's own restatements with this secret key (rocinante key)")
-      ->option_text("FILE");
-  app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
-      ->check(CLI::IsMember({"auto", "on", "off"}))
-      ->option_text("WHEN=auto");
-  auto* control = app.add_option("--control", my.control,
-                                 "listen for commands on udp://127.0.0.1:PORT or unix:PATH")
-                      ->option_text("EP");
-  app.add_option("--control-allow", my.control_allow,
-                 "accept commands from this network too; repeatable")
-      ->needs(control)
-      ->allow_extra_args(false)
-      ->option_text("CIDR");
-  app.add_flag("--start-paused", my.options.start_paused, "wait for a command to play");
-  lockstep->needs(control);
-  app.add_option("--report", my.report, "write what was sent, and how late, as JSON; -: to stdout")
-      ->option_text("FILE");
-  app.add_flag("--force", my.force, "replace the report file");
-  app.add_flag("--json", my.json, "the same as --report -");
-  app.add_flag("--quiet", my.quiet, "print nothing but errors (and --json)");
+void declareHow(cli::CommandLine app, Arguments& my) {
+  const cli::Option speed =
+      app.addOption("--speed", my.speed, "log seconds per second, 0.01 to 1000").valueText("X=1");
+  const cli::Option at_once = app.addFlag("--asap", my.options.at_once,
+                                          "as fast as the network takes them, without a schedule")
+                                  .excludes(speed)
+                                  .valueText(" ");
+  const cli::Option lockstep =
+      app.addFlag("--lockstep", my.options.lockstep,
+                  "after each, send `step N` to the controller and wait for `ack N`")
+          .excludes(speed)
+          .excludes(at_once)
+          .valueText(" ");
+  app.addOption("--ack-timeout", my.ack_timeout, "how long to wait for an ack, then exit 1")
+      .needs(lockstep)
+      .valueText("TIME=1s");
+  app.addOption("--gap-limit", my.gap_limit, "shorten silences to at most this").valueText("TIME");
+  app.addOption("--restate", my.restate,
+                "restate every source's state first, then this often; 0: only first; off")
+      .valueText("TIME=2s");
+  app.addOption("--key", my.options.key,
+                "sign the player's own restatements with this secret key (rocinante key)")
+      .valueText("FILE");
+  app.addOption("--realtime", my.realtime, "run before other threads: auto, on or off")
+      .oneOf({"auto", "on", "off"})
+      .valueText("WHEN=auto");
+  const cli::Option control =
+      app.addOption("--control", my.control,
+                    "listen for commands on udp://127.0.0.1:PORT or unix:PATH")
+          .valueText("EP");
+  app.addOption("--control-allow", my.control_allow,
+                "accept commands from this network too; repeatable")
+      .needs(control)
+      .oneEach()
+      .valueText("CIDR");
+  app.addFlag("--start-paused", my.options.start_paused, "wait for a command to play");
+  lockstep.needs(control);
+  app.addOption("--report", my.report, "write what was sent, and how late, as JSON; -: to stdout")
+      .valueText("FILE");
+  app.addFlag("--force", my.force, "replace the report file");
+  app.addFlag("--json", my.json, "the same as --report -");
+  app.addFlag("--quiet", my.quiet, "print nothing but errors (and --json)");
 }
 
 Result<Nanoseconds> durationOf(const char* option, const std::string& text, Nanoseconds least) {
@@ -292,8 +291,8 @@ Result<cli::Exit> run(Arguments& my) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Re-emits recorded datagrams as UDP, on the session's own schedule.",
-               "rocinante-play");
+  cli::Program app("Re-emits recorded datagrams as UDP, on the session's own schedule.",
+                   "rocinante-play");
   Arguments arguments;
   declareWhat(app, arguments);
   declareWhere(app, arguments);

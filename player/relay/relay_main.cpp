@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -38,63 +37,60 @@ struct Arguments {
   bool quiet = false;
 };
 
-void declare(CLI::App& app, Arguments& my) {
-  app.add_option("--from", my.from,
-                 "listen here; may be repeated; default " + Endpoint::standard().text())
-      ->option_text("EP")
-      ->allow_extra_args(false);
-  app.add_option("--to", my.to, "send here; may be repeated")
-      ->option_text("EP")
-      ->allow_extra_args(false);
-  app.add_option("--serve", my.serve, "answer subscriptions here; may be repeated")
-      ->option_text("EP")
-      ->allow_extra_args(false);
+void declare(cli::CommandLine app, Arguments& my) {
+  app.addOption("--from", my.from,
+                "listen here; may be repeated; default " + Endpoint::standard().text())
+      .valueText("EP")
+      .oneEach();
+  app.addOption("--to", my.to, "send here; may be repeated").valueText("EP").oneEach();
+  app.addOption("--serve", my.serve, "answer subscriptions here; may be repeated")
+      .valueText("EP")
+      .oneEach();
   cli::addNoWait(app, my.no_wait);
-  app.add_option("--name", my.name,
-                 "NAME of this relay, unique at a site; default the host's and four digits")
-      ->option_text("NAME");
-  app.add_option("--source", my.sources, "pass these SOURCEs only (pattern); may be repeated")
-      ->option_text("PATTERN")
-      ->allow_extra_args(false);
-  app.add_option("--device", my.devices,
-                 "of devices, pass statements about these only (pattern); may be repeated")
-      ->option_text("PATTERN")
-      ->allow_extra_args(false);
-  app.add_option("--statement", my.statements, "pass these statements only: joints,pose")
-      ->delimiter(',')
-      ->option_text("KIND,...");
-  app.add_option("--min-change", my.min_change,
-                 "hold smaller changes until a device rests: joint=0.001,position=0.001,turn=0.01\n"
-                 "(radians or metres; metres; radians)")
-      ->delimiter(',')
-      ->option_text("WHAT=X,...");
-  app.add_option("--max-rate", my.max_rate, "send the values of a device at most HZ times a second")
-      ->option_text("HZ");
-  app.add_option(
+  app.addOption("--name", my.name,
+                "NAME of this relay, unique at a site; default the host's and four digits")
+      .valueText("NAME");
+  app.addOption("--source", my.sources, "pass these SOURCEs only (pattern); may be repeated")
+      .valueText("PATTERN")
+      .oneEach();
+  app.addOption("--device", my.devices,
+                "of devices, pass statements about these only (pattern); may be repeated")
+      .valueText("PATTERN")
+      .oneEach();
+  app.addOption("--statement", my.statements, "pass these statements only: joints,pose")
+      .separatedBy(',')
+      .valueText("KIND,...");
+  app.addOption("--min-change", my.min_change,
+                "hold smaller changes until a device rests: joint=0.001,position=0.001,turn=0.01\n"
+                "(radians or metres; metres; radians)")
+      .separatedBy(',')
+      .valueText("WHAT=X,...");
+  app.addOption("--max-rate", my.max_rate, "send the values of a device at most HZ times a second")
+      .valueText("HZ");
+  app.addOption(
          "--bandwidth", my.bandwidth,
          "send at most this many bits a second to each output: 28.8k, 2M; overhead=N: bytes\n"
          "that the link adds to each datagram (PPP 8, Ethernet 14)")
-      ->option_text("RATE[,overhead=N]");
-  app.add_option("--restate", my.restate, "filtered outputs restate everything this often")
-      ->option_text("TIME=2s");
-  app.add_option(
-         "--allow", my.allow,
-         "accept senders and subscribers in this network only (10.0.0.0/8); may be repeated")
-      ->option_text("CIDR")
-      ->allow_extra_args(false);
-  app.add_option("--trust", my.trust,
-                 "pass only what is signed with a key of this file (rocinante key)")
-      ->option_text("FILE");
-  app.add_option("--decoders", my.decoders,
-                 "make packets of what is not packet text as this file declares, and pass them")
-      ->option_text("FILE");
-  app.add_option("--key", my.key, "sign with this secret key what the relay writes itself")
-      ->option_text("FILE");
-  app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
-      ->check(CLI::IsMember({"auto", "on", "off"}))
-      ->option_text("WHEN=auto");
-  app.add_flag("--json", my.json, "print what was relayed as JSON");
-  app.add_flag("--quiet", my.quiet, "print nothing but errors (and --json)");
+      .valueText("RATE[,overhead=N]");
+  app.addOption("--restate", my.restate, "filtered outputs restate everything this often")
+      .valueText("TIME=2s");
+  app.addOption("--allow", my.allow,
+                "accept senders and subscribers in this network only (10.0.0.0/8); may be repeated")
+      .valueText("CIDR")
+      .oneEach();
+  app.addOption("--trust", my.trust,
+                "pass only what is signed with a key of this file (rocinante key)")
+      .valueText("FILE");
+  app.addOption("--decoders", my.decoders,
+                "make packets of what is not packet text as this file declares, and pass them")
+      .valueText("FILE");
+  app.addOption("--key", my.key, "sign with this secret key what the relay writes itself")
+      .valueText("FILE");
+  app.addOption("--realtime", my.realtime, "run before other threads: auto, on or off")
+      .oneOf({"auto", "on", "off"})
+      .valueText("WHEN=auto");
+  app.addFlag("--json", my.json, "print what was relayed as JSON");
+  app.addFlag("--quiet", my.quiet, "print nothing but errors (and --json)");
 }
 
 Error bad(std::string what, const std::string& where) {
@@ -271,7 +267,7 @@ Result<cli::Exit> run(const Arguments& my) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  cli::Program app(
       "Sends on what it hears: packets of several sources to several addresses and to whoever\n"
       "subscribes, whole or filtered, and greets late joiners with the present state.",
       "rocinante-relay");

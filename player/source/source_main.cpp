@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,89 +48,88 @@ struct Arguments {
   bool quiet = false;
 };
 
-void declareTable(CLI::App& app, Arguments& my) {
-  auto* csv = app.add_option("--csv", my.csv.csv, "a table with a header row: t, joint, joint, ...")
-                  ->option_text("FILE");
-  auto* log = app.add_option("--log", my.log.log, "a recorded session, its sources sent anew")
-                  ->excludes(csv)
-                  ->option_text("LOG");
-  auto* joystick = app.add_option("--joystick", my.joystick.device,
-                                  "joints moved by hand: /dev/input/jsN, or a file of its events")
-                       ->excludes(csv)
-                       ->excludes(log)
-                       ->option_text("DEV");
-  app.add_option("--map", my.joystick.map,
-                 "what an axis or a button does: axis0=arm.j1:0.5/s:-1..1 (turns it), "
-                 "axis1=grip.width:0..0.08 (is its place), button0=event:TEXT; repeatable")
-      ->needs(joystick)
-      ->allow_extra_args(false)
-      ->option_text("ENTRY");
-  app.add_option("--device", my.devices,
-                 "the device that the columns move; without it they are DEVICE.JOINT; of a log, "
-                 "only what is about devices that match; repeatable")
-      ->allow_extra_args(false)
-      ->option_text("NAME");
-  app.add_option("--source", my.sources,
-                 "the SOURCE name; default the first device's; of a log, only sources that match; "
-                 "repeatable")
-      ->allow_extra_args(false)
-      ->option_text("NAME");
-  app.add_option("--as", my.renamed, "send SOURCE OLD of the log as NEW; repeatable")
-      ->needs(log)
-      ->allow_extra_args(false)
-      ->option_text("OLD=NEW");
-  app.add_option("--from", my.log.from, "begin at this session time (12.5s, -1s, RFC 3339)")
-      ->needs(log)
-      ->option_text("TIME");
-  app.add_option("--until", my.log.until, "end before this session time")
-      ->needs(log)
-      ->option_text("TIME");
-  app.add_option("--columns", my.csv.columns,
-                 "the columns that are joints; default all but the time")
-      ->delimiter(',')
-      ->needs(csv)
-      ->option_text("A,B,...");
-  app.add_option("--restate", my.restate, "restate everything this often; 0: never")
-      ->option_text("TIME=2s");
-  app.add_flag("--stamp-clock", my.csv.stamp_clock, "TIME is the wall clock when sending")
-      ->needs(csv)
-      ->option_text(" ");
-  app.add_option("--demo", my.demo,
-                 "the motion of the demo cell: arm, gantry, planner or all (default)")
-      ->expected(0, 1)
-      ->default_str("all")
-      ->check(CLI::IsMember({"arm", "gantry", "planner", "all"}))
-      ->excludes(csv)
-      ->excludes(log)
-      ->excludes(joystick)
-      ->option_text("[PART]");
+void declareTable(cli::CommandLine app, Arguments& my) {
+  const cli::Option csv =
+      app.addOption("--csv", my.csv.csv, "a table with a header row: t, joint, joint, ...")
+          .valueText("FILE");
+  const cli::Option log =
+      app.addOption("--log", my.log.log, "a recorded session, its sources sent anew")
+          .excludes(csv)
+          .valueText("LOG");
+  const cli::Option joystick =
+      app.addOption("--joystick", my.joystick.device,
+                    "joints moved by hand: /dev/input/jsN, or a file of its events")
+          .excludes(csv)
+          .excludes(log)
+          .valueText("DEV");
+  app.addOption("--map", my.joystick.map,
+                "what an axis or a button does: axis0=arm.j1:0.5/s:-1..1 (turns it), "
+                "axis1=grip.width:0..0.08 (is its place), button0=event:TEXT; repeatable")
+      .needs(joystick)
+      .oneEach()
+      .valueText("ENTRY");
+  app.addOption("--device", my.devices,
+                "the device that the columns move; without it they are DEVICE.JOINT; of a log, "
+                "only what is about devices that match; repeatable")
+      .oneEach()
+      .valueText("NAME");
+  app.addOption("--source", my.sources,
+                "the SOURCE name; default the first device's; of a log, only sources that match; "
+                "repeatable")
+      .oneEach()
+      .valueText("NAME");
+  app.addOption("--as", my.renamed, "send SOURCE OLD of the log as NEW; repeatable")
+      .needs(log)
+      .oneEach()
+      .valueText("OLD=NEW");
+  app.addOption("--from", my.log.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+      .needs(log)
+      .valueText("TIME");
+  app.addOption("--until", my.log.until, "end before this session time")
+      .needs(log)
+      .valueText("TIME");
+  app.addOption("--columns", my.csv.columns,
+                "the columns that are joints; default all but the time")
+      .separatedBy(',')
+      .needs(csv)
+      .valueText("A,B,...");
+  app.addOption("--restate", my.restate, "restate everything this often; 0: never")
+      .valueText("TIME=2s");
+  app.addFlag("--stamp-clock", my.csv.stamp_clock, "TIME is the wall clock when sending")
+      .needs(csv)
+      .valueText(" ");
+  app.addOption("--demo", my.demo,
+                "the motion of the demo cell: arm, gantry, planner or all (default)")
+      .bareMeans("all")
+      .oneOf({"arm", "gantry", "planner", "all"})
+      .excludes(csv)
+      .excludes(log)
+      .excludes(joystick)
+      .valueText("[PART]");
 }
 
-void declare(CLI::App& app, Arguments& my) {
+void declare(cli::CommandLine app, Arguments& my) {
   declareTable(app, my);
-  app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
-      ->option_text("EP");
+  app.addOption("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
+      .valueText("EP");
   cli::addNoWait(app, my.no_wait);
-  app.add_option("--speed", my.speed, "seconds of the motion per second, 0.01 to 1000")
-      ->option_text("X=1");
-  app.add_option("--loop", my.options.turns,
-                 "send the motion N times; 0: until stopped; default 0 for the demo, else 1")
-      ->option_text("N");
-  app.add_option("--duration", my.duration, "end after this much of the motion")
-      ->option_text("TIME");
-  app.add_option("--run", my.options.run, "the RUN token; default a random one")
-      ->option_text("TOKEN");
-  app.add_option("--mtu", my.options.mtu_bytes, "largest datagram, 64 to 65507 bytes")
-      ->check(CLI::Range(64, 65'507))
-      ->option_text("BYTES=1200");
-  app.add_option("--key", my.options.key,
-                 "sign every datagram with this secret key (rocinante key)")
-      ->option_text("FILE");
-  app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
-      ->check(CLI::IsMember({"auto", "on", "off"}))
-      ->option_text("WHEN=auto");
-  app.add_flag("--json", my.json, "print what was sent as JSON");
-  app.add_flag("--quiet", my.quiet, "print nothing but errors (and --json)");
+  app.addOption("--speed", my.speed, "seconds of the motion per second, 0.01 to 1000")
+      .valueText("X=1");
+  app.addOption("--loop", my.options.turns,
+                "send the motion N times; 0: until stopped; default 0 for the demo, else 1")
+      .valueText("N");
+  app.addOption("--duration", my.duration, "end after this much of the motion").valueText("TIME");
+  app.addOption("--run", my.options.run, "the RUN token; default a random one").valueText("TOKEN");
+  app.addOption("--mtu", my.options.mtu_bytes, "largest datagram, 64 to 65507 bytes")
+      .within(64, 65'507)
+      .valueText("BYTES=1200");
+  app.addOption("--key", my.options.key, "sign every datagram with this secret key (rocinante key)")
+      .valueText("FILE");
+  app.addOption("--realtime", my.realtime, "run before other threads: auto, on or off")
+      .oneOf({"auto", "on", "off"})
+      .valueText("WHEN=auto");
+  app.addFlag("--json", my.json, "print what was sent as JSON");
+  app.addFlag("--quiet", my.quiet, "print nothing but errors (and --json)");
 }
 
 /// What names devices and sources: one of each for a table, any number of patterns for a log.
@@ -260,12 +258,12 @@ Result<cli::Exit> run(Arguments& my, bool loop_given) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  cli::Program app(
       "Sends kinematic state as packets: from a CSV file, a recorded session, a joystick, or the "
       "demo's motion.",
       "rocinante-source");
   Arguments arguments;
   declare(app, arguments);
   return rocinante::cli::run(app, argc, argv, kExamples,
-                             [&] { return run(arguments, app.count("--loop") > 0); });
+                             [&] { return run(arguments, app.option("--loop").given()); });
 }

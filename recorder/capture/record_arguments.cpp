@@ -1,7 +1,5 @@
 #include "recorder/capture/record_arguments.h"
 
-#include <CLI/CLI.hpp>
-
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cli/load_progress.h"
@@ -49,62 +47,62 @@ Result<Cell> loadWatched(const RecordArguments& arguments) {
 
 }  // namespace
 
-void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
-  app.add_option("EP", arguments.endpoints,
-                 "endpoints to listen on: udp://HOST:PORT, HOST:PORT, :PORT, or a multicast\n"
-                 "group; interfaces to watch: pcap://eth0?filter=EXPR; or one capture file:\n"
-                 "pcap://./FILE; default " +
-                     Endpoint::standard().text())
-      ->type_name("");
-  app.add_option("--allow", arguments.allow,
-                 "record only senders in this network (10.0.0.0/8); may be repeated")
-      ->type_name("CIDR")
-      ->allow_extra_args(false);
-  app.add_option("--trust", arguments.trust,
-                 "record only what is signed with a key of this file (rocinante key)")
-      ->type_name("FILE");
-  app.add_option("--tee", arguments.tees,
-                 "forward everything received to this endpoint; may be repeated")
-      ->type_name("EP")
-      ->allow_extra_args(false);
-  app.add_option("--wait-interface", arguments.wait_interface,
-                 "wait at most TIME for network interfaces that do not exist yet")
-      ->type_name("TIME");
+void addRecordArguments(cli::CommandLine app, RecordArguments& arguments) {
+  app.addOption("EP", arguments.endpoints,
+                "endpoints to listen on: udp://HOST:PORT, HOST:PORT, :PORT, or a multicast\n"
+                "group; interfaces to watch: pcap://eth0?filter=EXPR; or one capture file:\n"
+                "pcap://./FILE; default " +
+                    Endpoint::standard().text())
+      .valueName("");
+  app.addOption("--allow", arguments.allow,
+                "record only senders in this network (10.0.0.0/8); may be repeated")
+      .valueName("CIDR")
+      .oneEach();
+  app.addOption("--trust", arguments.trust,
+                "record only what is signed with a key of this file (rocinante key)")
+      .valueName("FILE");
+  app.addOption("--tee", arguments.tees,
+                "forward everything received to this endpoint; may be repeated")
+      .valueName("EP")
+      .oneEach();
+  app.addOption("--wait-interface", arguments.wait_interface,
+                "wait at most TIME for network interfaces that do not exist yet")
+      .valueName("TIME");
   cli::addNoWait(app, arguments.no_wait);
-  app.add_option("-o,--output", arguments.output,
-                 "the log: a file, a folder or a name with %Y%m%dT%H%M%S (UTC) and %n\n"
-                 "(the piece's number); default session-%Y%m%dT%H%M%SZ.mcap")
-      ->type_name("LOG");
-  app.add_option("--cell", arguments.cell,
-                 "attach this cell and every file it names: the log then replays alone")
-      ->type_name("CELL");
-  app.add_option("--decoders", arguments.decoders,
-                 "decode what is not packet text as this file declares, and attach the file;\n"
-                 "default: the one that the cell names")
-      ->type_name("FILE");
+  app.addOption("-o,--output", arguments.output,
+                "the log: a file, a folder or a name with %Y%m%dT%H%M%S (UTC) and %n\n"
+                "(the piece's number); default session-%Y%m%dT%H%M%SZ.mcap")
+      .valueName("LOG");
+  app.addOption("--cell", arguments.cell,
+                "attach this cell and every file it names: the log then replays alone")
+      .valueName("CELL");
+  app.addOption("--decoders", arguments.decoders,
+                "decode what is not packet text as this file declares, and attach the file;\n"
+                "default: the one that the cell names")
+      .valueName("FILE");
   cli::addSearchOptions(app, arguments);
-  app.add_option("--duration", arguments.duration,
-                 "end TIME (12.5s, 1m30s) after receiving began, or after the first datagram\n"
-                 "that meets --start-on")
-      ->type_name("TIME");
-  app.add_option("--max-packets", arguments.max_packets, "end after exactly N packets")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--min-packets", arguments.min_packets, "exit 1 when fewer were recorded")
-      ->type_name("N");
-  app.add_option("--max-loss", arguments.max_loss, "exit 1 when more were lost; default unlimited")
-      ->type_name("N");
-  app.add_option("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
-      ->type_name("KIND")
-      ->capture_default_str();
-  app.add_option("--sync", arguments.sync, "a crash loses at most about the last TIME")
-      ->type_name("TIME")
-      ->capture_default_str();
+  app.addOption("--duration", arguments.duration,
+                "end TIME (12.5s, 1m30s) after receiving began, or after the first datagram\n"
+                "that meets --start-on")
+      .valueName("TIME");
+  app.addOption("--max-packets", arguments.max_packets, "end after exactly N packets")
+      .valueName("N")
+      .positive();
+  app.addOption("--min-packets", arguments.min_packets, "exit 1 when fewer were recorded")
+      .valueName("N");
+  app.addOption("--max-loss", arguments.max_loss, "exit 1 when more were lost; default unlimited")
+      .valueName("N");
+  app.addOption("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
+      .valueName("KIND")
+      .showDefault();
+  app.addOption("--sync", arguments.sync, "a crash loses at most about the last TIME")
+      .valueName("TIME")
+      .showDefault();
   addSessionArguments(app, arguments.session);
-  app.add_option("--status", arguments.status, "print a status line every TIME")->type_name("TIME");
-  app.add_flag("--force", arguments.force, "replace an existing log");
-  app.add_flag("--json", arguments.json, "print the summary as JSON");
-  app.add_flag("--quiet", arguments.quiet, "print nothing but errors (and --json)");
+  app.addOption("--status", arguments.status, "print a status line every TIME").valueName("TIME");
+  app.addFlag("--force", arguments.force, "replace an existing log");
+  app.addFlag("--json", arguments.json, "print the summary as JSON");
+  app.addFlag("--quiet", arguments.quiet, "print nothing but errors (and --json)");
 }
 
 Result<std::optional<Nanoseconds>> readStatusPeriod(const RecordArguments& arguments) {

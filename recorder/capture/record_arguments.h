@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/cli/command_line.h"
 #include "recorder/capture/record.h"
 #include "recorder/capture/session_arguments.h"
-
-namespace CLI {
-class App;
-}
 
 namespace rocinante {
 
@@ -39,7 +36,7 @@ struct RecordArguments : ModelSearch {
 };
 
 /// Adds the options with their help. `arguments` must outlive parsing.
-void addRecordArguments(CLI::App& app, RecordArguments& arguments);
+void addRecordArguments(cli::CommandLine app, RecordArguments& arguments);
 
 /// Period of the status lines; empty: none.
 Result<std::optional<Nanoseconds>> readStatusPeriod(const RecordArguments& arguments);

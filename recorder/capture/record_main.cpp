@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "core/base/duration_text.h"
@@ -131,7 +130,7 @@ cli::Exit judge(const RecordArguments& arguments, const RecordSummary& summary) 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  cli::Program app(
       "Records UDP: every datagram that arrives, with the kernel's own arrival time,\n"
       "and an account of anything lost. Ctrl-C ends the recording cleanly.",
       "rocinante-record");

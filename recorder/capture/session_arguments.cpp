@@ -1,7 +1,5 @@
 #include "recorder/capture/session_arguments.h"
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/duration_text.h"
 #include "core/base/figure_text.h"
 
@@ -110,9 +108,9 @@ Result<Nanoseconds> readSpan(const std::string& text, const char* option) {
   return *duration;
 }
 
-void addSessionArguments(CLI::App& app, SessionArguments& arguments) {
+void addSessionArguments(cli::CommandLine app, SessionArguments& arguments) {
   const auto add = [&](const char* name, auto& value, const char* type, const char* help) {
-    return app.add_option(name, value, help)->type_name(type)->allow_extra_args(false);
+    return app.addOption(name, value, help).valueName(type).oneEach();
   };
   add("--start-on", arguments.start_on, "COND",
       "start with the first datagram that matches event=TEXT, source=NAME\nor device=NAME "
@@ -124,18 +122,19 @@ void addSessionArguments(CLI::App& app, SessionArguments& arguments) {
   add("--keep", arguments.keep, "N", "keep only the newest N pieces");
   add("--disk-quota", arguments.disk_quota, "SIZE",
       "delete the oldest pieces when all take more than SIZE");
-  app.add_flag("--attach-once", arguments.attach_once, "attach the cell to the first piece only");
+  app.addFlag("--attach-once", arguments.attach_once, "attach the cell to the first piece only");
   add("--ring", arguments.ring, "TIME",
       "hold the last TIME in memory; write it to a file of its own\nonly on SIGUSR1 or --ring-on");
   add("--ring-on", arguments.ring_on, "COND", "write the ring when this matches, too");
-  auto* watch = add("--watch", arguments.watch, "CELL",
-                    "judge with this cell (rocinante check), and write the ring when a finding\n"
-                    "begins, too");
+  const cli::Option watch =
+      add("--watch", arguments.watch, "CELL",
+          "judge with this cell (rocinante check), and write the ring when a finding\n"
+          "begins, too");
   add("--watch-severity", arguments.watch_severity, "SEVERITY",
       "least severe finding that writes the ring: note, warning or error")
-      ->needs(watch)
-      ->check(CLI::IsMember({"note", "warning", "error"}))
-      ->capture_default_str();
+      .needs(watch)
+      .oneOf({"note", "warning", "error"})
+      .showDefault();
   add("--ring-after", arguments.ring_after, "TIME",
       "continue the ring's file for TIME after the trigger");
   add("--ring-size", arguments.ring_size, "SIZE",

@@ -5,11 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/cli/command_line.h"
 #include "recorder/capture/record.h"
-
-namespace CLI {
-class App;
-}
 
 namespace rocinante {
 
@@ -27,7 +24,7 @@ struct SessionArguments {
 };
 
 /// Adds the options with their help. `arguments` must outlive parsing.
-void addSessionArguments(CLI::App& app, SessionArguments& arguments);
+void addSessionArguments(cli::CommandLine app, SessionArguments& arguments);
 
 /// Fills in `options`. bad_argument for invalid values or combinations.
 Status readSessionArguments(const SessionArguments& arguments, RecordOptions& options);

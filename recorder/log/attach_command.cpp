@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/atomic_file.h"
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/bundle_names.h"
@@ -81,20 +79,19 @@ Result<cli::Exit> runAttach(const AttachArguments& my) {
 
 }  // namespace
 
-LogCommand addAttachCommand(CLI::App& program) {
+cli::Subcommand addAttachCommand(cli::CommandLine program) {
   auto my = std::make_shared<AttachArguments>();
-  CLI::App* const app =
-      program.add_subcommand("attach", "copy a log and attach files, or its cell");
-  app->add_option("LOG", my->log, "the log; it is not changed")->required();
-  app->add_option("FILE", my->files, "files to attach, each under its name without folders");
-  app->add_option("--cell", my->cell, "attach this cell and every file it names")
-      ->type_name("CELL");
-  cli::addSearchOptions(*app, my->search);
-  app->add_option("--name", my->name, "attach the one FILE under this name")->type_name("NAME");
-  app->add_option("--media-type", my->media_type, "of the one FILE; default by its ending")
-      ->type_name("TYPE");
-  app->add_flag("--replace", my->replace, "in place of what the log has under the same name");
-  addCopyArguments(*app, my->copy);
+  const cli::CommandLine app =
+      program.addSubcommand("attach", "copy a log and attach files, or its cell");
+  app.addOption("LOG", my->log, "the log; it is not changed").required();
+  app.addOption("FILE", my->files, "files to attach, each under its name without folders");
+  app.addOption("--cell", my->cell, "attach this cell and every file it names").valueName("CELL");
+  cli::addSearchOptions(app, my->search);
+  app.addOption("--name", my->name, "attach the one FILE under this name").valueName("NAME");
+  app.addOption("--media-type", my->media_type, "of the one FILE; default by its ending")
+      .valueName("TYPE");
+  app.addFlag("--replace", my->replace, "in place of what the log has under the same name");
+  addCopyArguments(app, my->copy);
   return {app, [my] { return runAttach(*my); }};
 }
 

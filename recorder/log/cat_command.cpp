@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/copy/log_selection.h"
 #include "recorder/contents/log_cat.h"
 #include "recorder/log/command_support.h"
@@ -48,26 +46,27 @@ Result<cli::Exit> runCat(CatCommandOptions& options) {
 
 }  // namespace
 
-LogCommand addCatCommand(CLI::App& program) {
+cli::Subcommand addCatCommand(cli::CommandLine program) {
   auto options = std::make_shared<CatCommandOptions>();
-  CLI::App* const app = program.add_subcommand("cat", "print the messages of a log, one per line");
-  app->add_option("LOG", options->logs, "logs to print, one after another")->required();
-  app->add_option("--from", options->cat.selection.from,
-                  "begin at this session time (12.5s, -1s, RFC 3339)")
-      ->type_name("TIME");
-  app->add_option("--until", options->cat.selection.until, "end before this session time")
-      ->type_name("TIME");
-  app->add_option("--channel", options->cat.selection.channels,
-                  "only topics that match this pattern; may be repeated")
-      ->type_name("PATTERN")
-      ->allow_extra_args(false);
-  app->add_option("--device", options->cat.selection.devices,
-                  "only packets about a device that matches; may be repeated")
-      ->type_name("PATTERN")
-      ->allow_extra_args(false);
-  app->add_option("--format", options->format, "json: one object per line")
-      ->check(CLI::IsMember({"text", "json", "csv"}))
-      ->capture_default_str();
+  const cli::CommandLine app =
+      program.addSubcommand("cat", "print the messages of a log, one per line");
+  app.addOption("LOG", options->logs, "logs to print, one after another").required();
+  app.addOption("--from", options->cat.selection.from,
+                "begin at this session time (12.5s, -1s, RFC 3339)")
+      .valueName("TIME");
+  app.addOption("--until", options->cat.selection.until, "end before this session time")
+      .valueName("TIME");
+  app.addOption("--channel", options->cat.selection.channels,
+                "only topics that match this pattern; may be repeated")
+      .valueName("PATTERN")
+      .oneEach();
+  app.addOption("--device", options->cat.selection.devices,
+                "only packets about a device that matches; may be repeated")
+      .valueName("PATTERN")
+      .oneEach();
+  app.addOption("--format", options->format, "json: one object per line")
+      .oneOf({"text", "json", "csv"})
+      .showDefault();
   return {app, [options] { return runCat(*options); }};
 }
 

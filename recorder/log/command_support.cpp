@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -41,35 +40,35 @@ Result<Nanoseconds> readEvery(const std::string& text, Nanoseconds span, std::in
   return every;
 }
 
-void addCopyArguments(CLI::App& app, CopyArguments& arguments) {
-  app.add_option("-o,--output", arguments.output, "the log to make")->type_name("OUT")->required();
-  app.add_flag("--force", arguments.force, "replace an existing output");
-  app.add_option("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
-      ->type_name("KIND")
-      ->capture_default_str();
-  app.add_flag("--json", arguments.json, "print what was made as JSON");
+void addCopyArguments(cli::CommandLine app, CopyArguments& arguments) {
+  app.addOption("-o,--output", arguments.output, "the log to make").valueName("OUT").required();
+  app.addFlag("--force", arguments.force, "replace an existing output");
+  app.addOption("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
+      .valueName("KIND")
+      .showDefault();
+  app.addFlag("--json", arguments.json, "print what was made as JSON");
 }
 
-void addTimeArguments(CLI::App& app, SelectionOptions& selection) {
-  CLI::Option* const from =
-      app.add_option("--from", selection.from, "begin at this session time (12.5s, -1s, RFC 3339)")
-          ->type_name("TIME");
-  CLI::Option* const until =
-      app.add_option("--until", selection.until, "end before this session time")->type_name("TIME");
-  app.add_option("--from-event", selection.from_event,
-                 "begin at the first event whose text matches; instead of --from")
-      ->type_name("PATTERN")
-      ->excludes(from);
-  app.add_option("--until-event", selection.until_event,
-                 "end before the first matching event after that; instead of --until")
-      ->type_name("PATTERN")
-      ->excludes(until);
+void addTimeArguments(cli::CommandLine app, SelectionOptions& selection) {
+  const cli::Option from =
+      app.addOption("--from", selection.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+          .valueName("TIME");
+  const cli::Option until =
+      app.addOption("--until", selection.until, "end before this session time").valueName("TIME");
+  app.addOption("--from-event", selection.from_event,
+                "begin at the first event whose text matches; instead of --from")
+      .valueName("PATTERN")
+      .excludes(from);
+  app.addOption("--until-event", selection.until_event,
+                "end before the first matching event after that; instead of --until")
+      .valueName("PATTERN")
+      .excludes(until);
 }
 
-void addChoiceArguments(CLI::App& app, SelectionOptions& selection) {
+void addChoiceArguments(cli::CommandLine app, SelectionOptions& selection) {
   const auto add = [&app](const char* name, std::vector<std::string>& patterns,
                           const char* description) {
-    app.add_option(name, patterns, description)->type_name("PATTERN")->allow_extra_args(false);
+    app.addOption(name, patterns, description).valueName("PATTERN").oneEach();
   };
   add("--channel", selection.channels,
       "only topics that match this pattern; may be repeated, like those below");
@@ -121,11 +120,12 @@ cli::Exit tellGaps(const CopyReport& report) {
   return report.gaps.empty() && report.notes.empty() ? cli::Exit::done : cli::Exit::no;
 }
 
-void addExportCellArguments(CLI::App& app, const char* name, ExportCellArguments& arguments) {
-  CLI::Option* const cell =
-      app.add_option(name, arguments.cell,
-                     "the cell or model of the session; by default the one that the log carries");
-  if (!cell->get_positional()) cell->type_name("CELL");
+void addExportCellArguments(cli::CommandLine app, const char* name,
+                            ExportCellArguments& arguments) {
+  const cli::Option cell =
+      app.addOption(name, arguments.cell,
+                    "the cell or model of the session; by default the one that the log carries");
+  if (std::string_view(name).starts_with("--")) cell.valueName("CELL");
   cli::addSearchOptions(app, arguments.search);
 }
 

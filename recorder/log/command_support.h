@@ -17,10 +17,6 @@
 #include "core/copy/log_make.h"
 #include "core/log/log_reader.h"
 
-namespace CLI {
-class App;
-}
-
 namespace rocinante {
 
 using cli::ProgressLine;
@@ -41,10 +37,10 @@ struct CopyArguments {
   bool json = false;
 };
 
-void addCopyArguments(CLI::App& app, CopyArguments& arguments);
+void addCopyArguments(cli::CommandLine app, CopyArguments& arguments);
 /// Add --from and --until, by time or event, and the options that choose messages.
-void addTimeArguments(CLI::App& app, SelectionOptions& selection);
-void addChoiceArguments(CLI::App& app, SelectionOptions& selection);
+void addTimeArguments(cli::CommandLine app, SelectionOptions& selection);
+void addChoiceArguments(cli::CommandLine app, SelectionOptions& selection);
 
 /// Parses the arguments, catches Ctrl-C, and shows a progress line while `work` runs.
 Result<CopyReport> runCopy(const CopyArguments& arguments, const std::string& doing,
@@ -68,7 +64,7 @@ struct ExportCellArguments {
 };
 
 /// `name` is of the option or argument: "--cell", "CELL".
-void addExportCellArguments(CLI::App& app, const char* name, ExportCellArguments& arguments);
+void addExportCellArguments(cli::CommandLine app, const char* name, ExportCellArguments& arguments);
 
 /// Empty when none is named and the log carries none. Faults of the cell are named on standard
 /// error. `geometry` reads the meshes too.

@@ -1,42 +1,31 @@
 #pragma once
 
-#include <functional>
-
-#include "core/base/result.h"
 #include "core/cli/program.h"
-
-namespace CLI {
-class App;
-}
 
 namespace rocinante {
 
-/// A subcommand of `rocinante log`: its options, already added to the program, and the function to
-/// run once they are parsed. Each lies in its own NAME_command.cpp (docs/programs/log.md).
-struct LogCommand {
-  CLI::App* app = nullptr;
-  std::function<Result<cli::Exit>()> run;
-};
+// The subcommands of `rocinante log`, added to the program. Each lies in its own NAME_command.cpp
+// (docs/programs/log.md).
 
-LogCommand addAttachCommand(CLI::App& program);
-LogCommand addCatCommand(CLI::App& program);
-LogCommand addCutCommand(CLI::App& program);
-LogCommand addFilterCommand(CLI::App& program);
-LogCommand addDecodeCommand(CLI::App& program);
-LogCommand addDiffCommand(CLI::App& program);
-LogCommand addDoctorCommand(CLI::App& program);
-LogCommand addExportCommand(CLI::App& program);
-LogCommand addExtractCommand(CLI::App& program);
-LogCommand addFollowCommand(CLI::App& program);
-LogCommand addImportCommand(CLI::App& program);
-LogCommand addInfoCommand(CLI::App& program);
-LogCommand addMarkCommand(CLI::App& program);
-LogCommand addMergeCommand(CLI::App& program);
-LogCommand addRecoverCommand(CLI::App& program);
-LogCommand addShiftCommand(CLI::App& program);
-LogCommand addSplitCommand(CLI::App& program);
-LogCommand addStateCommand(CLI::App& program);
-LogCommand addTableCommand(CLI::App& program);
-LogCommand addVerifyCommand(CLI::App& program);
+cli::Subcommand addAttachCommand(cli::CommandLine program);
+cli::Subcommand addCatCommand(cli::CommandLine program);
+cli::Subcommand addCutCommand(cli::CommandLine program);
+cli::Subcommand addFilterCommand(cli::CommandLine program);
+cli::Subcommand addDecodeCommand(cli::CommandLine program);
+cli::Subcommand addDiffCommand(cli::CommandLine program);
+cli::Subcommand addDoctorCommand(cli::CommandLine program);
+cli::Subcommand addExportCommand(cli::CommandLine program);
+cli::Subcommand addExtractCommand(cli::CommandLine program);
+cli::Subcommand addFollowCommand(cli::CommandLine program);
+cli::Subcommand addImportCommand(cli::CommandLine program);
+cli::Subcommand addInfoCommand(cli::CommandLine program);
+cli::Subcommand addMarkCommand(cli::CommandLine program);
+cli::Subcommand addMergeCommand(cli::CommandLine program);
+cli::Subcommand addRecoverCommand(cli::CommandLine program);
+cli::Subcommand addShiftCommand(cli::CommandLine program);
+cli::Subcommand addSplitCommand(cli::CommandLine program);
+cli::Subcommand addStateCommand(cli::CommandLine program);
+cli::Subcommand addTableCommand(cli::CommandLine program);
+cli::Subcommand addVerifyCommand(cli::CommandLine program);
 
 }  // namespace rocinante

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "core/copy/log_edits.h"
 #include "recorder/log/command_support.h"
@@ -23,21 +22,22 @@ Result<cli::Exit> runCut(const CutArguments& arguments, const std::string& reaso
 }
 
 /// `cut` and `filter` take the same options, and differ in which are required.
-std::shared_ptr<CutArguments> addArguments(CLI::App& app) {
+std::shared_ptr<CutArguments> addArguments(cli::CommandLine app) {
   auto arguments = std::make_shared<CutArguments>();
-  app.add_option("LOG", arguments->log, "the log; it is not changed")->required();
+  app.addOption("LOG", arguments->log, "the log; it is not changed").required();
   addTimeArguments(app, arguments->selection);
   addChoiceArguments(app, arguments->selection);
   addCopyArguments(app, arguments->copy);
-  app.add_flag("--no-attachments", arguments->copy.without_attachments, "leave out attachments");
+  app.addFlag("--no-attachments", arguments->copy.without_attachments, "leave out attachments");
   return arguments;
 }
 
 }  // namespace
 
-LogCommand addCutCommand(CLI::App& program) {
-  CLI::App* const app = program.add_subcommand("cut", "copy a part of a log, by time or events");
-  const auto arguments = addArguments(*app);
+cli::Subcommand addCutCommand(cli::CommandLine program) {
+  const cli::CommandLine app =
+      program.addSubcommand("cut", "copy a part of a log, by time or events");
+  const auto arguments = addArguments(app);
   return {app, [arguments]() -> Result<cli::Exit> {
             if (!arguments->selection.anyTime()) {
               return Error{ErrorKind::bad_argument,
@@ -49,10 +49,10 @@ LogCommand addCutCommand(CLI::App& program) {
           }};
 }
 
-LogCommand addFilterCommand(CLI::App& program) {
-  CLI::App* const app =
-      program.add_subcommand("filter", "copy some of the messages, by channel, source, device");
-  const auto arguments = addArguments(*app);
+cli::Subcommand addFilterCommand(cli::CommandLine program) {
+  const cli::CommandLine app =
+      program.addSubcommand("filter", "copy some of the messages, by channel, source, device");
+  const auto arguments = addArguments(app);
   return {app, [arguments]() -> Result<cli::Exit> {
             if (!arguments->selection.anyChoice()) {
               return Error{ErrorKind::bad_argument,

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "core/copy/copy_report.h"
 #include "core/copy/log_edits.h"
@@ -39,13 +38,13 @@ Result<cli::Exit> runDecode(const DecodeArguments& arguments) {
 
 }  // namespace
 
-LogCommand addDecodeCommand(CLI::App& program) {
+cli::Subcommand addDecodeCommand(cli::CommandLine program) {
   auto arguments = std::make_shared<DecodeArguments>();
-  CLI::App* const app = program.add_subcommand(
+  const cli::CommandLine app = program.addSubcommand(
       "decode", "copy a log, with packets made of its octets by declared decoders");
-  app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
-  app->add_option("--decoders", arguments->decoders, "the file that declares them")->required();
-  addCopyArguments(*app, arguments->copy);
+  app.addOption("LOG", arguments->log, "the log; it is not changed").required();
+  app.addOption("--decoders", arguments->decoders, "the file that declares them").required();
+  addCopyArguments(app, arguments->copy);
   return {app, [arguments] { return runDecode(*arguments); }};
 }
 

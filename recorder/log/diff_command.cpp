@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "core/base/duration_text.h"
@@ -117,32 +116,31 @@ Result<cli::Exit> runDiff(DiffOptions options) {
 
 }  // namespace
 
-LogCommand addDiffCommand(CLI::App& program) {
+cli::Subcommand addDiffCommand(cli::CommandLine program) {
   auto options = std::make_shared<DiffOptions>();
-  CLI::App* const app =
-      program.add_subcommand("diff", "compare two logs: messages, their times, their states");
-  app->add_option("A", options->a, "a log")->required();
-  app->add_option("B", options->b, "another log")->required();
-  CLI::Option* const by = app->add_option("--by", options->by, "what to compare")
-                              ->check(CLI::IsMember({"payload", "time", "state", "all"}))
-                              ->capture_default_str();
-  CLI::Option* const replay = app->add_flag(
+  const cli::CommandLine app =
+      program.addSubcommand("diff", "compare two logs: messages, their times, their states");
+  app.addOption("A", options->a, "a log").required();
+  app.addOption("B", options->b, "another log").required();
+  const cli::Option by = app.addOption("--by", options->by, "what to compare")
+                             .oneOf({"payload", "time", "state", "all"})
+                             .showDefault();
+  const cli::Option replay = app.addFlag(
       "--replay", options->replay, "B recorded A as it was played, to other ports, at any speed");
-  replay->excludes(by);
-  app->add_option("--speed", options->speed, "the --speed that A was played with")
-      ->needs(replay)
-      ->type_name("X")
-      ->capture_default_str();
-  app->add_option("--map", options->maps,
-                  "the --map that A was played with (PATTERN=EP); repeatable")
-      ->needs(replay)
-      ->allow_extra_args(false)
-      ->type_name("PATTERN=EP");
-  app->add_option("--within", options->within,
-                  "report a difference when a message is further off than this")
-      ->needs(replay)
-      ->type_name("TIME");
-  app->add_flag("--json", options->json, "print JSON");
+  replay.excludes(by);
+  app.addOption("--speed", options->speed, "the --speed that A was played with")
+      .needs(replay)
+      .valueName("X")
+      .showDefault();
+  app.addOption("--map", options->maps, "the --map that A was played with (PATTERN=EP); repeatable")
+      .needs(replay)
+      .oneEach()
+      .valueName("PATTERN=EP");
+  app.addOption("--within", options->within,
+                "report a difference when a message is further off than this")
+      .needs(replay)
+      .valueName("TIME");
+  app.addFlag("--json", options->json, "print JSON");
   return {app, [options] { return runDiff(*options); }};
 }
 

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "recorder/doctor/log_doctor.h"
@@ -29,12 +28,12 @@ Result<cli::Exit> runDoctor(const DoctorOptions& options) {
 
 }  // namespace
 
-LogCommand addDoctorCommand(CLI::App& program) {
+cli::Subcommand addDoctorCommand(cli::CommandLine program) {
   auto options = std::make_shared<DoctorOptions>();
-  CLI::App* const app =
-      program.add_subcommand("doctor", "check a log against every rule of its format");
-  app->add_option("LOG", options->logs, "logs to examine; other MCAP files too")->required();
-  app->add_flag("--json", options->json, "print JSON; for several logs, one object per line");
+  const cli::CommandLine app =
+      program.addSubcommand("doctor", "check a log against every rule of its format");
+  app.addOption("LOG", options->logs, "logs to examine; other MCAP files too").required();
+  app.addFlag("--json", options->json, "print JSON; for several logs, one object per line");
   return {app, [options] { return runDoctor(*options); }};
 }
 

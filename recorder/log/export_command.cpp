@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "core/base/duration_text.h"
@@ -276,30 +275,30 @@ Result<cli::Exit> runExport(ExportArguments my) {
 
 }  // namespace
 
-LogCommand addExportCommand(CLI::App& program) {
+cli::Subcommand addExportCommand(cli::CommandLine program) {
   auto my = std::make_shared<ExportArguments>();
-  CLI::App* const app = program.add_subcommand(
+  const cli::CommandLine app = program.addSubcommand(
       "export", "write a log for other tools: Foxglove, ROS 2, captures, glTF");
-  addExportCellArguments(*app, "CELL", my->cell);
-  cli::showRequired(*app->add_option("LOG", my->log, "the log to read"));
-  app->add_flag("--foxglove", my->foxglove, "an MCAP file of protobuf messages of foxglove");
-  app->add_flag("--ros2", my->ros2, "a ROS 2 bag: an MCAP file of CDR messages");
-  app->add_flag("--pcap", my->pcap, "a capture of the datagrams, with nanoseconds");
-  app->add_flag("--gltf", my->gltf, "a .glb: the cell's scene, animated as the session moved it");
-  app->add_option("--every", my->every,
-                  "of --gltf: keys at each multiple of this time; by default at every moment that "
-                  "writes a value")
-      ->type_name("TIME");
-  app->add_flag("--raw", my->raw, "the datagrams too, beside the messages");
-  app->add_flag("--model", my->model,
-                "of --foxglove: what every link shows, as glTF in the messages");
-  app->add_flag("--findings", my->findings, "what `check` finds too, among the events");
-  app->add_option("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")
-      ->type_name("TIME");
-  app->add_option("--until", my->times.until, "end before this session time")->type_name("TIME");
-  app->add_option("-o,--output", my->output, "the file to make")->type_name("OUT")->required();
-  app->add_flag("--force", my->force, "replace an existing output");
-  app->add_flag("--json", my->json, "print what was made as JSON");
+  addExportCellArguments(app, "CELL", my->cell);
+  app.addOption("LOG", my->log, "the log to read").showRequired();
+  app.addFlag("--foxglove", my->foxglove, "an MCAP file of protobuf messages of foxglove");
+  app.addFlag("--ros2", my->ros2, "a ROS 2 bag: an MCAP file of CDR messages");
+  app.addFlag("--pcap", my->pcap, "a capture of the datagrams, with nanoseconds");
+  app.addFlag("--gltf", my->gltf, "a .glb: the cell's scene, animated as the session moved it");
+  app.addOption("--every", my->every,
+                "of --gltf: keys at each multiple of this time; by default at every moment that "
+                "writes a value")
+      .valueName("TIME");
+  app.addFlag("--raw", my->raw, "the datagrams too, beside the messages");
+  app.addFlag("--model", my->model,
+              "of --foxglove: what every link shows, as glTF in the messages");
+  app.addFlag("--findings", my->findings, "what `check` finds too, among the events");
+  app.addOption("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+      .valueName("TIME");
+  app.addOption("--until", my->times.until, "end before this session time").valueName("TIME");
+  app.addOption("-o,--output", my->output, "the file to make").valueName("OUT").required();
+  app.addFlag("--force", my->force, "replace an existing output");
+  app.addFlag("--json", my->json, "print what was made as JSON");
   return {app, [my]() -> Result<cli::Exit> {
             std::filesystem::path log = my->log;
             if (Status has = orderLogAndItsCell(my->cell.cell, log); !has) return has.error();

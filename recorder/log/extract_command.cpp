@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/atomic_file.h"
 #include "core/base/plain_text.h"
 #include "core/report/json_text.h"
@@ -110,20 +108,21 @@ Result<cli::Exit> runExtract(const ExtractArguments& my) {
 
 }  // namespace
 
-LogCommand addExtractCommand(CLI::App& program) {
+cli::Subcommand addExtractCommand(cli::CommandLine program) {
   auto my = std::make_shared<ExtractArguments>();
-  CLI::App* const app = program.add_subcommand("extract", "extract the files attached to a log");
-  app->add_option("LOG", my->log, "a log")->required();
-  app->add_option("NAME", my->name, "the attachment of that name");
-  app->add_option("--index", my->index, "the attachment of that number in --list")->type_name("N");
-  app->add_flag("--all", my->all, "every attachment, into a folder");
-  app->add_flag("--cell", my->cell, "the cell that the log carries, into a folder");
-  app->add_flag("--list", my->list, "list the attachments");
-  app->add_option("-o,--output", my->output,
-                  "a file, a folder for --all and --cell, or -: standard output")
-      ->type_name("PATH");
-  app->add_flag("--force", my->force, "replace what is there");
-  app->add_flag("--json", my->json, "print --list as JSON");
+  const cli::CommandLine app =
+      program.addSubcommand("extract", "extract the files attached to a log");
+  app.addOption("LOG", my->log, "a log").required();
+  app.addOption("NAME", my->name, "the attachment of that name");
+  app.addOption("--index", my->index, "the attachment of that number in --list").valueName("N");
+  app.addFlag("--all", my->all, "every attachment, into a folder");
+  app.addFlag("--cell", my->cell, "the cell that the log carries, into a folder");
+  app.addFlag("--list", my->list, "list the attachments");
+  app.addOption("-o,--output", my->output,
+                "a file, a folder for --all and --cell, or -: standard output")
+      .valueName("PATH");
+  app.addFlag("--force", my->force, "replace what is there");
+  app.addFlag("--json", my->json, "print --list as JSON");
   return {app, [my] { return runExtract(*my); }};
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -73,20 +72,19 @@ Result<cli::Exit> runFollow(FollowCommandOptions& options) {
 
 }  // namespace
 
-LogCommand addFollowCommand(CLI::App& program) {
+cli::Subcommand addFollowCommand(cli::CommandLine program) {
   auto options = std::make_shared<FollowCommandOptions>();
-  CLI::App* const app =
-      program.add_subcommand("follow", "print the messages of a log while it is recorded");
-  app->add_option("LOG", options->log, "the log, which may still grow")->required();
-  app->add_flag("--from-start", options->follow.from_start,
-                "print the messages already there first");
-  app->add_option("--channel", options->follow.channels,
-                  "only topics that match this pattern; may be repeated")
-      ->type_name("PATTERN")
-      ->allow_extra_args(false);
-  app->add_option("--format", options->format, "json: one object per line")
-      ->check(CLI::IsMember({"text", "json", "csv"}))
-      ->capture_default_str();
+  const cli::CommandLine app =
+      program.addSubcommand("follow", "print the messages of a log while it is recorded");
+  app.addOption("LOG", options->log, "the log, which may still grow").required();
+  app.addFlag("--from-start", options->follow.from_start, "print the messages already there first");
+  app.addOption("--channel", options->follow.channels,
+                "only topics that match this pattern; may be repeated")
+      .valueName("PATTERN")
+      .oneEach();
+  app.addOption("--format", options->format, "json: one object per line")
+      .oneOf({"text", "json", "csv"})
+      .showDefault();
   return {app, [options] { return runFollow(*options); }};
 }
 

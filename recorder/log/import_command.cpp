@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "core/base/duration_text.h"
@@ -202,23 +201,22 @@ Result<cli::Exit> runImport(const ImportArguments& my) {
 
 }  // namespace
 
-LogCommand addImportCommand(CLI::App& program) {
+cli::Subcommand addImportCommand(cli::CommandLine program) {
   auto my = std::make_shared<ImportArguments>();
-  CLI::App* const app = program.add_subcommand(
+  const cli::CommandLine app = program.addSubcommand(
       "import", "make a log of what other programs recorded, with its packets");
-  app->add_option("IN", my->inputs,
-                  "ROS bags (MCAP, .db3, .bag, or the folder of one), LCM logs, CSV, JSON lines; "
-                  "or a capture; told by content; several become one")
-      ->required();
-  app->add_option(
-         "--cell", my->cell,
-         "the cell whose devices are meant; attached. Default: the bag's robot_description")
-      ->type_name("CELL");
-  cli::addSearchOptions(*app, my->search);
-  app->add_option("--device", my->device,
-                  "the device of joints and poses that name no device of the cell")
-      ->type_name("NAME");
-  addCopyArguments(*app, my->copy);
+  app.addOption("IN", my->inputs,
+                "ROS bags (MCAP, .db3, .bag, or the folder of one), LCM logs, CSV, JSON lines; "
+                "or a capture; told by content; several become one")
+      .required();
+  app.addOption("--cell", my->cell,
+                "the cell whose devices are meant; attached. Default: the bag's robot_description")
+      .valueName("CELL");
+  cli::addSearchOptions(app, my->search);
+  app.addOption("--device", my->device,
+                "the device of joints and poses that name no device of the cell")
+      .valueName("NAME");
+  addCopyArguments(app, my->copy);
   return {app, [my] { return runImport(*my); }};
 }
 

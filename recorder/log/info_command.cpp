@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <limits>
 
@@ -36,15 +35,14 @@ Result<cli::Exit> runInfo(const InfoOptions& options) {
 
 }  // namespace
 
-LogCommand addInfoCommand(CLI::App& program) {
+cli::Subcommand addInfoCommand(cli::CommandLine program) {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* const app =
-      program.add_subcommand("info", "describe a log: channels, rates, losses, damage");
-  app->add_option("LOG", options->logs, "logs to describe")->required();
-  auto* json =
-      app->add_flag("--json", options->json, "print JSON; for several logs, one object per line");
-  app->add_flag("--all-events", options->all_events, "every event, not the first 1,000")
-      ->needs(json);
+  const cli::CommandLine app =
+      program.addSubcommand("info", "describe a log: channels, rates, losses, damage");
+  app.addOption("LOG", options->logs, "logs to describe").required();
+  const cli::Option json =
+      app.addFlag("--json", options->json, "print JSON; for several logs, one object per line");
+  app.addFlag("--all-events", options->all_events, "every event, not the first 1,000").needs(json);
   return {app, [options] { return runInfo(*options); }};
 }
 

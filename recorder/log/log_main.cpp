@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "recorder/log/commands.h"
@@ -33,20 +32,15 @@ constexpr const char* kExamples =
 
 int main(int argc, char** argv) {
   using namespace rocinante;
-  CLI::App app("Inspects logs, and makes new logs from logs. An existing log is never changed.",
-               "rocinante-log");
-  app.require_subcommand(1);
-  const std::vector<LogCommand> commands{
+  cli::Program app("Inspects logs, and makes new logs from logs. An existing log is never changed.",
+                   "rocinante-log");
+  app.requireSubcommand();
+  const std::vector<cli::Subcommand> commands{
       addInfoCommand(app),    addCatCommand(app),    addStateCommand(app),   addDiffCommand(app),
       addDoctorCommand(app),  addFollowCommand(app), addMarkCommand(app),    addCutCommand(app),
       addFilterCommand(app),  addMergeCommand(app),  addSplitCommand(app),   addShiftCommand(app),
       addRecoverCommand(app), addAttachCommand(app), addExtractCommand(app), addVerifyCommand(app),
       addTableCommand(app),   addExportCommand(app), addImportCommand(app),  addDecodeCommand(app),
   };
-  return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
-    for (const LogCommand& command : commands) {
-      if (command.app->parsed()) return command.run();
-    }
-    return cli::Exit::could_not_run;
-  });
+  return cli::run(app, argc, argv, kExamples, [&] { return cli::runChosen(commands); });
 }

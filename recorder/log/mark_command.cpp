@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "recorder/contents/log_mark.h"
@@ -28,13 +26,14 @@ Result<cli::Exit> runMark(const MarkOptions& options) {
 
 }  // namespace
 
-LogCommand addMarkCommand(CLI::App& program) {
+cli::Subcommand addMarkCommand(cli::CommandLine program) {
   auto options = std::make_shared<MarkOptions>();
-  CLI::App* const app = program.add_subcommand("mark", "add an event beside a log, in LOG.marks");
-  app->add_option("LOG", options->log, "the log; it is not changed")->required();
-  app->add_option("TIME", options->time, "12.5s from the origin, -1s from the end, or RFC 3339")
-      ->required();
-  app->add_option("TEXT", options->text, "what happened there")->required();
+  const cli::CommandLine app =
+      program.addSubcommand("mark", "add an event beside a log, in LOG.marks");
+  app.addOption("LOG", options->log, "the log; it is not changed").required();
+  app.addOption("TIME", options->time, "12.5s from the origin, -1s from the end, or RFC 3339")
+      .required();
+  app.addOption("TEXT", options->text, "what happened there").required();
   return {app, [options] { return runMark(*options); }};
 }
 

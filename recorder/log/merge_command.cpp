@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "core/copy/log_edits.h"
 #include "recorder/log/command_support.h"
@@ -23,14 +22,14 @@ Result<cli::Exit> runMerge(const MergeArguments& arguments) {
 
 }  // namespace
 
-LogCommand addMergeCommand(CLI::App& program) {
+cli::Subcommand addMergeCommand(cli::CommandLine program) {
   auto arguments = std::make_shared<MergeArguments>();
-  CLI::App* const app =
-      program.add_subcommand("merge", "merge logs by time: pieces, or several machines");
-  app->add_option("LOG", arguments->logs, "the logs; for equal times the first named comes first")
-      ->required();
-  addCopyArguments(*app, arguments->copy);
-  app->add_flag("--no-attachments", arguments->copy.without_attachments, "leave out attachments");
+  const cli::CommandLine app =
+      program.addSubcommand("merge", "merge logs by time: pieces, or several machines");
+  app.addOption("LOG", arguments->logs, "the logs; for equal times the first named comes first")
+      .required();
+  addCopyArguments(app, arguments->copy);
+  app.addFlag("--no-attachments", arguments->copy.without_attachments, "leave out attachments");
   return {app, [arguments] { return runMerge(*arguments); }};
 }
 

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/copy/copy_report.h"
 #include "core/copy/log_edits.h"
 #include "recorder/log/command_support.h"
@@ -37,12 +35,12 @@ Result<cli::Exit> runRecover(const RecoverArguments& arguments) {
 
 }  // namespace
 
-LogCommand addRecoverCommand(CLI::App& program) {
+cli::Subcommand addRecoverCommand(cli::CommandLine program) {
   auto arguments = std::make_shared<RecoverArguments>();
-  CLI::App* const app = program.add_subcommand(
-      "recover", "copy what is left of a truncated, damaged or unclosed log");
-  app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
-  addCopyArguments(*app, arguments->copy);
+  const cli::CommandLine app =
+      program.addSubcommand("recover", "copy what is left of a truncated, damaged or unclosed log");
+  app.addOption("LOG", arguments->log, "the log; it is not changed").required();
+  addCopyArguments(app, arguments->copy);
   return {app, [arguments] { return runRecover(*arguments); }};
 }
 

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "core/copy/log_edits.h"
 #include "recorder/log/command_support.h"
@@ -23,20 +22,19 @@ Result<cli::Exit> runShift(const ShiftArguments& arguments) {
 
 }  // namespace
 
-LogCommand addShiftCommand(CLI::App& program) {
+cli::Subcommand addShiftCommand(cli::CommandLine program) {
   auto arguments = std::make_shared<ShiftArguments>();
-  CLI::App* const app = program.add_subcommand("shift", "move a log in time");
-  app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
-  CLI::Option_group* const distance = app->add_option_group("how far", "How far (one of these)");
+  const cli::CommandLine app = program.addSubcommand("shift", "move a log in time");
+  app.addOption("LOG", arguments->log, "the log; it is not changed").required();
+  const cli::CommandLine distance = app.addOneOf("how far", "How far (one of these)");
   distance
-      ->add_option("--by", arguments->shift.by,
-                   "this much later, or earlier with a minus (0.25s, -1h)")
-      ->type_name("TIME");
-  distance->add_option("--to", arguments->shift.to, "so that its origin is at this time (RFC 3339)")
-      ->type_name("TIME");
-  distance->require_option(1);
-  app->add_flag("--publish", arguments->shift.publish, "move the senders' times too");
-  addCopyArguments(*app, arguments->copy);
+      .addOption("--by", arguments->shift.by,
+                 "this much later, or earlier with a minus (0.25s, -1h)")
+      .valueName("TIME");
+  distance.addOption("--to", arguments->shift.to, "so that its origin is at this time (RFC 3339)")
+      .valueName("TIME");
+  app.addFlag("--publish", arguments->shift.publish, "move the senders' times too");
+  addCopyArguments(app, arguments->copy);
   return {app, [arguments] { return runShift(*arguments); }};
 }
 

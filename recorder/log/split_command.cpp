@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "core/base/duration_text.h"
 #include "core/base/figure_text.h"
@@ -67,30 +66,30 @@ Result<cli::Exit> runSplit(SplitArguments& arguments) {
 
 }  // namespace
 
-LogCommand addSplitCommand(CLI::App& program) {
+cli::Subcommand addSplitCommand(cli::CommandLine program) {
   auto arguments = std::make_shared<SplitArguments>();
-  CLI::App* const app = program.add_subcommand("split", "split a log into self-contained pieces");
-  app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
-  CLI::Option_group* const where = app->add_option_group("where", "Where to split (one of these)");
-  where->add_option("--size", arguments->size, "pieces of about this size (100MB, 64MiB)")
-      ->type_name("SIZE");
+  const cli::CommandLine app =
+      program.addSubcommand("split", "split a log into self-contained pieces");
+  app.addOption("LOG", arguments->log, "the log; it is not changed").required();
+  const cli::CommandLine where = app.addOneOf("where", "Where to split (one of these)");
+  where.addOption("--size", arguments->size, "pieces of about this size (100MB, 64MiB)")
+      .valueName("SIZE");
   where
-      ->add_option("--time", arguments->time,
-                   "pieces of this length (60s), counted from the session's origin")
-      ->type_name("TIME");
+      .addOption("--time", arguments->time,
+                 "pieces of this length (60s), counted from the session's origin")
+      .valueName("TIME");
   where
-      ->add_option("--event", arguments->split.event,
-                   "a new piece from each event whose text matches")
-      ->type_name("PATTERN");
-  where->require_option(1);
-  app->add_flag("--attach-once", arguments->split.attach_once,
-                "put attachments into the first piece only");
-  addCopyArguments(*app, arguments->copy);
-  app->get_option("--output")
-      ->description(
+      .addOption("--event", arguments->split.event,
+                 "a new piece from each event whose text matches")
+      .valueName("PATTERN");
+  app.addFlag("--attach-once", arguments->split.attach_once,
+              "put attachments into the first piece only");
+  addCopyArguments(app, arguments->copy);
+  app.option("--output")
+      .description(
           "a folder, or the pieces' name, in which %n is the number (without %n it goes before the "
           "extension)")
-      ->type_name("NAME");
+      .valueName("NAME");
   return {app, [arguments] { return runSplit(*arguments); }};
 }
 

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/duration_text.h"
 #include "core/cli/opened_session.h"
 #include "core/session/moment_name.h"
@@ -62,19 +60,17 @@ Result<cli::Exit> runState(StateCommandOptions options) {
 
 }  // namespace
 
-LogCommand addStateCommand(CLI::App& program) {
+cli::Subcommand addStateCommand(cli::CommandLine program) {
   auto options = std::make_shared<StateCommandOptions>();
-  CLI::App* const app = program.add_subcommand("state", "print the state at a moment");
-  app->add_option("LOG", options->log, "the log to read")->required();
-  CLI::Option_group* const moment = app->add_option_group("moment", "The moment (one of these)");
+  const cli::CommandLine app = program.addSubcommand("state", "print the state at a moment");
+  app.addOption("LOG", options->log, "the log to read").required();
+  const cli::CommandLine moment = app.addOneOf("moment", "The moment (one of these)");
   moment
-      ->add_option("--at", options->at,
-                   "a session time (12.5s, -1s, RFC 3339), or the text of an event")
-      ->type_name("TIME");
-  moment->add_option("--event", options->event, "the event whose text matches")
-      ->type_name("PATTERN");
-  moment->require_option(1);
-  app->add_flag("--json", options->json, "print JSON");
+      .addOption("--at", options->at,
+                 "a session time (12.5s, -1s, RFC 3339), or the text of an event")
+      .valueName("TIME");
+  moment.addOption("--event", options->event, "the event whose text matches").valueName("PATTERN");
+  app.addFlag("--json", options->json, "print JSON");
   return {app, [options] { return runState(*options); }};
 }
 

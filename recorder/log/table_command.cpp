@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <optional>
 
 #include "core/base/duration_text.h"
@@ -166,32 +165,32 @@ Result<cli::Exit> runTable(TableArguments my) {
 
 }  // namespace
 
-LogCommand addTableCommand(CLI::App& program) {
+cli::Subcommand addTableCommand(cli::CommandLine program) {
   auto my = std::make_shared<TableArguments>();
-  CLI::App* const app =
-      program.add_subcommand("table", "write joint values and poses as columns: CSV or NumPy");
-  app->add_option("LOG", my->log, "the log to read")->required();
-  app->add_option("--device", my->devices, "only devices that match this pattern; may be repeated")
-      ->type_name("PATTERN")
-      ->allow_extra_args(false);
-  CLI::Option* const every =
-      app->add_option("--every", my->every,
-                      "a row at each multiple of this time; by default one for each moment that "
-                      "writes a value")
-          ->type_name("TIME");
-  app->add_flag("--changes", my->changes, "only rows that differ from the one before")
-      ->excludes(every);
-  app->add_flag("--clearance", my->clearance,
-                "the distances of the cell's clearances too, in metres, a column for each pair");
-  app->add_option("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")
-      ->type_name("TIME");
-  app->add_option("--until", my->times.until, "end before this session time")->type_name("TIME");
-  addExportCellArguments(*app, "--cell", my->cell);
-  app->add_option("-o,--output", my->output,
-                  "a .csv, .npy or .npz file; by default CSV on standard output")
-      ->type_name("OUT");
-  app->add_flag("--force", my->force, "replace an existing output");
-  app->add_flag("--json", my->json, "print what was made as JSON");
+  const cli::CommandLine app =
+      program.addSubcommand("table", "write joint values and poses as columns: CSV or NumPy");
+  app.addOption("LOG", my->log, "the log to read").required();
+  app.addOption("--device", my->devices, "only devices that match this pattern; may be repeated")
+      .valueName("PATTERN")
+      .oneEach();
+  const cli::Option every =
+      app.addOption("--every", my->every,
+                    "a row at each multiple of this time; by default one for each moment that "
+                    "writes a value")
+          .valueName("TIME");
+  app.addFlag("--changes", my->changes, "only rows that differ from the one before")
+      .excludes(every);
+  app.addFlag("--clearance", my->clearance,
+              "the distances of the cell's clearances too, in metres, a column for each pair");
+  app.addOption("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+      .valueName("TIME");
+  app.addOption("--until", my->times.until, "end before this session time").valueName("TIME");
+  addExportCellArguments(app, "--cell", my->cell);
+  app.addOption("-o,--output", my->output,
+                "a .csv, .npy or .npz file; by default CSV on standard output")
+      .valueName("OUT");
+  app.addFlag("--force", my->force, "replace an existing output");
+  app.addFlag("--json", my->json, "print what was made as JSON");
   return {app, [my] { return runTable(*my); }};
 }
 

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "recorder/contents/log_verify.h"
 #include "recorder/log/command_support.h"
@@ -37,14 +36,15 @@ Result<cli::Exit> runVerify(const VerifyOptions& options) {
 
 }  // namespace
 
-LogCommand addVerifyCommand(CLI::App& program) {
+cli::Subcommand addVerifyCommand(cli::CommandLine program) {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* const app = program.add_subcommand("verify", "check the signatures of all datagrams");
-  app->add_option("LOG", options->log, "the log to verify")->required();
-  app->add_option("--trust", options->trust, "the keys and what each may say (docs/signing.md)")
-      ->type_name("FILE")
-      ->required();
-  app->add_flag("--json", options->json, "print JSON");
+  const cli::CommandLine app =
+      program.addSubcommand("verify", "check the signatures of all datagrams");
+  app.addOption("LOG", options->log, "the log to verify").required();
+  app.addOption("--trust", options->trust, "the keys and what each may say (docs/signing.md)")
+      .valueName("FILE")
+      .required();
+  app.addFlag("--json", options->json, "print JSON");
   return {app, [options] { return runVerify(*options); }};
 }
 

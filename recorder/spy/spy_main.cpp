@@ -4,7 +4,6 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -220,29 +219,29 @@ Result<cli::Exit> run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  cli::Program app(
       "Listens and reports what arrives, without a model: who sends, which sources and devices\n"
       "are active, what is wrong with their packets, and why nothing moves. Live on a terminal.",
       "rocinante-spy");
   Arguments arguments;
-  app.add_option("EP", arguments.endpoints,
-                 "endpoints to listen on, interfaces to watch (pcap://eth0) or a capture file\n"
-                 "(pcap://./FILE); default " +
-                     Endpoint::standard().text())
-      ->type_name("");
+  app.addOption("EP", arguments.endpoints,
+                "endpoints to listen on, interfaces to watch (pcap://eth0) or a capture file\n"
+                "(pcap://./FILE); default " +
+                    Endpoint::standard().text())
+      .valueName("");
   rocinante::cli::addNoWait(app, arguments.no_wait);
-  app.add_option("--allow", arguments.allow,
-                 "accept only senders in this network (10.0.0.0/8); may be repeated")
-      ->type_name("CIDR")
-      ->allow_extra_args(false);
-  app.add_option("--trust", arguments.trust,
-                 "accept only what is signed with a key of this file (rocinante key)")
-      ->type_name("FILE");
-  app.add_option("--decoders", arguments.decoders,
-                 "decode what is not packet text as this file declares, and show its fields")
-      ->type_name("FILE");
-  app.add_option("--duration", arguments.duration, "report after TIME (5s); default at Ctrl-C")
-      ->type_name("TIME");
-  app.add_flag("--json", arguments.json, "the report as JSON");
+  app.addOption("--allow", arguments.allow,
+                "accept only senders in this network (10.0.0.0/8); may be repeated")
+      .valueName("CIDR")
+      .oneEach();
+  app.addOption("--trust", arguments.trust,
+                "accept only what is signed with a key of this file (rocinante key)")
+      .valueName("FILE");
+  app.addOption("--decoders", arguments.decoders,
+                "decode what is not packet text as this file declares, and show its fields")
+      .valueName("FILE");
+  app.addOption("--duration", arguments.duration, "report after TIME (5s); default at Ctrl-C")
+      .valueName("TIME");
+  app.addFlag("--json", arguments.json, "the report as JSON");
   return cli::run(app, argc, argv, kExamples, [&] { return run(arguments); });
 }

@@ -1,29 +1,30 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
 
+#include "core/cli/command_line.h"
 #include "viewer/backdrop/backdrop_request.h"
 
 namespace rocinante {
 
 /// --backdrop, whose text is for readBackdrop(), and what goes with it.
-inline CLI::Option* addBackdropOptions(CLI::App& app, std::string& text,
-                                       BackdropRequest& backdrop) {
-  auto* option = app.add_option("--backdrop", text,
-                                "pictures of a real camera behind and over the model: a picture, "
-                                "a folder with times, or a video (by ffmpeg)")
-                     ->option_text("FILE[,camera=NAME][,fps=N]");
-  app.add_option("--backdrop-offset", backdrop.offset,
-                 "the session time at which the backdrop begins: 2.5s, -300ms; default: 0")
-      ->needs(option)
-      ->type_name("SECONDS");
-  app.add_option("--backdrop-opacity", backdrop.opacity,
-                 "how much of the backdrop covers the model: 0 (nothing) to 1")
-      ->needs(option)
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+inline cli::Option addBackdropOptions(cli::CommandLine app, std::string& text,
+                                      BackdropRequest& backdrop) {
+  const cli::Option option =
+      app.addOption("--backdrop", text,
+                    "pictures of a real camera behind and over the model: a picture, "
+                    "a folder with times, or a video (by ffmpeg)")
+          .valueText("FILE[,camera=NAME][,fps=N]");
+  app.addOption("--backdrop-offset", backdrop.offset,
+                "the session time at which the backdrop begins: 2.5s, -300ms; default: 0")
+      .needs(option)
+      .valueName("SECONDS");
+  app.addOption("--backdrop-opacity", backdrop.opacity,
+                "how much of the backdrop covers the model: 0 (nothing) to 1")
+      .needs(option)
+      .within(0.0, 1.0)
+      .showDefault();
   return option;
 }
 

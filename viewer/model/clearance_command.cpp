@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "viewer/model/commands.h"
 #include "viewer/model/pose_request.h"
 
@@ -36,13 +34,13 @@ Result<cli::Exit> runClearance(const ClearanceOptions& options) {
 
 }  // namespace
 
-ModelCommand addClearanceCommand(CLI::App& program) {
+cli::Subcommand addClearanceCommand(cli::CommandLine program) {
   auto options = std::make_shared<ClearanceOptions>();
-  CLI::App* const app = program.add_subcommand(
+  const cli::CommandLine app = program.addSubcommand(
       "clearance", "measure the least distances between devices and links in one pose");
-  addFileOptions(*app, options->file);
-  addPoseOptions(*app, options->pose);
-  app->add_flag("--json", options->json, "print JSON");
+  addFileOptions(app, options->file);
+  addPoseOptions(app, options->pose);
+  app.addFlag("--json", options->json, "print JSON");
   return {app, [options] { return runClearance(*options); }};
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "core/base/number_list.h"
@@ -16,13 +15,13 @@
 
 namespace rocinante {
 
-void addFileOptions(CLI::App& app, ModelFileOptions& options) {
-  app.add_option("FILE", options.file,
-                 "a model (.urdf, .obj, .stl ...), a *.cell.toml or a log that carries its cell")
-      ->required();
+void addFileOptions(cli::CommandLine app, ModelFileOptions& options) {
+  app.addOption("FILE", options.file,
+                "a model (.urdf, .obj, .stl ...), a *.cell.toml or a log that carries its cell")
+      .required();
   cli::addSearchOptions(app, options);
-  app.add_flag("--strict", options.strict, "refuse a model with errors");
-  app.add_option("--device", options.device, "only this device of a cell");
+  app.addFlag("--strict", options.strict, "refuse a model with errors");
+  app.addOption("--device", options.device, "only this device of a cell");
 }
 
 Result<Cell> loadFile(const ModelFileOptions& options, bool geometry) {
@@ -42,18 +41,18 @@ Result<Cell> loadFile(const ModelFileOptions& options, bool geometry) {
   return cell;
 }
 
-void addPoseOptions(CLI::App& app, PoseOptions& options) {
-  app.add_option(
-      "--joints", options.positions,
-      "all joint values in the file's order: \"0 -0.785 0 -2.356\", or \"DEVICE=0 ...\"");
-  app.add_option("--joint", options.named, "NAME=VALUE of one joint; repeatable");
-  app.add_flag("--degrees", options.degrees, "values of rotating joints are degrees");
-  app.add_option("--pose", options.base, "pose of the device: \"x y z\" or \"x y z qx qy qz qw\"");
-  auto* at = app.add_option("--at", options.at,
-                            "a session time: 12.5s, -1s, RFC 3339, or the text of an event");
-  auto* event = app.add_option("--event", options.event, "the event with this text (* and ?)");
-  event->option_text("PATTERN")->excludes(at);
-  app.add_option("--log", options.log, "take joint values from this session");
+void addPoseOptions(cli::CommandLine app, PoseOptions& options) {
+  app.addOption("--joints", options.positions,
+                "all joint values in the file's order: \"0 -0.785 0 -2.356\", or \"DEVICE=0 ...\"");
+  app.addOption("--joint", options.named, "NAME=VALUE of one joint; repeatable");
+  app.addFlag("--degrees", options.degrees, "values of rotating joints are degrees");
+  app.addOption("--pose", options.base, "pose of the device: \"x y z\" or \"x y z qx qy qz qw\"");
+  const cli::Option at = app.addOption(
+      "--at", options.at, "a session time: 12.5s, -1s, RFC 3339, or the text of an event");
+  const cli::Option event =
+      app.addOption("--event", options.event, "the event with this text (* and ?)");
+  event.valueText("PATTERN").excludes(at);
+  app.addOption("--log", options.log, "take joint values from this session");
 }
 
 Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string& device) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,23 +9,15 @@
 #include "core/cli/program.h"
 #include "viewer/model/pose_request.h"
 
-namespace CLI {
-class App;
-}
-
 namespace rocinante {
 
-/// A subcommand of `rocinante model`: its options and action. Each lies in its own
-/// NAME_command.cpp (docs/programs/model.md).
-struct ModelCommand {
-  CLI::App* app = nullptr;
-  std::function<Result<cli::Exit>()> run;
-};
-ModelCommand addInfoCommand(CLI::App& program);
-ModelCommand addTreeCommand(CLI::App& program);
-ModelCommand addFkCommand(CLI::App& program);
-ModelCommand addClearanceCommand(CLI::App& program);
-ModelCommand addConvertCommand(CLI::App& program);
+// The subcommands of `rocinante model`, added to the program. Each lies in its own NAME_command.cpp
+// (docs/programs/model.md).
+cli::Subcommand addInfoCommand(cli::CommandLine program);
+cli::Subcommand addTreeCommand(cli::CommandLine program);
+cli::Subcommand addFkCommand(cli::CommandLine program);
+cli::Subcommand addClearanceCommand(cli::CommandLine program);
+cli::Subcommand addConvertCommand(cli::CommandLine program);
 
 /// The file of a subcommand and how to load it.
 struct ModelFileOptions : ModelSearch {
@@ -34,7 +25,7 @@ struct ModelFileOptions : ModelSearch {
   bool strict = false;
   std::string device;  ///< empty: all of a cell
 };
-void addFileOptions(CLI::App& app, ModelFileOptions& options);
+void addFileOptions(cli::CommandLine app, ModelFileOptions& options);
 /// Loads it, with or without the meshes. `device` must be one of the cell's.
 Result<Cell> loadFile(const ModelFileOptions& options, bool geometry);
 
@@ -46,7 +37,7 @@ struct PoseOptions {
   std::string log, at, event;
   bool degrees = false;
 };
-void addPoseOptions(CLI::App& app, PoseOptions& options);
+void addPoseOptions(cli::CommandLine app, PoseOptions& options);
 Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string& device);
 
 /// Prints errors and warnings of the cell on standard error, one per line; notes only appear in

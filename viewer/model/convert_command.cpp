@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
 #include "viewer/model/commands.h"
@@ -35,16 +33,16 @@ Result<cli::Exit> runConvert(const ConvertOptions& options) {
 
 }  // namespace
 
-ModelCommand addConvertCommand(CLI::App& program) {
+cli::Subcommand addConvertCommand(cli::CommandLine program) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* const app = program.add_subcommand(
+  const cli::CommandLine app = program.addSubcommand(
       "convert", "convert geometry, or geometry with kinematics, to another format");
-  addFileOptions(*app, options->file);
-  addPoseOptions(*app, options->pose);
-  app->add_option("-o,--output", options->output,
-                  "OUT.obj (posed, a group per link), OUT.stl or OUT.cell.toml (with kinematics)")
-      ->required();
-  app->add_flag("--force", options->overwrite, "overwrite existing files");
+  addFileOptions(app, options->file);
+  addPoseOptions(app, options->pose);
+  app.addOption("-o,--output", options->output,
+                "OUT.obj (posed, a group per link), OUT.stl or OUT.cell.toml (with kinematics)")
+      .required();
+  app.addFlag("--force", options->overwrite, "overwrite existing files");
   return {app, [options] { return runConvert(*options); }};
 }
 

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "viewer/model/commands.h"
 #include "viewer/model/pose_request.h"
@@ -34,13 +33,13 @@ Result<cli::Exit> runFk(const FkOptions& options) {
 
 }  // namespace
 
-ModelCommand addFkCommand(CLI::App& program) {
+cli::Subcommand addFkCommand(cli::CommandLine program) {
   auto options = std::make_shared<FkOptions>();
-  CLI::App* const app =
-      program.add_subcommand("fk", "compute the pose of every link for given joint values");
-  addFileOptions(*app, options->file);
-  addPoseOptions(*app, options->pose);
-  app->add_flag("--json", options->json, "print JSON: LINK to {xyz, quaternion}");
+  const cli::CommandLine app =
+      program.addSubcommand("fk", "compute the pose of every link for given joint values");
+  addFileOptions(app, options->file);
+  addPoseOptions(app, options->pose);
+  app.addFlag("--json", options->json, "print JSON: LINK to {xyz, quaternion}");
   return {app, [options] { return runFk(*options); }};
 }
 

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include "viewer/model/commands.h"
 #include "viewer/model/model_info.h"
@@ -23,12 +22,12 @@ Result<cli::Exit> runInfo(const InfoOptions& options) {
 
 }  // namespace
 
-ModelCommand addInfoCommand(CLI::App& program) {
+cli::Subcommand addInfoCommand(cli::CommandLine program) {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* const app = program.add_subcommand(
+  const cli::CommandLine app = program.addSubcommand(
       "info", "show a model's tree, joints, limits, size, triangles, textures and faults");
-  addFileOptions(*app, options->file);
-  app->add_flag("--json", options->json, "print JSON");
+  addFileOptions(app, options->file);
+  app.addFlag("--json", options->json, "print JSON");
   return {app, [options] { return runInfo(*options); }};
 }
 

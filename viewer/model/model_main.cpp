@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "viewer/model/commands.h"
@@ -20,15 +19,10 @@ constexpr const char* kExamples =
 
 int main(int argc, char** argv) {
   using namespace rocinante;
-  CLI::App app("Inspects and converts models and cells.", "rocinante-model");
-  app.require_subcommand(1);
-  const std::vector<ModelCommand> commands{addInfoCommand(app), addTreeCommand(app),
-                                           addFkCommand(app), addClearanceCommand(app),
-                                           addConvertCommand(app)};
-  return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
-    for (const ModelCommand& command : commands) {
-      if (command.app->parsed()) return command.run();
-    }
-    return cli::Exit::could_not_run;
-  });
+  cli::Program app("Inspects and converts models and cells.", "rocinante-model");
+  app.requireSubcommand();
+  const std::vector<cli::Subcommand> commands{addInfoCommand(app), addTreeCommand(app),
+                                              addFkCommand(app), addClearanceCommand(app),
+                                              addConvertCommand(app)};
+  return cli::run(app, argc, argv, kExamples, [&] { return cli::runChosen(commands); });
 }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <langinfo.h>
 
-#include <CLI/CLI.hpp>
 #include <clocale>
 #include <string_view>
 
@@ -48,12 +47,12 @@ Result<cli::Exit> runTree(const TreeOptions& options) {
 
 }  // namespace
 
-ModelCommand addTreeCommand(CLI::App& program) {
+cli::Subcommand addTreeCommand(cli::CommandLine program) {
   auto options = std::make_shared<TreeOptions>();
-  CLI::App* const app =
-      program.add_subcommand("tree", "print the links and their joints as a tree");
-  addFileOptions(*app, options->file);
-  app->add_flag("--ascii", options->ascii, "use only ASCII characters");
+  const cli::CommandLine app =
+      program.addSubcommand("tree", "print the links and their joints as a tree");
+  addFileOptions(app, options->file);
+  app.addFlag("--ascii", options->ascii, "use only ASCII characters");
   return {app, [options] { return runTree(*options); }};
 }
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "core/base/figure_text.h"
@@ -50,30 +49,30 @@ Result<cli::Exit> make(PageJob job) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Makes one HTML file that shows a session in any browser, without a network.",
-               "rocinante-page");
+  cli::Program app("Makes one HTML file that shows a session in any browser, without a network.",
+                   "rocinante-page");
   PageJob job;
   std::string page;
   std::string most = "20MB";
-  app.add_option("CELL", job.cell,
-                 "a .cell.toml, a .urdf or an .obj; without it, the cell that the log carries");
-  app.add_option("LOG", job.log, "the session");
-  app.add_option("-o,--output", job.output, "the page; with --extract, the log")->required();
-  app.add_option("--size", most, "the largest page that is written")->capture_default_str();
-  app.add_flag("--thin", job.thin,
-               "make a page that would be larger smaller, by coarser pictures and meshes; the log "
-               "stays whole");
-  app.add_option("--from", job.from,
-                 "begin at this session time (12.5s, -1s, RFC 3339), as `log cut` does")
-      ->option_text("TIME");
-  app.add_option("--until", job.until, "end before this session time")->option_text("TIME");
-  app.add_option("--extract", page, "write the log that this page carries, byte for byte")
-      ->option_text("PAGE");
-  app.add_option("--viewer", job.viewer,
-                 "the folder of rocinante-viewer.js and .wasm, which scripts/build_web makes; "
-                 "without it, the installed one")
-      ->option_text("DIR");
-  app.add_flag("--force", job.overwrite, "replace an existing file");
+  app.addOption("CELL", job.cell,
+                "a .cell.toml, a .urdf or an .obj; without it, the cell that the log carries");
+  app.addOption("LOG", job.log, "the session");
+  app.addOption("-o,--output", job.output, "the page; with --extract, the log").required();
+  app.addOption("--size", most, "the largest page that is written").showDefault();
+  app.addFlag("--thin", job.thin,
+              "make a page that would be larger smaller, by coarser pictures and meshes; the log "
+              "stays whole");
+  app.addOption("--from", job.from,
+                "begin at this session time (12.5s, -1s, RFC 3339), as `log cut` does")
+      .valueText("TIME");
+  app.addOption("--until", job.until, "end before this session time").valueText("TIME");
+  app.addOption("--extract", page, "write the log that this page carries, byte for byte")
+      .valueText("PAGE");
+  app.addOption("--viewer", job.viewer,
+                "the folder of rocinante-viewer.js and .wasm, which scripts/build_web makes; "
+                "without it, the installed one")
+      .valueText("DIR");
+  app.addFlag("--force", job.overwrite, "replace an existing file");
   cli::addSearchOptions(app, job);
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     std::optional<cli::StopDeadline> until_stopped(std::in_place, "stopped");

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -128,16 +127,16 @@ void printHashes(const RenderReport& report, bool several_cameras) {
 using Looks = std::map<std::string, std::vector<std::string>>;
 
 /// Adds one option per look: "--shadows", "--edges=only", "--trail arm/hand@5".
-void addLooks(CLI::App& app, Looks& looks) {
+void addLooks(cli::CommandLine app, Looks& looks) {
   for (const StyleKey& key : styleKeys()) {
     const std::string name = "--" + std::string(key.key);
     const std::string means = std::string(key.means) + (key.repeats ? "; repeatable" : "");
     std::vector<std::string>& said = looks[std::string(key.key)];
     // A switch takes a value only with `=`: the next word may be the cell.
-    CLI::Option* option = key.values.starts_with("on|")
-                              ? app.add_flag(name + "{on}", said, means)
-                              : app.add_option(name, said, means)->allow_extra_args(false);
-    option->option_text(std::string(key.values))->group("Looks");
+    const cli::Option option = key.values.starts_with("on|")
+                                   ? app.addFlag(name + "{on}", said, means)
+                                   : app.addOption(name, said, means).oneEach();
+    option.valueText(std::string(key.values)).group("Looks");
   }
 }
 
@@ -175,7 +174,7 @@ Status setLooks(const Looks& looks, RenderStyle& style) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Draws frames of a cell and a session without a window.", "rocinante-render");
+  cli::Program app("Draws frames of a cell and a session without a window.", "rocinante-render");
   RenderJob job;
   std::string size = "640x480", backdrop_text;
   std::string caps = pinnableCaps().front();
@@ -184,90 +183,89 @@ int main(int argc, char** argv) {
   bool hash = false;
   bool json = false;
   Looks looks;
-  app.add_option("CELL", job.cell,
-                 "a .cell.toml, a .urdf, an .obj, or a log or bag that carries its cell")
-      ->required();
-  app.add_option("LOG", job.log,
-                 "the session: a log, or a bag, capture or table; without one, the cell at rest");
-  auto* second = app.add_option("--beside", job.beside,
-                                "another log of the same cell: its devices as clear ghosts, where "
-                                "they are elsewhere")
-                     ->type_name("LOG");
+  app.addOption("CELL", job.cell,
+                "a .cell.toml, a .urdf, an .obj, or a log or bag that carries its cell")
+      .required();
+  app.addOption("LOG", job.log,
+                "the session: a log, or a bag, capture or table; without one, the cell at rest");
+  const cli::Option second =
+      app.addOption("--beside", job.beside,
+                    "another log of the same cell: its devices as clear ghosts, where "
+                    "they are elsewhere")
+          .valueName("LOG");
   addAlignOption(app, second, job.align);
-  app.add_option(
+  app.addOption(
          "--at", job.moments.at,
          "a moment: 12.5, 1m02.5s, -1s from the end, RFC 3339, or an event's text; repeatable")
-      ->allow_extra_args(false);
-  app.add_option("--every", job.moments.every,
-                 "one frame per period, from the log's start to its end");
-  app.add_option("--at-file", job.moments.at_file,
-                 "a file of moments, one per line; # begins a comment");
-  app.add_flag("--events", job.moments.all_events, "every event and mark of the log");
-  app.add_option("--event", job.moments.events,
-                 "events whose text matches this pattern (* and ?); repeatable")
-      ->option_text("PATTERN")
-      ->allow_extra_args(false);
-  app.add_option("--from", job.moments.from, "start of the range for --every, --events and --fps");
-  app.add_option("--until", job.moments.until, "end of that range, exclusive");
-  app.add_option(
+      .oneEach();
+  app.addOption("--every", job.moments.every,
+                "one frame per period, from the log's start to its end");
+  app.addOption("--at-file", job.moments.at_file,
+                "a file of moments, one per line; # begins a comment");
+  app.addFlag("--events", job.moments.all_events, "every event and mark of the log");
+  app.addOption("--event", job.moments.events,
+                "events whose text matches this pattern (* and ?); repeatable")
+      .valueText("PATTERN")
+      .oneEach();
+  app.addOption("--from", job.moments.from, "start of the range for --every, --events and --fps");
+  app.addOption("--until", job.moments.until, "end of that range, exclusive");
+  app.addOption(
       "-o,--output", job.output,
       "one frame: .png, or what OpenImageIO writes by the ending (.jpg, .tif, .webp, .exr)");
-  app.add_option("--sheet", job.sheet, "all moments on one picture, with their times below");
-  app.add_option("--frames", job.frames, "a folder for frame-00001.png and the following");
-  app.add_option("--frame-type", job.frame_type,
-                 "ending of the files in --frames: png, jpg, exr ...")
-      ->option_text("ENDING [png]");
-  app.add_option("--video", job.video, "all moments as .mp4, .mkv, .mov or .webm, by ffmpeg");
-  app.add_option("--fps", job.moments.rate, "of --video: frames per second, 25 or 30000/1001");
-  app.add_option("--identity", job.identity,
-                 "devices and links as colours (.png) or numbers (.exr), and a JSON legend");
-  app.add_option("--depth", job.depth,
-                 "depth along the view: 16-bit .png, its unit in JSON, or .exr in metres");
-  app.add_option("--camera", job.cameras,
-                 "a camera of the cell, a `view` of the session, map, fit or fit:DEVICE; "
-                 "repeatable")
-      ->option_text("NAME")
-      ->allow_extra_args(false);
-  app.add_option("--inset", job.insets, "an inset that replaces the cell's; repeatable")
-      ->option_text("CAMERA[:CORNER][:SIZE]")
-      ->allow_extra_args(false);
-  app.add_flag("--no-insets", without_insets, "leave out the cell's insets");
-  auto* backdrop = addBackdropOptions(app, backdrop_text, job.backdrop);
-  app.add_flag("--overlay", job.look.panel, "time, devices, joint values and rates in a corner");
-  app.add_option("--size", size, "size in pixels")->capture_default_str();
-  app.add_option("--scale", job.look.scale,
-                 "scale of text, lines and everything sized in pixels; 2 for twice as many pixels")
-      ->check(CLI::Range(kLeastScale, kLargestScale))
-      ->capture_default_str();
-  app.add_option("--samples", job.look.samples, "MSAA samples: 1 or 4 on llvmpipe")
-      ->capture_default_str();
-  app.add_option("--detail", job.look.detail,
-                 "level of detail: 0 (everything) to 9, as in `rocinante view`")
-      ->check(CLI::Range(0, kCoarsestRung))
-      ->capture_default_str();
+  app.addOption("--sheet", job.sheet, "all moments on one picture, with their times below");
+  app.addOption("--frames", job.frames, "a folder for frame-00001.png and the following");
+  app.addOption("--frame-type", job.frame_type,
+                "ending of the files in --frames: png, jpg, exr ...")
+      .valueText("ENDING [png]");
+  app.addOption("--video", job.video, "all moments as .mp4, .mkv, .mov or .webm, by ffmpeg");
+  app.addOption("--fps", job.moments.rate, "of --video: frames per second, 25 or 30000/1001");
+  app.addOption("--identity", job.identity,
+                "devices and links as colours (.png) or numbers (.exr), and a JSON legend");
+  app.addOption("--depth", job.depth,
+                "depth along the view: 16-bit .png, its unit in JSON, or .exr in metres");
+  app.addOption("--camera", job.cameras,
+                "a camera of the cell, a `view` of the session, map, fit or fit:DEVICE; "
+                "repeatable")
+      .valueText("NAME")
+      .oneEach();
+  app.addOption("--inset", job.insets, "an inset that replaces the cell's; repeatable")
+      .valueText("CAMERA[:CORNER][:SIZE]")
+      .oneEach();
+  app.addFlag("--no-insets", without_insets, "leave out the cell's insets");
+  const cli::Option backdrop = addBackdropOptions(app, backdrop_text, job.backdrop);
+  app.addFlag("--overlay", job.look.panel, "time, devices, joint values and rates in a corner");
+  app.addOption("--size", size, "size in pixels").showDefault();
+  app.addOption("--scale", job.look.scale,
+                "scale of text, lines and everything sized in pixels; 2 for twice as many pixels")
+      .within(kLeastScale, kLargestScale)
+      .showDefault();
+  app.addOption("--samples", job.look.samples, "MSAA samples: 1 or 4 on llvmpipe").showDefault();
+  app.addOption("--detail", job.look.detail,
+                "level of detail: 0 (everything) to 9, as in `rocinante view`")
+      .within(0, kCoarsestRung)
+      .showDefault();
   addJointsOption(app, job.joints);
-  app.add_option("--hide", job.look.hide,
-                 "do not draw PATH: DEVICE, DEVICE/LINK, layer/NAME; repeatable")
-      ->allow_extra_args(false);
-  app.add_option("--show", job.look.show, "draw PATH even if packets hide it; repeatable")
-      ->allow_extra_args(false);
-  app.add_option("--layers", job.layers, "draw only these layers, separated by commas")
-      ->option_text("NAME,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  app.addOption("--hide", job.look.hide,
+                "do not draw PATH: DEVICE, DEVICE/LINK, layer/NAME; repeatable")
+      .oneEach();
+  app.addOption("--show", job.look.show, "draw PATH even if packets hide it; repeatable").oneEach();
+  app.addOption("--layers", job.layers, "draw only these layers, separated by commas")
+      .valueText("NAME,...")
+      .separatedBy(',')
+      .oneEach();
   addLooks(app, looks);
-  app.add_option("--profile", profile, "reproducible: the same bits everywhere; fast: any driver")
-      ->check(CLI::IsMember({"reproducible", "fast"}))
-      ->capture_default_str();
-  app.add_option("--caps", caps, "the processor features that the reproducible profile uses")
-      ->check(CLI::IsMember(pinnableCaps()))
-      ->capture_default_str();
+  app.addOption("--profile", profile, "reproducible: the same bits everywhere; fast: any driver")
+      .oneOf({"reproducible", "fast"})
+      .showDefault();
+  app.addOption("--caps", caps, "the processor features that the reproducible profile uses")
+      .oneOf(pinnableCaps())
+      .showDefault();
   addContextOption(app);
   cli::addSearchOptions(app, job);
-  app.add_flag("--hash", hash,
-               "print the SHA-256 of the RGBA rows, top to bottom, one line per frame");
-  app.add_flag("--force", job.overwrite, "replace existing files");
-  app.add_flag("--json", json, "print a report as JSON");
+  app.addFlag("--hash", hash,
+              "print the SHA-256 of the RGBA rows, top to bottom, one line per frame");
+  app.addFlag("--force", job.overwrite, "replace existing files");
+  app.addFlag("--json", json, "print a report as JSON");
 
   std::vector<std::string> words = withJoinedSwitches(argc, argv);
   std::vector<char*> arguments;
@@ -287,7 +285,7 @@ int main(int argc, char** argv) {
         if (!pixels) return pixels.error();
         std::tie(job.look.width, job.look.height) = *pixels;
         if (Status set = setLooks(looks, job.look.style); !set) return set.error();
-        if (backdrop->count() > 0) {
+        if (backdrop.given()) {
           if (Status read = readBackdrop(backdrop_text, job.backdrop); !read) return read.error();
         }
         job.show_insets = !without_insets;

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -165,74 +164,73 @@ Result<cli::Exit> run(Arguments& my) {
   return report->lost == 0 ? cli::Exit::done : cli::Exit::no;
 }
 
-void declare(CLI::App& app, Arguments& my, CLI::Option*& live) {
-  app.add_option("CELL", my.request.cell,
-                 "a .cell.toml, a .urdf, an .obj, or a log that carries its cell")
-      ->required();
-  app.add_option("LOG", my.request.log, "the session; without it, that of CELL or --live");
-  live = app.add_option("--live", my.live,
-                        "show live packets; EP as in `rocinante record`, default: the local group; "
-                        "may be repeated")
-             ->option_text("EP")
-             ->expected(0, 1)
-             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--listen", my.listen, "where browsers find it; port 0: a free one")
-      ->option_text("ADDRESS:PORT=127.0.0.1:8080");
-  app.add_option("--origin", my.request.web.origins,
-                 "pages of this origin may look too, and this server may be called by its host; "
-                 "may be repeated")
-      ->option_text("SCHEME://HOST[:PORT]")
-      ->allow_extra_args(false);
-  app.add_option("--token", my.request.web.token, "ask for this token: /?token=TEXT")
-      ->option_text("TEXT");
-  app.add_option("--token-file", my.token_file, "the same from the first line of a file")
-      ->option_text("FILE");
-  app.add_option("--allow", my.allow,
-                 "answer clients in this network only (10.0.0.0/8); may be repeated")
-      ->option_text("CIDR")
-      ->allow_extra_args(false);
-  app.add_option("--tls-cert", my.request.web.certificate,
-                 "serve https with this certificate (PEM)")
-      ->option_text("FILE");
-  app.add_option("--tls-key", my.request.web.key, "and its key (PEM)")->option_text("FILE");
-  app.add_option("--clients", my.request.web.clients, "live clients at a time, at most")
-      ->option_text("N=64");
-  app.add_option("--buffer", my.buffer,
-                 "what waits for a slow client, at most; beyond it, moments are skipped")
-      ->option_text("SIZE=4MB");
-  app.add_option("--rate", my.request.rate_hz,
-                 "send the values of a device at most HZ times a second")
-      ->option_text("HZ=60");
-  app.add_option("--trust", my.request.trust,
-                 "show only what is signed with a key of this file (rocinante key)")
-      ->option_text("FILE");
-  app.add_option(
-         "--decoders", my.request.decoders,
-         "make packets of what is not packet text as this file declares; without it, as the "
-         "cell does")
-      ->option_text("FILE");
-  app.add_option("--viewer", my.request.viewer,
-                 "the folder of rocinante-viewer.js and .wasm, which scripts/build_web makes; "
-                 "without it, the installed one")
-      ->option_text("DIR");
+/// Returns --live.
+cli::Option declare(cli::CommandLine app, Arguments& my) {
+  app.addOption("CELL", my.request.cell,
+                "a .cell.toml, a .urdf, an .obj, or a log that carries its cell")
+      .required();
+  app.addOption("LOG", my.request.log, "the session; without it, that of CELL or --live");
+  const cli::Option live =
+      app.addOption("--live", my.live,
+                    "show live packets; EP as in `rocinante record`, default: the local group; "
+                    "may be repeated")
+          .valueText("EP")
+          .mayBeBare();
+  app.addOption("--listen", my.listen, "where browsers find it; port 0: a free one")
+      .valueText("ADDRESS:PORT=127.0.0.1:8080");
+  app.addOption("--origin", my.request.web.origins,
+                "pages of this origin may look too, and this server may be called by its host; "
+                "may be repeated")
+      .valueText("SCHEME://HOST[:PORT]")
+      .oneEach();
+  app.addOption("--token", my.request.web.token, "ask for this token: /?token=TEXT")
+      .valueText("TEXT");
+  app.addOption("--token-file", my.token_file, "the same from the first line of a file")
+      .valueText("FILE");
+  app.addOption("--allow", my.allow,
+                "answer clients in this network only (10.0.0.0/8); may be repeated")
+      .valueText("CIDR")
+      .oneEach();
+  app.addOption("--tls-cert", my.request.web.certificate, "serve https with this certificate (PEM)")
+      .valueText("FILE");
+  app.addOption("--tls-key", my.request.web.key, "and its key (PEM)").valueText("FILE");
+  app.addOption("--clients", my.request.web.clients, "live clients at a time, at most")
+      .valueText("N=64");
+  app.addOption("--buffer", my.buffer,
+                "what waits for a slow client, at most; beyond it, moments are skipped")
+      .valueText("SIZE=4MB");
+  app.addOption("--rate", my.request.rate_hz,
+                "send the values of a device at most HZ times a second")
+      .valueText("HZ=60");
+  app.addOption("--trust", my.request.trust,
+                "show only what is signed with a key of this file (rocinante key)")
+      .valueText("FILE");
+  app.addOption("--decoders", my.request.decoders,
+                "make packets of what is not packet text as this file declares; without it, as the "
+                "cell does")
+      .valueText("FILE");
+  app.addOption("--viewer", my.request.viewer,
+                "the folder of rocinante-viewer.js and .wasm, which scripts/build_web makes; "
+                "without it, the installed one")
+      .valueText("DIR");
   cli::addNoWait(app, my.no_wait);
-  app.add_flag("--quiet", my.quiet, "print nothing but errors");
+  app.addFlag("--quiet", my.quiet, "print nothing but errors");
   cli::addSearchOptions(app, my.request);
+  return live;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  cli::Program app(
       "Shows a session in any browser: serves the page of `rocinante page` over HTTP, with a log "
       "or\n"
       "with what comes live.",
       "rocinante-serve");
   Arguments my;
-  CLI::Option* live = nullptr;
-  declare(app, my, live);
+  const cli::Option live = declare(app, my);
   return cli::run(app, argc, argv, kExamples, [&] {
-    my.is_live = live->count() > 0;
+    my.is_live = live.given();
     return run(my);
   });
 }

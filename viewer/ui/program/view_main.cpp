@@ -1,8 +1,6 @@
 // rocinante-view: the interactive viewer (docs/programs/view.md).
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/atomic_file.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cli/program.h"
@@ -156,102 +154,103 @@ Result<Exit> view(Arguments& arguments) {
 }
 
 int viewMain(int argc, char** argv) {
-  CLI::App app("Shows a cell at rest, in a recorded session or live.", "rocinante-view");
+  cli::Program app("Shows a cell at rest, in a recorded session or live.", "rocinante-view");
   Arguments arguments;
   ContentRequest& content = arguments.content;
   ViewOptions& options = arguments.options;
-  app.add_option(
+  app.addOption(
       "CELL", content.cell,
       "a *.cell.toml, a .urdf, an .obj, or a log or bag that carries its cell; without it "
       "the window says how to open one");
-  app.add_option("LOG", content.log, "a recorded session: a log, or a bag, capture or table");
-  auto* beside = app.add_option("--beside", content.beside,
-                                "another log of the cell: its devices as clear ghosts, where they "
-                                "are elsewhere, and its curves")
-                     ->type_name("LOG");
+  app.addOption("LOG", content.log, "a recorded session: a log, or a bag, capture or table");
+  const cli::Option beside =
+      app.addOption("--beside", content.beside,
+                    "another log of the cell: its devices as clear ghosts, where they "
+                    "are elsewhere, and its curves")
+          .valueName("LOG");
   addAlignOption(app, beside, content.align);
-  auto* live = app.add_option("--live", arguments.live,
-                              "show live packets; EP as in `rocinante record`, default: the "
-                              "standard group; repeatable")
-                   ->expected(0, 1)
-                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--keep", arguments.keep,
-                 "how much of a live session is kept to be shown again and saved: a time, a size "
-                 "or both, whichever comes first; 0: nothing")
-      ->needs(live)
-      ->type_name("LIMITS")
-      ->capture_default_str();
-  app.add_flag("--leftovers", arguments.leftovers,
-               "list live sessions that killed windows have left behind");
-  app.add_flag("--forget-leftovers", arguments.forget_leftovers, "delete them");
-  app.add_option("--trust", content.trust,
-                 "show only what is signed with a key of this file (rocinante key)")
-      ->needs(live)
-      ->type_name("FILE");
-  app.add_option("--decoders", content.decoders,
-                 "decode what is not packet text as this file declares; default: the cell's")
-      ->needs(live)
-      ->type_name("FILE");
+  const cli::Option live =
+      app.addOption("--live", arguments.live,
+                    "show live packets; EP as in `rocinante record`, default: the "
+                    "standard group; repeatable")
+          .mayBeBare();
+  app.addOption("--keep", arguments.keep,
+                "how much of a live session is kept to be shown again and saved: a time, a size "
+                "or both, whichever comes first; 0: nothing")
+      .needs(live)
+      .valueName("LIMITS")
+      .showDefault();
+  app.addFlag("--leftovers", arguments.leftovers,
+              "list live sessions that killed windows have left behind");
+  app.addFlag("--forget-leftovers", arguments.forget_leftovers, "delete them");
+  app.addOption("--trust", content.trust,
+                "show only what is signed with a key of this file (rocinante key)")
+      .needs(live)
+      .valueName("FILE");
+  app.addOption("--decoders", content.decoders,
+                "decode what is not packet text as this file declares; default: the cell's")
+      .needs(live)
+      .valueName("FILE");
   addJointsOption(app, content.joints);
-  app.add_option("--drive", content.drive,
-                 "send the joints that are moved by hand to this endpoint")
-      ->option_text("EP");
-  app.add_option("--publish", content.publish,
-                 "let other windows that hear this endpoint see where this one looks and points, "
-                 "what is drawn and said in it; with --as")
-      ->option_text("EP");
-  app.add_option("--as", arguments.as,
-                 "the SOURCE name of --publish and --drive; default of --drive: hand")
-      ->option_text("NAME");
-  app.add_option("--profile", arguments.profile,
-                 "fast: the driver as it is; reproducible: the same bits everywhere")
-      ->check(CLI::IsMember({"fast", "reproducible"}))
-      ->capture_default_str();
-  app.add_option("--camera", content.camera, "a camera of the cell or a view of the session");
-  auto* at = app.add_option("--at", content.at,
-                            "start at this session time (12.5s, -1s, RFC 3339), or at the event "
-                            "with this text");
-  app.add_option("--event", arguments.event, "start at the event whose text matches")
-      ->option_text("PATTERN")
-      ->excludes(at);
+  app.addOption("--drive", content.drive, "send the joints that are moved by hand to this endpoint")
+      .valueText("EP");
+  app.addOption("--publish", content.publish,
+                "let other windows that hear this endpoint see where this one looks and points, "
+                "what is drawn and said in it; with --as")
+      .valueText("EP");
+  app.addOption("--as", arguments.as,
+                "the SOURCE name of --publish and --drive; default of --drive: hand")
+      .valueText("NAME");
+  app.addOption("--profile", arguments.profile,
+                "fast: the driver as it is; reproducible: the same bits everywhere")
+      .oneOf({"fast", "reproducible"})
+      .showDefault();
+  app.addOption("--camera", content.camera, "a camera of the cell or a view of the session");
+  const cli::Option at =
+      app.addOption("--at", content.at,
+                    "start at this session time (12.5s, -1s, RFC 3339), or at the event "
+                    "with this text");
+  app.addOption("--event", arguments.event, "start at the event whose text matches")
+      .valueText("PATTERN")
+      .excludes(at);
   addBackdropOptions(app, arguments.backdrop, content.backdrop);
-  app.add_option("--size", arguments.size,
-                 "size of the window, WIDTHxHEIGHT; default: as it was last, else 1280x720");
-  app.add_flag("--fresh", options.fresh,
-               "neither use nor change what was remembered: size, panels, theme, recent files");
-  app.add_option("--detail", arguments.detail,
-                 "auto: as much as --target-fps allows (fast profile); or a level, 0 "
-                 "(everything) to 9")
-      ->capture_default_str();
-  app.add_option("--target-fps", options.target_fps, "frames per second to hold, 1 to 240")
-      ->check(CLI::Range(1.0, 240.0))
-      ->capture_default_str();
-  app.add_option("--style", content.styles,
-                 "a style, KEY or KEY=VALUE, as in `rocinante render`; repeatable");
-  app.add_option("--scale", options.scale,
-                 "scale of text, panels and lines, 1 to 4; default: the screen's")
-      ->check(CLI::Range(1.0, 4.0));
-  app.add_option("--samples", options.samples, "multisampling: 1, 2, 4 or 8")
-      ->check(CLI::IsMember({1, 2, 4, 8}))
-      ->capture_default_str();
-  app.add_option("--hide", content.hide, "do not show DEVICE, DEVICE/LINK or layer/NAME");
-  app.add_option("--show", content.show, "show DEVICE, DEVICE/LINK or layer/NAME even if hidden");
+  app.addOption("--size", arguments.size,
+                "size of the window, WIDTHxHEIGHT; default: as it was last, else 1280x720");
+  app.addFlag("--fresh", options.fresh,
+              "neither use nor change what was remembered: size, panels, theme, recent files");
+  app.addOption("--detail", arguments.detail,
+                "auto: as much as --target-fps allows (fast profile); or a level, 0 "
+                "(everything) to 9")
+      .showDefault();
+  app.addOption("--target-fps", options.target_fps, "frames per second to hold, 1 to 240")
+      .within(1.0, 240.0)
+      .showDefault();
+  app.addOption("--style", content.styles,
+                "a style, KEY or KEY=VALUE, as in `rocinante render`; repeatable");
+  app.addOption("--scale", options.scale,
+                "scale of text, panels and lines, 1 to 4; default: the screen's")
+      .within(1.0, 4.0);
+  app.addOption("--samples", options.samples, "multisampling: 1, 2, 4 or 8")
+      .oneOf({1, 2, 4, 8})
+      .showDefault();
+  app.addOption("--hide", content.hide, "do not show DEVICE, DEVICE/LINK or layer/NAME");
+  app.addOption("--show", content.show, "show DEVICE, DEVICE/LINK or layer/NAME even if hidden");
   content.where.search_environment = true;
   cli::addSearchFolderOptions(app, content.where);
-  app.add_option("--frame-times", options.frame_times,
-                 "write when each frame was shown and what it cost, as CSV")
-      ->type_name("FILE");
-  auto* script = app.add_option("--script", arguments.script,
-                                "drive the window from this file, then close it");
-  app.add_option("--record-input", options.record_input,
-                 "write what mouse and keyboard do here, as a script that does it again")
-      ->type_name("FILE")
-      ->excludes(script);
+  app.addOption("--frame-times", options.frame_times,
+                "write when each frame was shown and what it cost, as CSV")
+      .valueName("FILE");
+  const cli::Option script =
+      app.addOption("--script", arguments.script, "drive the window from this file, then close it");
+  app.addOption("--record-input", options.record_input,
+                "write what mouse and keyboard do here, as a script that does it again")
+      .valueName("FILE")
+      .excludes(script);
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<Exit> {
     if (arguments.leftovers || arguments.forget_leftovers) return lookAtLeftovers(arguments);
     cli::catchStopSignals();
     const cli::StopDeadline until_stopped("stopped");
-    arguments.is_live = live->count() > 0;
+    arguments.is_live = live.given();
     orderCellAndLog(content.cell, content.log);
     const bool is_recording = isLog(content.cell) || isForeignRecording(content.cell);
     if (content.log.empty() && !arguments.is_live && is_recording) {
