@@ -6,12 +6,12 @@
 
 #include "core/base/model_search.h"
 #include "core/base/result.h"
+#include "core/behaviour/run_spec.h"
 #include "core/cli/program.h"
 #include "golden/approval/approval_list.h"
 #include "golden/command/report_output.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/judge/judged_run.h"
-#include "golden/run/run_spec.h"
 
 namespace rocinante {
 

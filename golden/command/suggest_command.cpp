@@ -4,12 +4,12 @@
 
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
+#include "core/behaviour/limit_suggestion.h"
+#include "core/behaviour/link_tracks.h"
+#include "core/behaviour/run_judge.h"
 #include "core/cli/opened_session.h"
 #include "core/cli/worker_threads.h"
 #include "golden/command/commands.h"
-#include "golden/run/limit_suggestion.h"
-#include "golden/run/link_tracks.h"
-#include "golden/run/run_judge.h"
 
 namespace rocinante {
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/base/plain_text.h"
+#include "core/behaviour/unfit_values.h"
 #include "core/cell/posed_scene.h"
 #include "core/kinematics/joint_values.h"
 #include "golden/judge/case_mask.h"
-#include "golden/run/unfit_values.h"
 #include "viewer/view/view_choice.h"
 
 namespace rocinante {

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "core/base/time.h"
+#include "core/behaviour/run_coverage.h"
 #include "core/cell/cell.h"
 #include "core/packet/session_state.h"
 #include "golden/approval/manifest.h"
-#include "golden/run/run_coverage.h"
 #include "golden/suite/suite.h"
 
 namespace rocinante {

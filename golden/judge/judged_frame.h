@@ -10,10 +10,10 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/behaviour/run_coverage.h"
 #include "golden/approval/manifest.h"
 #include "golden/compare/compare.h"
 #include "golden/compare/picture_mask.h"
-#include "golden/run/run_coverage.h"
 #include "golden/suite/suite_plan.h"
 #include "viewer/picture/picture.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/behaviour/run_judgement.h"
 #include "golden/judge/judged_frame.h"
-#include "golden/run/run_judgement.h"
 
 namespace rocinante {
 

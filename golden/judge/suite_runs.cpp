@@ -7,9 +7,10 @@
 #include <optional>
 #include <set>
 
-#include "golden/run/link_tracks.h"
-#include "golden/run/run_judge.h"
-#include "golden/run/session_track.h"
+#include "core/behaviour/link_tracks.h"
+#include "core/behaviour/run_judge.h"
+#include "core/behaviour/session_track.h"
+#include "golden/judge/model_findings.h"
 
 namespace rocinante {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/behaviour/track_cache.h"
 #include "golden/judge/judged_run.h"
 #include "golden/judge/suite_session.h"
-#include "golden/run/track_cache.h"
 
 namespace rocinante {
 

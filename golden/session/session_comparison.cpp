@@ -8,12 +8,13 @@
 #include <set>
 
 #include "core/base/plain_text.h"
+#include "core/behaviour/link_tracks.h"
+#include "core/behaviour/run_judge.h"
+#include "core/behaviour/session_track.h"
+#include "core/behaviour/track_cache.h"
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
-#include "golden/run/link_tracks.h"
-#include "golden/run/run_judge.h"
-#include "golden/run/session_track.h"
-#include "golden/run/track_cache.h"
+#include "golden/judge/model_findings.h"
 #include "golden/session/bisect.h"
 #include "golden/why/explain_pictures.h"
 #include "golden/why/run_pictures.h"

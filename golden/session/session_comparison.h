@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/behaviour/run_spec.h"
 #include "core/cell/cell.h"
 #include "core/session/event_alignment.h"
 #include "core/session/timeline.h"
 #include "golden/report/report.h"
-#include "golden/run/run_spec.h"
 
 namespace rocinante {
 

@@ -9,9 +9,9 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
+#include "core/behaviour/run_spec.h"
 #include "golden/compare/compare.h"
 #include "golden/compare/picture_mask.h"
-#include "golden/run/run_spec.h"
 #include "viewer/view/render_style.h"
 
 namespace rocinante {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/behaviour/track_cache.h"
 #include "core/bundle/cell_folder.h"
-#include "golden/run/track_cache.h"
 #include "golden/why/file_change.h"
 #include "golden/why/frame_explainer.h"
 #include "golden/why/golden_texts.h"

@@ -12,11 +12,11 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
+#include "core/behaviour/run_judge.h"
+#include "core/behaviour/track_cache.h"
 #include "core/cli/worker_threads.h"
 #include "core/log/log_writer.h"
 #include "core/recording/session_writer.h"
-#include "golden/run/run_judge.h"
-#include "golden/run/track_cache.h"
 #include "tests/bench/bench_support.h"
 
 namespace {

@@ -86,7 +86,6 @@ bool BesideSession::covers(LogTime shown) const {
 }
 
 Status BesideSession::addGhosts(PosedScene& scene, LogTime shown, StateDamage& damage) {
-  elsewhere_.clear();
   if (!covers(shown)) return {};
   const auto state = session_.stateAt(momentAt(shown), &damage);
   if (!state) return state.error();
@@ -95,7 +94,6 @@ Status BesideSession::addGhosts(PosedScene& scene, LogTime shown, StateDamage& d
     if (device.ghost) continue;
     const PosedDevice* const same = scene.findDevice(device.name);
     if (same != nullptr && isSamePlace(*same, device)) continue;
-    elsewhere_.push_back(device.name);
     device.name.insert(0, kBesidePrefix);
     device.ghost = true;
     std::ranges::fill(device.link_color, kGhostColor);

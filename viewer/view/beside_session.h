@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/base/result.h"
+#include "core/behaviour/run_spec.h"
 #include "core/cell/posed_scene.h"
 #include "core/cell/scene_pose_cache.h"
 #include "core/session/event_alignment.h"
@@ -24,11 +24,14 @@ Result<EventAlignment> alignBeside(std::string_view how, Timeline& shown, Timeli
                                    StateDamage& damage);
 
 /// Another session of a cell, shown as ghosts beside the first: every device that is elsewhere in
-/// it than in the shown scene. A function of both states alone. Not thread-safe; borrows the cell.
+/// it than in the shown scene at that very moment. A function of both states alone. Not
+/// thread-safe; borrows the cell.
 class BesideSession {
  public:
-  /// A device is elsewhere when one of its links is farther away than this, or turned by more.
-  static constexpr double kSamePlace_m = 0.5e-3, kSameTurn_deg = 0.05;
+  /// A device is elsewhere when one of its links is farther away than this, or turned by more: the
+  /// floors of a run.
+  static constexpr double kSamePlace_m = kRunFloors.position_mm / 1000;
+  static constexpr double kSameTurn_deg = kRunFloors.turn_deg;
 
   BesideSession(const Cell& cell, Timeline session, EventAlignment alignment)
       : poses_(cell), session_(std::move(session)), alignment_(std::move(alignment)) {}
@@ -41,8 +44,6 @@ class BesideSession {
   /// Appends the ghosts to `scene`, which is of the moment `shown`; they are valid until the next
   /// call. Damage of this session's log is added to `damage`.
   Status addGhosts(PosedScene& scene, LogTime shown, StateDamage& damage);
-  /// The devices that the last call found elsewhere, without the prefix, in the scene's order.
-  const std::vector<std::string>& elsewhere() const { return elsewhere_; }
 
   const EventAlignment& alignment() const { return alignment_; }
   Timeline& session() { return session_; }
@@ -52,7 +53,6 @@ class BesideSession {
   ScenePoseCache poses_;
   Timeline session_;
   EventAlignment alignment_;
-  std::vector<std::string> elsewhere_;
 };
 
 /// Whether every link of a device is where it is in the other scene, within the limits above.

@@ -165,7 +165,7 @@ std::vector<Command> plotCommands() {
        .offered = hasBeside},
       {.name = "parting",
        .arguments = "next|previous",
-       .means = "where the session beside begins to be elsewhere",
+       .means = "where the two sessions begin to be apart",
        .run = goToParting,
        .shortcuts = {{"K", "next", "the next moment at which the two sessions part"},
                      {"shift+K", "previous", "the moment before at which they part"}},

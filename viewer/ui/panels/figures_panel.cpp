@@ -109,8 +109,19 @@ void drawSession(const ViewModel& model, SteadyTime now) {
   }
 }
 
-/// Draws what the session beside has, and where it is elsewhere at the shown moment.
-void drawBeside(const ViewModel& model) {
+/// "arm, lamp, gripper and 2 more".
+std::string fewOf(const std::vector<std::string>& names) {
+  constexpr std::size_t kMaxNamed = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i) {
+    text += (i > 0 ? ", " : "") + plainText(names[i]);
+  }
+  if (names.size() > kMaxNamed) text += fmt::format(" and {} more", names.size() - kMaxNamed);
+  return text;
+}
+
+/// Draws what the session beside is, and what is apart from it at the shown moment.
+void drawBeside(ViewModel& model) {
   const BesideSession* const beside = model.beside();
   if (beside == nullptr) return;
   const std::string name =
@@ -122,17 +133,18 @@ void drawBeside(const ViewModel& model) {
   ImGui::TextUnformatted(("beside: " + name).c_str());
   if (!beside->covers(model.shownTime())) {
     ImGui::TextDisabled("which does not reach this moment");
-  } else if (beside->elsewhere().empty()) {
-    ImGui::TextUnformatted("everything is where it is here");
+    return;
+  }
+  const PartingStudy* const partings = model.partings();
+  if (partings == nullptr || !partings->isFinished()) {
+    ImGui::TextDisabled("looking for where the two part");
+  } else if (const std::string fault = partings->fault(); !fault.empty()) {
+    ImGui::TextDisabled("not compared");
+    explain(fault.c_str());
+  } else if (const auto apart = partings->apartAt(model.shownTime()); apart.empty()) {
+    ImGui::TextUnformatted("the two are not apart here");
   } else {
-    const std::vector<std::string>& devices = beside->elsewhere();
-    constexpr std::size_t kMaxNamed = 3;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(devices.size(), kMaxNamed); ++i) {
-      text += (i > 0 ? ", " : "") + plainText(devices[i]);
-    }
-    if (devices.size() > kMaxNamed) text += fmt::format(" and {} more", devices.size() - kMaxNamed);
-    ImGui::TextColored(ink(kAmissColor), "elsewhere: %s", text.c_str());
+    ImGui::TextColored(ink(kAmissColor), "apart: %s", fewOf(apart).c_str());
     explain("K and Shift K go to where the two part");
   }
 }
@@ -274,7 +286,7 @@ void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests) {
   ImGui::TextDisabled("%s", status.renderer.c_str());
 }
 
-float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
+float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
                   PanelPlaces& places) {
   const ImGuiIO& io = ImGui::GetIO();
   PlacedPanel placed(places, "figures",

@@ -58,7 +58,7 @@ void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests);
 
 /// Draws the session's figures in the top right corner or where the user put them, all or only the
 /// most important; returns their bottom.
-float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
+float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
                   PanelPlaces& places);
 
 /// Draws the tab of the left panel with what `rocinante check` finds in the log: a click goes to a

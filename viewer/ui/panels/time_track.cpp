@@ -107,7 +107,7 @@ void drawStrips(const StudyPicture& picture, const TimeAxis& axis, float top) {
   list->PopClipRect();
 }
 
-/// Where the session beside is elsewhere.
+/// Where the two sessions are apart.
 void drawPartings(const PartingStudy& study, const TimeAxis& axis, float middle) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   for (const Parting& parting : study.found()) {

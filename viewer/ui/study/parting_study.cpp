@@ -1,72 +1,85 @@
 #include "viewer/ui/study/parting_study.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
-#include "core/cell/scene_pose_cache.h"
-#include "core/session/timeline.h"
-#include "viewer/view/beside_session.h"
+#include "core/behaviour/run_judge.h"
+#include "core/behaviour/session_track.h"
 
 namespace rocinante {
 namespace {
 
-/// An hour at kPartingStep.
-constexpr std::int64_t kMaxSamples = 180'000;
-/// Samples between two times that news are shown.
-constexpr std::int64_t kSamplesAtATime = 256;
-
-void addDevices(std::vector<std::string>& all, const std::vector<std::string>& more) {
-  for (const std::string& device : more) {
-    const auto place = std::ranges::lower_bound(all, device);
-    if (place == all.end() || *place != device) all.insert(place, device);
+/// In the shown session's time, each of one item, by time.
+std::vector<Parting> partingsOf(const RunJudgement& judged, const SessionTrack& accepted,
+                                const SessionTrack& run) {
+  std::vector<Parting> partings;
+  for (const RunFinding& finding : judged.findings) {
+    const auto shown = [&](Nanoseconds moment) {
+      return std::clamp(judged.times.inRun(accepted.origin + moment), run.start, run.end);
+    };
+    const std::string item = apartItem(finding);
+    std::vector<RunSpan> spans = finding.spans;
+    if (spans.empty()) spans.push_back({finding.first_accepted, finding.until_accepted});
+    for (const RunSpan& span : spans) {
+      partings.push_back({shown(span.from), shown(span.until), {item}});
+    }
   }
+  std::ranges::sort(partings, {}, &Parting::from);
+  return partings;
+}
+
+/// Those that overlap as one.
+std::vector<Parting> together(const std::vector<Parting>& by_item) {
+  std::vector<Parting> all;
+  std::set<std::string> items;
+  for (const Parting& parting : by_item) {
+    if (all.empty() || parting.from > all.back().until) {
+      all.push_back({parting.from, parting.until, {}});
+      items.clear();
+    }
+    all.back().until = std::max(all.back().until, parting.until);
+    items.insert(parting.items.front());
+    all.back().items.assign(items.begin(), items.end());
+  }
+  return all;
 }
 
 }  // namespace
 
-Status PartingStudy::look(const Cell& cell, const Question& question, const std::stop_token& stop,
-                          std::vector<Parting>& partings) {
-  auto shown = Timeline::open(question.shown);
-  if (!shown.ok()) return shown.error();
-  auto opened = Timeline::open(question.beside);
-  if (!opened.ok()) return opened.error();
-  shown->useStop(stop);
-  opened->useStop(stop);
-  ScenePoseCache poses(cell);
-  BesideSession beside(cell, std::move(*opened), question.alignment);
-  const LogTime start = shown->start();
-  const Nanoseconds length = shown->end() - start;
-  const Nanoseconds step = std::max(kPartingStep, length / kMaxSamples + Nanoseconds(1));
-  StateDamage ignored;  // pictures show where it is
-  bool apart = false;
-  for (std::int64_t i = 0; start + (i - 1) * step < shown->end(); ++i) {
-    if (stop.stop_requested()) return {};
-    if (i % kSamplesAtATime == 0 && partings != found()) worker_.publish({partings, {}});
-    const LogTime moment = std::min(start + i * step, shown->end());
-    if (!beside.covers(moment)) {
-      apart = false;
-      continue;
-    }
-    const auto state = shown->stateAt(moment, &ignored);
-    if (!state.ok()) return state.error();
-    PosedScene scene = poses.pose(**state);
-    if (Status added = beside.addGhosts(scene, moment, ignored); !added) return added;
-    const bool was_apart = std::exchange(apart, !beside.elsewhere().empty());
-    if (!apart) continue;
-    if (!was_apart) partings.push_back({moment, moment, {}});
-    partings.back().until = moment;
-    addDevices(partings.back().devices, beside.elsewhere());
+std::string apartItem(const RunFinding& finding) {
+  const bool is_whole =
+      finding.kind == RunFinding::Kind::event || finding.kind == RunFinding::Kind::drawing;
+  return is_whole ? finding.item : finding.item.substr(0, finding.item.find('/'));
+}
+
+PartingStudy::Answer PartingStudy::look(const Cell& cell, const Question& question,
+                                        const std::stop_token& stop) {
+  auto accepted = trackSession(cell, question.beside, {}, stop);
+  if (!accepted.ok()) return {{}, {}, accepted.error().text()};
+  auto run = trackSession(cell, question.shown, {}, stop);
+  if (!run.ok()) return {{}, {}, run.error().text()};
+  RunSpec spec;
+  if (question.alignment.matched.empty()) {
+    spec.align = RunAlign::origin;
+    accepted->origin = question.alignment.anchor_b;
+    run->origin = question.alignment.anchor_a;
   }
-  return {};
+  const auto one_by_one = [&](std::size_t count, const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = 0; i < count && !stop.stop_requested(); ++i) task(i);
+  };
+  const RunJudgement judged = judgeRun(spec, {&*accepted}, *run, one_by_one);
+  if (!judged.comparable) return {{}, {}, judged.rule};
+  Answer answer;
+  answer.by_item = partingsOf(judged, *accepted, *run);
+  answer.partings = together(answer.by_item);
+  return answer;
 }
 
 PartingStudy::PartingStudy(const Cell& cell, std::filesystem::path shown,
                            std::filesystem::path beside, EventAlignment alignment)
-    : worker_([this, &cell](const Question& question, const std::stop_token& stop) {
-        Answer answer;
-        const Status looked = look(cell, question, stop, answer.partings);
-        if (!looked) answer.fault = looked.error().text();
-        return answer;
+    : worker_([&cell](const Question& question, const std::stop_token& stop) {
+        return look(cell, question, stop);
       }) {
   worker_.ask({std::move(shown), std::move(beside), std::move(alignment)});
 }
@@ -74,6 +87,17 @@ PartingStudy::PartingStudy(const Cell& cell, std::filesystem::path shown,
 std::vector<Parting> PartingStudy::found() const {
   const auto found = worker_.found();
   return found ? found->partings : std::vector<Parting>();
+}
+
+std::vector<std::string> PartingStudy::apartAt(LogTime moment) const {
+  std::set<std::string> items;
+  if (const auto found = worker_.found()) {
+    for (const Parting& parting : found->by_item) {
+      if (parting.from > moment) break;
+      if (parting.until >= moment) items.insert(parting.items.front());
+    }
+  }
+  return {items.begin(), items.end()};
 }
 
 std::string PartingStudy::fault() const {

@@ -5,32 +5,37 @@
 #include <string>
 #include <vector>
 
+#include "core/behaviour/run_judgement.h"
 #include "core/cell/cell.h"
 #include "core/session/event_alignment.h"
 #include "viewer/ui/study/worker.h"
 
 namespace rocinante {
 
-/// A time during which devices of two sessions are apart, in the shown session's time.
+/// A time during which two sessions are apart, in the shown session's time.
 struct Parting {
-  LogTime from{}, until{};           ///< the first and the last moment; they may be the same
-  std::vector<std::string> devices;  ///< those that are apart somewhere in it, sorted
+  LogTime from{}, until{};         ///< the first and the last moment; they may be the same
+  std::vector<std::string> items;  ///< what is apart in it, sorted: see apartItem()
   bool operator==(const Parting&) const = default;
 };
 
-/// Where a session and the one beside it are apart (BesideSession): both are posed at moments
-/// kPartingStep apart, farther apart in very long sessions, from the beginning to the end of the
-/// time that both have. In a thread of its own with a low priority. For one calling thread.
+/// What a finding is about: a device by its name, else as it is named there ("drawing/plan/path",
+/// "event/picked", "session").
+std::string apartItem(const RunFinding& finding);
+
+/// Where a session leaves the one beside it: the findings of `golden session BESIDE SHOWN` with its
+/// own limits, in the alignment of the two. In a thread of its own with a low priority. For one
+/// calling thread.
 class PartingStudy {
  public:
-  static constexpr Nanoseconds kPartingStep{20'000'000};
-
-  /// `cell` is borrowed, and read by the thread.
+  /// `cell` is borrowed, and read by the thread. `alignment`: from the shown session to the other.
   PartingStudy(const Cell& cell, std::filesystem::path shown, std::filesystem::path beside,
                EventAlignment alignment);
 
-  /// What was found so far, by time.
+  /// By time, without gaps between two in which nothing is apart; empty until it is finished.
   std::vector<Parting> found() const;
+  /// What is apart at a moment, sorted.
+  std::vector<std::string> apartAt(LogTime moment) const;
   /// Why it cannot be told; one sentence, or empty.
   std::string fault() const;
   /// The beginning of the first one after a moment, or of the last one that begins before it.
@@ -47,10 +52,10 @@ class PartingStudy {
   };
   struct Answer {
     std::vector<Parting> partings;
+    std::vector<Parting> by_item;  ///< by time, each of one item
     std::string fault;
   };
-  Status look(const Cell& cell, const Question& question, const std::stop_token& stop,
-              std::vector<Parting>& partings);
+  static Answer look(const Cell& cell, const Question& question, const std::stop_token& stop);
 
   Worker<Question, Answer> worker_;
 };

@@ -26,15 +26,17 @@ TEST(PartingStudy, FindsWhereTwoSessionsArePart) {
   PartingStudy study(*cell, folder / "a.mcap", folder / "b.mcap", origin);
   study.wait();
   EXPECT_EQ(study.fault(), "");
-  const std::vector<Parting> expected{{sessionTime(1000), sessionTime(1080), {"arm"}},
-                                      {sessionTime(2020), sessionTime(2980), {"arm"}}};
+  const std::vector<Parting> expected{{sessionTime(1000), sessionTime(1100), {"arm"}},
+                                      {sessionTime(2010), sessionTime(3000), {"arm"}}};
   EXPECT_EQ(study.found(), expected);
   EXPECT_TRUE(study.takeNews());
   EXPECT_FALSE(study.takeNews());
   EXPECT_EQ(study.beside(sessionTime(0), true), sessionTime(1000));
-  EXPECT_EQ(study.beside(sessionTime(1000), true), sessionTime(2020));
-  EXPECT_EQ(study.beside(sessionTime(2020), true), std::nullopt);
-  EXPECT_EQ(study.beside(sessionTime(2020), false), sessionTime(1000));
+  EXPECT_EQ(study.apartAt(sessionTime(999)), std::vector<std::string>());
+  EXPECT_EQ(study.apartAt(sessionTime(1050)), std::vector<std::string>{"arm"});
+  EXPECT_EQ(study.beside(sessionTime(1000), true), sessionTime(2010));
+  EXPECT_EQ(study.beside(sessionTime(2010), true), std::nullopt);
+  EXPECT_EQ(study.beside(sessionTime(2010), false), sessionTime(1000));
   EXPECT_EQ(study.beside(sessionTime(1000), false), std::nullopt);
 }
 

@@ -1,0 +1,113 @@
+#include "core/behaviour/fact_recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "core/packet/item_text.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kPointsKept = 16;
+
+std::vector<double> pointsOf(const Drawing& drawing) {
+  std::vector<double> points;
+  for (const auto& part : drawing.parts) {
+    if (part) points.insert(points.end(), part->begin(), part->end());
+  }
+  return points;
+}
+
+std::string pathText(const Path& path) {
+  return path.first + (path.second.empty() ? "" : "/" + path.second);
+}
+
+}  // namespace
+
+std::string drawingStyle(const Drawing& drawing) {
+  std::size_t numbers = 0;
+  std::size_t gaps = 0;
+  for (const auto& part : drawing.parts) {
+    numbers += part ? part->size() : 0;
+    gaps += part ? 0 : 1;
+  }
+  std::string text = fmt::format("{} of {} points, #{:08x}, size {}", nameOf(drawing.kind),
+                                 numbers / 3, drawing.rgba, drawing.size_px);
+  if (gaps > 0) text += fmt::format(", {} parts missing", gaps);
+  if (!drawing.carrier.first.empty()) {
+    text += fmt::format(", in {}/{}", drawing.carrier.first, drawing.carrier.second);
+  }
+  if (!drawing.text.empty()) text += fmt::format(", \"{}\"", drawing.text);
+  return text;
+}
+
+std::vector<double> drawingShape(const Drawing& drawing) {
+  const std::vector<double> points = pointsOf(drawing);
+  const std::size_t count = points.size() / 3;
+  if (count == 0) return {};
+  std::array<double, 3> least, most, mean{};
+  least.fill(std::numeric_limits<double>::infinity());
+  most.fill(-std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < count * 3; ++i) {
+    const std::size_t axis = i % 3;
+    least[axis] = std::min(least[axis], points[i]);
+    most[axis] = std::max(most[axis], points[i]);
+    mean[axis] += points[i] / static_cast<double>(count);
+  }
+  std::vector<double> shape;
+  shape.reserve(9 + kPointsKept * 3);
+  for (const auto& numbers : {least, most, mean}) {
+    shape.insert(shape.end(), numbers.begin(), numbers.end());
+  }
+  const std::size_t kept = std::min(count, kPointsKept);
+  for (std::size_t i = 0; i < kept; ++i) {
+    const std::size_t point = kept == 1 ? 0 : i * (count - 1) / (kept - 1);
+    shape.insert(shape.end(), points.begin() + static_cast<std::ptrdiff_t>(point * 3),
+                 points.begin() + static_cast<std::ptrdiff_t>(point * 3 + 3));
+  }
+  return shape;
+}
+
+void FactRecorder::set(const std::string& name, LogTime time, std::string text,
+                       std::vector<double> shape) {
+  auto& changes = facts_[name];
+  seen_.push_back(&changes);
+  if (!changes.empty() && changes.back().text == text && changes.back().shape == shape) return;
+  changes.push_back({time, std::move(text), std::move(shape), is_restated_});
+}
+
+void FactRecorder::note(const SessionState& state, LogTime time, bool is_restated) {
+  is_restated_ = is_restated;
+  seen_.clear();
+  for (const auto& [path, item] : state.visibility()) {
+    if (item.value.kind == Visibility::Kind::by_default) continue;
+    set("visibility of " + pathText(path), time, visibilityText(path, item.value));
+  }
+  for (const auto& [path, item] : state.colors()) {
+    if (!item.value.rgba) continue;
+    set("color of " + pathText(path), time, colorText(path, item.value));
+  }
+  for (const auto& [name, said] : state.devices()) {
+    if (said.presence) {
+      set("presence of " + name, time, presenceText(name, said.presence->value));
+    }
+    if (said.pose && !said.pose->value.carrier.first.empty()) {
+      set("carrier of " + name, time, "in " + pathText(said.pose->value.carrier));
+    }
+  }
+  for (const auto& [key, drawing] : state.drawings()) {
+    set("drawing/" + key.first + "/" + key.second, time, drawingStyle(drawing),
+        drawingShape(drawing));
+  }
+  for (auto& [name, changes] : facts_) {
+    if (changes.back().text.empty()) continue;
+    if (std::ranges::find(seen_, &changes) == seen_.end())
+      changes.push_back({time, "", {}, is_restated});
+  }
+}
+
+}  // namespace rocinante

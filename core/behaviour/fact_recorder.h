@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/behaviour/session_track.h"
+#include "core/packet/session_state.h"
+
+namespace rocinante {
+
+/// Everything of a drawing but its points: kind, colour, size, carrier, text, number of points.
+std::string drawingStyle(const Drawing& drawing);
+
+/// Its points in few numbers, metres: extents (6), mean (3), and 16 points along it (48), the first
+/// and the last among them. A point between those is seen only by extents and mean.
+std::vector<double> drawingShape(const Drawing& drawing);
+
+/// Keeps the facts of a session, each change once.
+class FactRecorder {
+ public:
+  using Facts = std::map<std::string, std::vector<FactChange>, std::less<>>;
+
+  /// Adds to `facts`, which is borrowed.
+  explicit FactRecorder(Facts& facts) : facts_(facts) {}
+
+  /// What is stated at `time`; times never decrease. What was stated before and is not any more
+  /// changes to an empty text. `is_restated`: it was stated before.
+  void note(const SessionState& state, LogTime time, bool is_restated);
+
+ private:
+  void set(const std::string& name, LogTime time, std::string text, std::vector<double> shape = {});
+
+  Facts& facts_;
+  bool is_restated_ = false;
+  std::vector<const std::vector<FactChange>*> seen_;  ///< stated by the state being noted
+};
+
+}  // namespace rocinante
