@@ -59,10 +59,14 @@ Result<NewCase> caseOf(const AddArguments& arguments) {
     if (!size.ok()) return size.error();
     made.add("size", fmt::format("[{}, {}]", size->first, size->second));
   }
+  if (arguments.scale != 0) made.add("scale", fmt::format("{}", arguments.scale));
   if (arguments.samples != 0) made.add("samples", std::to_string(arguments.samples));
   made.addTexts("layers", arguments.layers);
   made.addTexts("hide", arguments.hide);
   made.addTexts("show", arguments.show);
+  if (arguments.no_insets) made.add("insets", "false");
+  made.addTexts("insets", arguments.insets);
+  if (arguments.overlay) made.add("panel", "true");
   made.addTexts("mask", arguments.mask);
   if (!arguments.style.empty()) {
     auto style = styleTable(arguments.style);
@@ -173,10 +177,14 @@ cli::CommandLine addCaseCommand(cli::CommandLine app, AddArguments& arguments) {
   command.addOption("--every", arguments.every, "one frame per period, as 500ms");
   list("--camera", arguments.cameras, "a camera of the cell or the session; repeatable");
   command.addOption("--size", arguments.size, "picture size in pixels, as 640x480");
+  command.addOption("--scale", arguments.scale, "of text and lines: 0.5 to 4");
   command.addOption("--samples", arguments.samples, "1 or 4");
   list("--layer", arguments.layers, "draw only this layer; repeatable");
   list("--hide", arguments.hide, "do not draw PATH; repeatable");
   list("--show", arguments.show, "draw PATH even if hidden; repeatable");
+  list("--inset", arguments.insets, "CAMERA[:CORNER][:SIZE], in place of the cell's; repeatable");
+  command.addFlag("--no-insets", arguments.no_insets, "leave out the cell's insets");
+  command.addFlag("--overlay", arguments.overlay, "with a panel of times and values");
   list("--mask", arguments.mask, "do not judge PATH; repeatable");
   list("--style", arguments.style, "a style, as KEY=VALUE; repeatable");
   command.addOption("--tolerance", arguments.tolerance,

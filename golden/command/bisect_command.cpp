@@ -62,21 +62,15 @@ std::string hashIn(const std::string& text) {
 
 /// Another build of rocinante-render.
 DrawnHash drawnBy(const std::string& program, const std::filesystem::path& cell,
-                  const std::filesystem::path& log, const BisectArguments& arguments) {
+                  const std::filesystem::path& log, const FrameRequest& asked,
+                  const ModelSearch& where) {
   return [=](Nanoseconds moment) -> Result<std::string> {
-    std::vector<std::string> words = {program,
-                                      cell.string(),
-                                      log.string(),
-                                      "--at",
-                                      secondsText(moment, 9),
-                                      "--size",
-                                      arguments.size,
-                                      "--samples",
-                                      std::to_string(arguments.samples),
-                                      "--hash"};
-    if (!arguments.camera.empty()) words.insert(words.end(), {"--camera", arguments.camera});
-    const std::vector<std::string> where = cli::searchWords(arguments);
-    words.insert(words.end(), where.begin(), where.end());
+    std::vector<std::string> words = {program, cell.string(),          log.string(),
+                                      "--at",  secondsText(moment, 9), "--hash"};
+    if (!asked.camera.empty()) words.insert(words.end(), {"--camera", asked.camera});
+    for (const auto& more : {pictureWords(asked), cli::searchWords(where)}) {
+      words.insert(words.end(), more.begin(), more.end());
+    }
     const auto ran = childOutput(words);
     if (!ran.ok()) return ran.error();
     if (ran->exit_code != 0) {
@@ -292,7 +286,7 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
   if (!a.ok()) return a.error();
   question.a = drawnByUs(*a, request);
   if (!arguments.other_render.empty()) {
-    question.b = drawnBy(arguments.other_render, other_cell, other_log, arguments);
+    question.b = drawnBy(arguments.other_render, other_cell, other_log, request, arguments);
     return question;
   }
   auto b = makerOf(other_cell, other_log, options);

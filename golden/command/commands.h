@@ -72,7 +72,9 @@ struct AddArguments {
   std::string name, at, event, after, events, every, size, tolerance, expect, reason;
   std::string cell, log;  ///< of a new suite, or the same as the suite's
   int occurrence = 0, samples = 0;
-  std::vector<std::string> cameras, layers, hide, show, mask, tags, style;
+  double scale = 0;  ///< 0: not given, as `samples`
+  bool no_insets = false, overlay = false;
+  std::vector<std::string> cameras, layers, hide, show, insets, mask, tags, style;
 };
 cli::CommandLine addCaseCommand(cli::CommandLine app, AddArguments& arguments);
 /// Appends the case to the suite's file; does not draw or approve.

@@ -45,7 +45,7 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
   question.tolerance = *tolerance;
   const auto size = parsePictureSize(arguments.size);
   if (!size.ok()) return size.error();
-  std::tie(question.width, question.height) = *size;
+  std::tie(question.picture.width, question.picture.height) = *size;
   return question;
 }
 

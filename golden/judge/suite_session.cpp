@@ -161,14 +161,7 @@ FrameRequest SuiteSession::request(const SuiteFrame& frame) const {
   FrameRequest request;
   request.time = *frame.time;
   request.camera = frame.camera;
-  request.width = made.width;
-  request.height = made.height;
-  request.samples = made.samples;
-  request.hide = made.hide;
-  request.show = made.show;
-  request.style = made.style;
-  request.panel = made.panel;
-  if (!made.insets) request.insets.emplace();
+  static_cast<PictureTerms&>(request) = made;
   if (made.layers) chooseLayers(*made.layers, request.hide, request.show);
   return request;
 }

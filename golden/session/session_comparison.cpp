@@ -155,10 +155,8 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
                                 LogTime& time_b, const SessionQuestion& question,
                                 SlackMoments* slack_moments) {
   FrameRequest request;
+  static_cast<PictureTerms&>(request) = question.picture;
   request.camera = question.camera;
-  request.width = question.width;
-  request.height = question.height;
-  request.samples = question.samples;
   request.time = time_a;
   FrameRequest request_b = request;
   // Rounding at the ends must not leave the log.

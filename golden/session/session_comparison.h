@@ -11,6 +11,7 @@
 #include "core/session/event_alignment.h"
 #include "core/session/timeline.h"
 #include "golden/report/report.h"
+#include "viewer/view/picture_terms.h"
 
 namespace rocinante {
 
@@ -19,7 +20,7 @@ struct SessionQuestion {
   std::vector<std::filesystem::path> more_accepted;  ///< beside a; b is judged in the band of all
   RunSpec spec;
   std::string camera;  ///< empty: chosen as by `render`
-  int width = 640, height = 480, samples = 4;
+  PictureTerms picture;
   Tolerance tolerance = Tolerance::loose();  ///< for pictures
   bool pictures = true;
 };

@@ -12,7 +12,7 @@
 #include "core/behaviour/run_spec.h"
 #include "golden/compare/compare.h"
 #include "golden/compare/picture_mask.h"
-#include "viewer/view/render_style.h"
+#include "viewer/view/picture_terms.h"
 
 namespace rocinante {
 
@@ -51,19 +51,13 @@ struct PictureArea {
   std::string text() const;
 };
 
-struct SuiteCase {
+struct SuiteCase : PictureTerms {
   std::string name;
   CaseMoment moment;
   std::vector<std::string> cameras;  ///< one frame each; empty: one, chosen as by `render`
-  int width = 640, height = 480;
-  int samples = 4;
   std::optional<std::vector<std::string>> layers;  ///< draw only these
-  std::vector<std::string> hide, show;
-  bool insets = true;  ///< draw the cell's insets
-  bool panel = false;  ///< draw the panel of times and values
-  RenderStyle style;
-  std::vector<PictureArea> mask;        ///< not judged
-  std::vector<PictureArea> judge_only;  ///< empty: everything outside masks
+  std::vector<PictureArea> mask;                   ///< not judged
+  std::vector<PictureArea> judge_only;             ///< empty: everything outside masks
   Tolerance tolerance;
   /// The tolerance for a golden of another key; a tolerance of the case sets both.
   Tolerance across_keys = Tolerance::rounding();

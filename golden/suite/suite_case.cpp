@@ -157,6 +157,17 @@ void readStyle(SuiteTable& table, RenderStyle& style) {
   }
 }
 
+/// true: the cell's; false: none; or a list of them.
+void readInsets(SuiteTable& table, SuiteCase& made) {
+  const TomlNode* node = table.node("insets");
+  if (node == nullptr) return;
+  const bool is_list = node->kind == TomlNode::Kind::array;
+  const auto words = is_list ? table.texts("insets") : std::vector<std::string>();
+  auto insets = parseInsets(words, is_list || !table.flag("insets").value_or(true));
+  if (!insets.ok()) return table.complain(*node, insets.error().what);
+  made.insets = std::move(*insets);
+}
+
 void readTolerance(SuiteTable& table, const Suite& suite, SuiteCase& made) {
   const TomlNode* node = table.node("tolerance");
   if (node == nullptr) return;
@@ -248,7 +259,14 @@ void readCaseLook(SuiteTable& table, const Suite& suite, SuiteCase& made) {
   if (table.has("hide")) made.hide = table.texts("hide");
   if (table.has("show")) made.show = table.texts("show");
   if (table.has("tags")) made.tags = table.texts("tags");
-  made.insets = table.flag("insets").value_or(made.insets);
+  if (const auto scale = table.number("scale")) {
+    if (!(*scale >= kLeastScale && *scale <= kLargestScale)) {
+      table.complain(*table.node("scale"),
+                     fmt::format("`scale` must be {} to {}", kLeastScale, kLargestScale));
+    }
+    made.scale = *scale;
+  }
+  readInsets(table, made);
   made.panel = table.flag("panel").value_or(made.panel);
   readStyle(table, made.style);
   readAreas(table, "mask", made.mask);
@@ -258,17 +276,17 @@ void readCaseLook(SuiteTable& table, const Suite& suite, SuiteCase& made) {
 }
 
 void readDefaults(SuiteTable& table, const Suite& suite, SuiteCase& made) {
-  table.onlyKeys({"camera", "size", "samples", "layers", "hide", "show", "insets", "panel", "style",
-                  "mask", "judge_only", "tolerance", "tags"});
+  table.onlyKeys({"camera", "size", "scale", "samples", "layers", "hide", "show", "insets", "panel",
+                  "style", "mask", "judge_only", "tolerance", "tags"});
   readCaseLook(table, suite, made);
   if (table.has("tolerance")) made.limit_from = "[defaults], " + made.limit_from;
 }
 
 void readCase(SuiteTable& table, const Suite& suite, SuiteCase& made) {
-  table.onlyKeys({"name",      "at",     "event",  "occurrence", "after",  "events",
-                  "every",     "camera", "size",   "samples",    "layers", "hide",
-                  "show",      "insets", "panel",  "style",      "mask",   "judge_only",
-                  "tolerance", "expect", "reason", "tags"});
+  table.onlyKeys({"name",       "at",        "event",  "occurrence", "after",   "events",
+                  "every",      "camera",    "size",   "scale",      "samples", "layers",
+                  "hide",       "show",      "insets", "panel",      "style",   "mask",
+                  "judge_only", "tolerance", "expect", "reason",     "tags"});
   made.name = table.text("name").value_or("");
   if (!isCaseName(made.name)) {
     table.complainHere("a case needs a `name` of at most 100 letters, digits, `_`, `-` and `.`");

@@ -15,7 +15,6 @@
 #include "viewer/program/measured_files.h"
 #include "viewer/program/render_files.h"
 #include "viewer/program/render_run.h"
-#include "viewer/view/inset_layout.h"
 #include "viewer/view/missing_meshes.h"
 #include "viewer/view/view_choice.h"
 
@@ -131,18 +130,6 @@ void warnOfDamage(const StateDamage& hiding, RenderReport& report) {
   if (!hiding.empty() || count > 0) report.is_whole = false;
 }
 
-Status chooseInsets(const RenderJob& job, FrameRequest& look) {
-  if (!job.show_insets) look.insets.emplace();
-  if (job.insets.empty()) return {};
-  look.insets.emplace();
-  for (const std::string& text : job.insets) {
-    auto inset = parseInset(text);
-    if (!inset) return inset.error();
-    look.insets->push_back(std::move(*inset));
-  }
-  return {};
-}
-
 Status showBeside(const RenderJob& job, FrameMaker& maker, StateDamage& hiding) {
   if (job.beside.empty()) return {};
   auto beside = Timeline::open(job.beside);
@@ -207,7 +194,6 @@ Result<RenderReport> render(const RenderJob& given,
   const auto rate = videoRate(job.moments);
   if (!rate) return rate.error();
   FrameRequest look = job.look;
-  if (Status chosen = chooseInsets(job, look); !chosen) return chosen.error();
   std::optional<Timeline> session;
   if (!job.log.empty()) {
     auto opened = Timeline::open(job.log);

@@ -34,8 +34,6 @@ struct RenderJob : ModelSearch {
   FrameRequest look;                 ///< its time and camera are ignored
   std::vector<std::string> joints;   ///< for setJoints(); only without a log
   std::vector<std::string> layers;   ///< only these; empty: all
-  std::vector<std::string> insets;   ///< for parseInset(); replace the cell's
-  bool show_insets = true;
   Profile profile = Profile::reproducible;
   bool overwrite = false;
   ParallelFor parallel;            ///< for loading the cell; may be empty

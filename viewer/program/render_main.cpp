@@ -179,6 +179,7 @@ int main(int argc, char** argv) {
   std::string size = "640x480", backdrop_text;
   std::string caps = pinnableCaps().front();
   std::string profile = "reproducible";
+  std::vector<std::string> insets;
   bool without_insets = false;
   bool hash = false;
   bool json = false;
@@ -228,7 +229,7 @@ int main(int argc, char** argv) {
                 "repeatable")
       .valueText("NAME")
       .oneEach();
-  app.addOption("--inset", job.insets, "an inset that replaces the cell's; repeatable")
+  app.addOption("--inset", insets, "an inset that replaces the cell's; repeatable")
       .valueText("CAMERA[:CORNER][:SIZE]")
       .oneEach();
   app.addFlag("--no-insets", without_insets, "leave out the cell's insets");
@@ -288,7 +289,6 @@ int main(int argc, char** argv) {
         if (backdrop.given()) {
           if (Status read = readBackdrop(backdrop_text, job.backdrop); !read) return read.error();
         }
-        job.show_insets = !without_insets;
         job.hashes = hash || json;
         if (job.output.empty() && job.sheet.empty() && job.frames.empty() && job.video.empty() &&
             job.identity.empty() && job.depth.empty() && !job.hashes) {
@@ -297,10 +297,13 @@ int main(int argc, char** argv) {
                        "--identity FILE, --depth FILE, --hash or --json",
                        {}};
         }
-        if (!job.show_insets && !job.insets.empty()) {
+        if (without_insets && !insets.empty()) {
           return Error{
               ErrorKind::bad_argument, "--inset and --no-insets cannot be used together", {}};
         }
+        auto chosen_insets = parseInsets(insets, without_insets);
+        if (!chosen_insets) return chosen_insets.error();
+        job.look.insets = std::move(*chosen_insets);
         job.parallel = cli::workerThreads();
         cli::catchStopSignals();
         const cli::StopDeadline until_stopped("stopped");

@@ -34,17 +34,16 @@ struct FoundFrame {
   std::shared_ptr<const BackdropPicture> backdrop;
   double backdrop_opacity = 0;
   bool main_has_backdrop = false;
-  RenderStyle style;
+  PictureTerms terms;
   FrameExtras extras;
   std::map<std::string, std::uint64_t> counted;  // datagrams in the last second, for the panel
   const DetailRung* rung = nullptr;
-  double scale = 1;
 
   SceneFrame shown() const {
-    SceneFrame frame{&scene, camera, &choice, &style, &extras};
+    SceneFrame frame{&scene, camera, &choice, &terms.style, &extras};
     frame.insets = insets;
     frame.detail = rung->level;
-    frame.scale = scale;
+    frame.scale = terms.scale;
     frame.backdrop = backdrop.get();
     frame.backdrop_opacity = backdrop_opacity;
     frame.main_has_backdrop = main_has_backdrop;
@@ -195,9 +194,8 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
   }
   if (Status current = context->makeCurrent(); !current) return current.error();
   FoundFrame found;
-  found.style = request.style;
-  if (beside) found.style.ghosts = GhostStyle::clear;
-  found.scale = request.scale;
+  found.terms = request;
+  if (beside) found.terms.style.ghosts = GhostStyle::clear;
   const auto rung = prepareRung(request.detail);
   if (!rung) return rung.error();
   found.rung = *rung;
@@ -256,7 +254,7 @@ Status FrameMaker::Impl::findRates(LogTime time, StateDamage& damage, FoundFrame
 void FrameMaker::Impl::addPanel(LogTime time, const FoundFrame& found, Picture& picture) {
   const std::string shown = session ? secondsText(time - session->origin(), 3) + " s" : "";
   drawPanel(picture, panelRows(shown, found.scene, *found.state, found.counted),
-            renderer->text(found.scale), found.scale);
+            renderer->text(found.terms.scale), found.terms.scale);
 }
 
 Result<const DetailRung*> FrameMaker::Impl::prepareRung(int detail) {

@@ -17,36 +17,22 @@
 #include "viewer/view/camera.h"
 #include "viewer/view/hand_joints.h"
 #include "viewer/view/inset_layout.h"
-#include "viewer/view/render_style.h"
+#include "viewer/view/picture_terms.h"
 
 namespace rocinante {
 
 struct PickedLink;
 
-/// Range of FrameRequest::scale.
-inline constexpr double kLeastScale = 0.5, kLargestScale = 4;
-
 /// Describes a frame to draw.
-struct FrameRequest {
+struct FrameRequest : PictureTerms {
   LogTime time{};
   /// A camera of the cell, a `view` of the session, or "map", "fit" or "fit:DEVICE"
   /// (docs/cell-format.md, "Built in"). Empty: the cell's first, or "fit".
   std::string camera;
-  int width = 640;
-  int height = 480;
-  double scale = 1;  ///< of everything sized in pixels: 0.5 to 4
-  int samples = 4;   ///< MSAA; llvmpipe has 1 and 4
   /// A rung of kDetailRungs; 0 draws everything. In a browser makeNextDetail() comes first.
   int detail = 0;
-  std::vector<std::string> hide;  ///< PATHs; override packets and cell (ViewChoice)
-  std::vector<std::string> show;
-  RenderStyle style;
-  /// Empty: the cell's insets, except those with an unknown camera. Cameras of given insets must
-  /// exist. An inset that repeats the main camera is left out.
-  std::optional<std::vector<CellInset>> insets;
   /// Joint values over those of the cell at rest; bad_argument with a session, which says them.
   HandJoints joints;
-  bool panel = false;  ///< in a corner: time, devices, joint values, rates (overlay_panel.h)
 };
 
 /// frame = render(cell, log, t, camera, options, size): a pure function behind one object that

@@ -25,6 +25,7 @@ struct CoveredEdges {
   int left = 0, bottom = 0;
   int right = 0;      ///< width of the right panel
   int right_top = 0;  ///< its bottom, from the top
+  bool operator==(const CoveredEdges&) const = default;
 };
 
 /// The places of a picture's insets, by docs/cell-format.md, section "Insets"; an empty rectangle

@@ -41,8 +41,8 @@ TEST(SessionComparison, NamesTheJointThatChangedAndByAllOfIt) {
   SessionQuestion question;
   question.a = folder / "a.mcap";
   question.b = folder / "b.mcap";
-  question.width = 96;
-  question.height = 72;
+  question.picture.width = 96;
+  question.picture.height = 72;
   question.tolerance = Tolerance();
   const auto found = judgeSessions(folder / "cell.toml", {}, question, {});
   ASSERT_TRUE(found.ok()) << found.error().text();
@@ -110,8 +110,8 @@ TEST(SessionComparison, SeveralAcceptedRecordingsAreABand) {
   test::writeSession(folder / "beyond.mcap", turning(0.4));
   SessionQuestion question;
   question.a = folder / "a.mcap";
-  question.width = 96;
-  question.height = 72;
+  question.picture.width = 96;
+  question.picture.height = 72;
   const auto judged = [&](const char* b) {
     question.b = folder / b;
     auto found = judgeSessions(folder / "arm.urdf", {}, question, {});

@@ -109,6 +109,8 @@ events = "pick*"
 after = "10ms"
 tolerance = "exact"
 tags = []
+scale = 1.5
+insets = ["map:top-left", "fit"]
 )",
                                 "s.toml");
   ASSERT_TRUE(suite.ok()) << suite.error().text();
@@ -118,7 +120,7 @@ tags = []
   EXPECT_EQ(again.cameras, (std::vector<std::string>{"overview", "top"}));
   EXPECT_EQ(again.width, 320);
   EXPECT_EQ(again.layers, std::vector<std::string>{"robots"});
-  EXPECT_FALSE(again.insets);
+  EXPECT_TRUE(again.insets && again.insets->empty());
   EXPECT_EQ(again.style.edges, EdgeStyle::only);
   EXPECT_EQ(again.style.trails.size(), 2U);
   EXPECT_EQ(again.mask, (std::vector<PictureArea>{{{}, "layer/labels", 0},
@@ -135,6 +137,9 @@ tags = []
   EXPECT_TRUE(each.tolerance.exact);
   EXPECT_EQ(each.limit_from, "s.toml:28");
   EXPECT_TRUE(each.tags.empty());
+  EXPECT_EQ(each.scale, 1.5);
+  ASSERT_TRUE(each.insets && each.insets->size() == 2);
+  EXPECT_EQ(each.insets->front().corner, InsetCorner::top_left);
 }
 
 TEST(ParseSuite, ALogMayBringItsCell) {
@@ -154,6 +159,7 @@ TEST(ParseSuite, EveryFaultNamesItsPlace) {
   EXPECT_EQ(faultOf(head), "a suite needs at least one [[case]] or [[run]] (s.toml:1:1)");
   EXPECT_EQ(faultOf(named + "colour = 1\n"), "unknown key `colour` (s.toml:5:10)");
   EXPECT_EQ(faultOf(named + "samples = 3\n"), "`samples` must be 1, 2, 4 or 8 (s.toml:5:11)");
+  EXPECT_EQ(faultOf(named + "scale = 9\n"), "`scale` must be 0.5 to 4 (s.toml:5:9)");
   EXPECT_EQ(faultOf(named + "size = [0, 5]\n"),
             "`size` must be [width, height], each from 1 to 8192 (s.toml:5:8)");
   EXPECT_EQ(faultOf(named + "at = 12.5\n"), "`at` is a string (s.toml:5:6)");

@@ -63,12 +63,14 @@ std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int
   return shown;
 }
 
-std::vector<std::string> insetWords(const ViewModel& model) {
-  std::vector<std::string> words;
-  for (const std::size_t number : shownInsets(model)) {
-    words.push_back(insetText(model.insets[number].inset));
-  }
-  return words;
+void setTerms(const ViewModel& model, PictureTerms& terms) {
+  terms.hide = model.hiddenPaths();
+  terms.show = model.shownPaths();
+  terms.style = model.frameStyle();
+  std::vector<CellInset> insets;
+  for (const std::size_t number : shownInsets(model)) insets.push_back(model.insets[number].inset);
+  terms.insets.reset();
+  if (insets != model.cell().insets) terms.insets = std::move(insets);
 }
 
 std::optional<InsetDrag> grabInset(const ViewModel& model, double x, double y, double reach_px) {

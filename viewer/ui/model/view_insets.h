@@ -6,6 +6,7 @@
 #include "viewer/render/fitted_cameras.h"
 #include "viewer/ui/model/view_model.h"
 #include "viewer/view/inset_layout.h"
+#include "viewer/view/picture_terms.h"
 
 namespace rocinante {
 
@@ -15,8 +16,9 @@ namespace rocinante {
 std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int width, int height,
                                     double scale, const CoveredEdges& covered);
 
-/// insetText() of each shown inset, for `rocinante render --inset`.
-std::vector<std::string> insetWords(const ViewModel& model);
+/// Sets what the model says of a picture of it, the session beside left out: looks, insets, and
+/// what is hidden and shown. All insets as the cell has them are not said.
+void setTerms(const ViewModel& model, PictureTerms& terms);
 
 /// So near its inner corner an inset is held by that, at scale 1.
 constexpr double kInsetGripPx = 18;

@@ -365,7 +365,6 @@ RenderStyle ViewModel::frameStyle() const {
   RenderStyle style = style_;
   if (picking.first()) style.measures.push_back({*picking.first(), *picking.first()});
   if (!style.measures.empty()) style.lengths = hand.units.length;
-  if (beside_ && beside_shown) style.ghosts = GhostStyle::clear;
   if (outline_selected && !selected.device.empty()) style.outlined.push_back(selected.path());
   return style;
 }

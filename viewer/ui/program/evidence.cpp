@@ -52,24 +52,15 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
   if (!request.align.empty()) words.push_back("--align=" + request.align);
   words.push_back("--camera=" +
                   (request.camera.empty() ? viewpointText(request.view) : request.camera));
-  add("--size", fmt::format("{}x{}", request.width, request.height));
   if (!request.backdrop.empty()) {
     add("--backdrop", request.backdrop);
     words.push_back("--backdrop-offset=" + request.backdrop_offset);
     add("--backdrop-opacity", fmt::format("{}", request.backdrop_opacity));
   }
-  if (request.scale != 1) add("--scale", fmt::format("{}", request.scale));
-  add("--samples", fmt::format("{}", request.samples));
-  for (const std::string& path : request.hide) add("--hide", path);
-  for (const std::string& path : request.show) add("--show", path);
   for (const std::string& joints : request.joints) words.push_back("--joints=" + joints);
-  if (request.insets.empty()) words.push_back("--no-insets");
-  for (const std::string& inset : request.insets) add("--inset", inset);
-  for (const auto& [key, value] : styleWords(request.style)) {
-    words.push_back("--" + key + "=" + value);
+  for (const auto& more : {pictureWords(request), cli::searchWords(request)}) {
+    words.insert(words.end(), more.begin(), more.end());
   }
-  const std::vector<std::string> where = cli::searchWords(request);
-  words.insert(words.end(), where.begin(), where.end());
   add(request.part ? "--video" : "-o", request.output.string());
   return words;
 }
@@ -92,11 +83,8 @@ std::vector<std::string> caseArguments(const EvidenceRequest& request, const fs:
   if (!request.at.empty()) add("--at", request.at + "s");
   words.push_back("--camera=" +
                   (request.camera.empty() ? viewpointText(request.view) : request.camera));
-  add("--size", fmt::format("{}x{}", request.width, request.height));
-  add("--samples", fmt::format("{}", request.samples));
-  for (const std::string& path : request.hide) add("--hide", path);
-  for (const std::string& path : request.show) add("--show", path);
-  for (const auto& [key, value] : styleWords(request.style)) add("--style", key + "=" + value);
+  const std::vector<std::string> terms = pictureWords(request, StyleOptions::one);
+  words.insert(words.end(), terms.begin(), terms.end());
   return words;
 }
 

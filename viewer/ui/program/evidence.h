@@ -10,13 +10,13 @@
 #include "core/base/model_search.h"
 #include "core/base/result.h"
 #include "viewer/view/camera.h"
-#include "viewer/view/render_style.h"
+#include "viewer/view/picture_terms.h"
 
 namespace rocinante {
 
 /// A picture of the window's content, drawn by rocinante-render in the reproducible profile, so
 /// that anyone can reproduce its bytes.
-struct EvidenceRequest : ModelSearch {
+struct EvidenceRequest : ModelSearch, PictureTerms {
   std::filesystem::path cell, log;  ///< as given to the viewer; `log` may be empty
   std::filesystem::path beside;     ///< as given to the viewer; empty: none
   std::string align;                ///< of it; may be empty
@@ -26,11 +26,7 @@ struct EvidenceRequest : ModelSearch {
   std::string at;      ///< RFC 3339, to the nanosecond; empty without a log
   std::string camera;  ///< by name; empty: `view`
   CameraView view;
-  int width = 0, height = 0, samples = 4;
-  double scale = 1;
-  std::vector<std::string> hide, show, insets;
   std::vector<std::string> joints;  ///< of `--joints`
-  RenderStyle style;
   std::filesystem::path output;
   /// A video of this part instead of a picture at `at`: as `--from` and `--until` take them.
   std::optional<std::pair<std::string, std::string>> part;

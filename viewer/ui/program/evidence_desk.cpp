@@ -50,14 +50,12 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
     request.backdrop_opacity = model.backdrop->opacity;
   }
   request.view = model.cameraView();
+  setTerms(model, request);
   request.width = size.width;
   request.height = size.height;
   request.scale = size.scale;
   // The sample counts of llvmpipe, which draws it.
   request.samples = samples_ > 1 ? 4 : 1;
-  request.hide = model.hiddenPaths();
-  request.show = model.shownPaths();
-  request.insets = insetWords(model);
   if (model.hand.drawn()) {
     if (model.session() != nullptr) {
       return Error{ErrorKind::bad_argument,
@@ -72,7 +70,6 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
           jointsText(model.cell(), name, positionalValues(*device->model, joints)));
     }
   }
-  request.style = model.frameStyle();
   static_cast<ModelSearch&>(request) = shown_.where;
   return request;
 }

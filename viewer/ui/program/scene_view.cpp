@@ -8,20 +8,21 @@ Result<std::optional<DrawCounts>> SceneView::draw(Renderer& renderer, SceneFrame
                                                   const ShownScene& shown, SteadyTime now) {
   if (shown_ == shown) return std::optional<DrawCounts>();
   shown_.reset();
-  const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(shown.rung)];
-  plain_ = shown.begins_plain && !begun_;
-  RenderStyle plain_style = shown.style;
+  const WindowTerms& terms = shown.terms;
+  const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(terms.rung)];
+  plain_ = terms.begins_plain && !begun_;
+  RenderStyle plain_style = terms.style;
   plain_style.shadows = plain_style.contact = false;
   if (plain_) frame.style = &plain_style;
-  const int samples = plain_ ? 1 : shown.samples;
-  if (auto ready = view_.prepare(renderer.gl(), shown.width, shown.height, samples, rung); !ready) {
+  const int samples = plain_ ? 1 : terms.samples;
+  if (auto ready = view_.prepare(renderer.gl(), terms.width, terms.height, samples, rung); !ready) {
     return ready.error();
   }
   auto drawn = view_.draw(renderer, frame);
   if (!drawn.ok()) return drawn.error();
   shown_ = shown;
   begun_ = true;
-  plan_.changed(now, plain_ || shown.rung > 0 || shown.drops_looks ? shown.height : 0);
+  plan_.changed(now, plain_ || terms.rung > 0 || terms.drops_looks ? terms.height : 0);
   return std::optional(*drawn);
 }
 
@@ -29,7 +30,8 @@ Result<bool> SceneView::refine(Renderer& renderer, const SceneFrame& frame, Stea
   const int rows = shown_ ? plan_.rowsAt(now) : 0;
   if (rows == 0) return false;
   const SteadyTime began = std::chrono::steady_clock::now();
-  if (auto drawn = rest_.drawRows(renderer, frame, shown_->width, shown_->height, shown_->samples,
+  const WindowTerms& terms = shown_->terms;
+  if (auto drawn = rest_.drawRows(renderer, frame, terms.width, terms.height, terms.samples,
                                   plan_.rowsDrawn(), rows);
       !drawn) {
     return drawn.error();

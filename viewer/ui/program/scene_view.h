@@ -9,25 +9,31 @@
 #include "viewer/detail/rest_plan.h"
 #include "viewer/render/rest_picture.h"
 #include "viewer/render/scaled_view.h"
+#include "viewer/view/inset_layout.h"
+#include "viewer/view/picture_terms.h"
 
 namespace rocinante {
+
+/// How a window's picture is drawn, as the program decides it for each frame.
+struct WindowTerms : PictureTerms {
+  CoveredEdges covered{};  ///< by panels
+  int rung = 0;            ///< of kDetailRungs
+  /// Leave out the looks that are the window's own choice; the picture at rest has them.
+  bool drops_looks = false;
+  /// The first picture is one of a single sample without looks, which is there soonest.
+  bool begins_plain = false;
+  bool operator==(const WindowTerms&) const = default;
+};
 
 /// Everything that decides a scene's pixels: while it stays equal, nothing has to be drawn.
 struct ShownScene {
   std::uint64_t version = 0;  ///< of poses, drawings and meshes
   CameraView camera;
-  RenderStyle style;
-  std::vector<FrameInset> insets;
-  std::vector<std::string> hide, show;
-  int raised_px = 0;
-  double scale = 1;
-  int width = 0, height = 0, samples = 1, rung = 0;
-  bool drops_looks = false;    ///< the picture at rest has more than `style`
-  std::uint64_t backdrop = 0;  ///< BackdropPicture::number; 0: none
+  WindowTerms terms;
+  std::vector<FrameInset> insets;  ///< in their places
+  std::uint64_t backdrop = 0;      ///< BackdropPicture::number; 0: none
   double backdrop_opacity = 0;
   bool main_has_backdrop = false;
-  /// The first picture is one of a single sample without looks, which is there soonest.
-  bool begins_plain = false;
   bool operator==(const ShownScene&) const = default;
 };
 

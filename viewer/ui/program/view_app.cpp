@@ -275,9 +275,15 @@ Status ViewApp::drawFrame(double app_ms) {
   times.ui = millisecondsSince(began);
 
   const SteadyTime scene_began = std::chrono::steady_clock::now();
-  const auto drawn = picture_.draw({width_, height_, interface_.scale(), covered_, detail_.rung(),
-                                    detail_.dropsLooks(), !scripted() && !detail_.fixed()},
-                                   now());
+  WindowTerms terms;
+  terms.width = width_;
+  terms.height = height_;
+  terms.scale = interface_.scale();
+  terms.covered = covered_;
+  terms.rung = detail_.rung();
+  terms.drops_looks = detail_.dropsLooks();
+  terms.begins_plain = !scripted() && !detail_.fixed();
+  const auto drawn = picture_.draw(std::move(terms), now());
   if (!drawn.ok()) return drawn.error();
   if (*drawn && !scripted()) picture_.renderer().gl().Finish();
   times.draw = millisecondsSince(scene_began);

@@ -24,11 +24,19 @@ SceneFrame WindowPicture::frame(const RenderStyle& style) const {
   return frame;
 }
 
-Result<std::optional<DrawCounts>> WindowPicture::draw(const PictureTerms& terms, SteadyTime now) {
-  terms_ = terms;
+RenderStyle WindowPicture::style() const {
   RenderStyle style = model_.frameStyle();
-  const bool drops = terms.drops_looks && model_.hasLooksByDefault();
-  if (drops) style.shadows = style.contact = false;
+  if (model_.beside() != nullptr && model_.beside_shown) style.ghosts = GhostStyle::clear;
+  return style;
+}
+
+Result<std::optional<DrawCounts>> WindowPicture::draw(WindowTerms terms, SteadyTime now) {
+  setTerms(model_, terms);
+  terms.samples = samples_;
+  terms.style = style();
+  terms.drops_looks = terms.drops_looks && model_.hasLooksByDefault();
+  if (terms.drops_looks) terms.style.shadows = terms.style.contact = false;
+  terms_ = terms;
   insets_ = frameInsets(model_, fitted_, terms.width, terms.height, terms.scale, terms.covered);
   const bool shows_fitted = std::ranges::any_of(model_.insets, [](const InsetChoice& choice) {
     return choice.shown && FittedCameras::knows(choice.inset.camera);
@@ -40,34 +48,26 @@ Result<std::optional<DrawCounts>> WindowPicture::draw(const PictureTerms& terms,
   ShownScene shown;
   shown.version = version_;
   shown.camera = model_.cameraView();
-  shown.style = style;
   shown.insets = insets_;
-  shown.hide = model_.hiddenPaths();
-  shown.show = model_.shownPaths();
-  shown.raised_px = terms.covered.bottom;
-  shown.scale = terms.scale;
-  shown.width = terms.width;
-  shown.height = terms.height;
-  shown.samples = samples_;
-  shown.rung = terms.rung;
-  shown.drops_looks = drops;
-  const SceneFrame drawn = frame(style);
+  shown.terms = std::move(terms);
+  // What is covered at the sides moves insets alone.
+  shown.terms.covered = {0, shown.terms.covered.bottom};
+  const SceneFrame drawn = frame(terms_.style);
   shown.backdrop = drawn.backdrop != nullptr ? drawn.backdrop->number : 0;
   shown.backdrop_opacity = drawn.backdrop_opacity;
   shown.main_has_backdrop = drawn.main_has_backdrop;
-  shown.begins_plain = terms.begins_plain;
   return view_.draw(renderer_, drawn, shown, now);
 }
 
 Result<bool> WindowPicture::refine(SteadyTime now) {
-  const RenderStyle style = model_.frameStyle();
-  return view_.refine(renderer_, frame(style), now);
+  const RenderStyle its = style();
+  return view_.refine(renderer_, frame(its), now);
 }
 
 Result<std::optional<PickedLink>> WindowPicture::pick(const PictureClick& at) {
   // On the clicked frame, with its insets, looks and choices.
-  const RenderStyle style = model_.frameStyle();
-  return renderer_.pick(frame(style), terms_.width, terms_.height, at.x, at.y);
+  const RenderStyle its = style();
+  return renderer_.pick(frame(its), terms_.width, terms_.height, at.x, at.y);
 }
 
 Status WindowPicture::point(const PictureClick& at) {

@@ -12,18 +12,6 @@
 
 namespace rocinante {
 
-/// How a window's picture is drawn, as the program decides it for each frame.
-struct PictureTerms {
-  int width = 1, height = 1;  ///< in pixels
-  double scale = 1;           ///< of text and lines
-  CoveredEdges covered;       ///< by panels
-  int rung = 0;               ///< of kDetailRungs
-  /// Leave out the looks that are the window's own choice.
-  bool drops_looks = false;
-  /// Begin with the picture that is there soonest; at rest it is refined.
-  bool begins_plain = false;
-};
-
 /// The scene in a window: what of the model it shows, drawn when it changes, refined at rest, and
 /// clicked on. Main thread; its context must be current. Borrows the model.
 class WindowPicture {
@@ -46,8 +34,9 @@ class WindowPicture {
 
   /// Poses, drawings or meshes changed.
   void changed() { ++version_; }
-  /// Draws the picture unless the same was drawn last; empty when it was.
-  Result<std::optional<DrawCounts>> draw(const PictureTerms& terms, SteadyTime now);
+  /// Draws the picture unless the same was drawn last; empty when it was. The model's terms and the
+  /// samples are set here.
+  Result<std::optional<DrawCounts>> draw(WindowTerms terms, SteadyTime now);
   /// Draws the next slice of the picture at rest, if it is due; true when it has become whole.
   Result<bool> refine(SteadyTime now);
   /// A slice is due.
@@ -65,6 +54,8 @@ class WindowPicture {
  private:
   Result<std::optional<PickedLink>> pick(const PictureClick& at);
   SceneFrame frame(const RenderStyle& style) const;
+  /// With the session beside, whose ghosts are clear.
+  RenderStyle style() const;
 
   ViewModel& model_;
   int samples_;
@@ -72,7 +63,7 @@ class WindowPicture {
   FittedCameras fitted_;
   StateDamage fit_damage_;  ///< until reported
   SceneView view_;
-  PictureTerms terms_;
+  WindowTerms terms_;  ///< of the last frame
   std::uint64_t version_ = 0;
   std::vector<FrameInset> insets_;  ///< of the last frame, in the window's pixels
 };

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/support/temporary_folder.h"
+#include "viewer/view/inset_layout.h"
 
 namespace rocinante {
 namespace {
@@ -33,7 +34,7 @@ TEST(EvidenceArguments, SayAllThatThePictureIsAFunctionOf) {
   request.view.target = {0, 0, 0.5};
   request.hide = {"layer/labels"};
   request.scale = 1.5;
-  request.insets = {"map:top-left"};
+  request.insets = {*parseInset("map:top-left")};
   request.style.shadows = true;
   request.style.edges = EdgeStyle::only;
   request.search = {"models"};
@@ -51,8 +52,22 @@ TEST(EvidenceArguments, ANamedCameraIsNamedAndNoInsetIsSaid) {
   request.camera = "overview";
   request.log.clear();
   request.at.clear();
+  request.insets.emplace();
   EXPECT_EQ(lineOf(evidenceArguments(request)),
             "cell.toml --camera=overview --size 1280x720 --samples 4 --no-insets -o out.png");
+}
+
+TEST(CaseArguments, SayTheSameTermsToGolden) {
+  EvidenceRequest request = someRequest();
+  request.camera = "overview";
+  request.hide = {"layer/labels"};
+  request.scale = 1.5;
+  request.insets.emplace();
+  request.style.shadows = true;
+  EXPECT_EQ(lineOf(caseArguments(request, "view.suite.toml", "first")),
+            "add view.suite.toml --case first --cell cell.toml --log session.mcap --at "
+            "7.880000000s --camera=overview --size 1280x720 --scale 1.5 --samples 4 --hide "
+            "layer/labels --no-insets --style shadows=on");
 }
 
 TEST(EvidenceNames, AreNeverTaken) {
