@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/report/json_text.h"
-#include "viewer/ui/panels/joint_rows.h"
-#include "viewer/ui/plot/plot_scale.h"
-#include "viewer/ui/plot/plot_shape.h"
-#include "viewer/ui/study/positional_names.h"
+#include "viewer/shown/joint_rows.h"
+#include "viewer/shown/plot_scale.h"
+#include "viewer/shown/plot_shape.h"
+#include "viewer/shown/positional_names.h"
 
 namespace rocinante {
 namespace {

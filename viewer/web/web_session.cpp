@@ -10,7 +10,7 @@
 #include "viewer/bake/bake_cell.h"
 #include "viewer/model/link_poses.h"
 #include "viewer/render/renderer.h"
-#include "viewer/ui/panels/joint_rows.h"
+#include "viewer/shown/joint_rows.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/web/web_context.h"
 

@@ -13,7 +13,7 @@
 #include "core/cell/view_path.h"
 #include "viewer/detail/governor.h"
 #include "viewer/render/frame_maker.h"
-#include "viewer/ui/model/turntable.h"
+#include "viewer/shown/turntable.h"
 #include "viewer/web/web_live.h"
 #include "viewer/web/web_plots.h"
 

@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "viewer/ui/plot/plot_scale.h"
+#include "viewer/shown/plot_scale.h"
 
 namespace rocinante {
 

@@ -1,5 +1,5 @@
+#include "viewer/shown/joint_rows.h"
 #include "viewer/ui/panels/hand_panel.h"
-#include "viewer/ui/panels/joint_rows.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/placed_panel.h"

@@ -8,7 +8,7 @@
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/kinematics/joint_values.h"
-#include "viewer/ui/panels/joint_rows.h"
+#include "viewer/shown/joint_rows.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {

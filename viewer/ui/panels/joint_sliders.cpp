@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "viewer/ui/panels/joint_rows.h"
+#include "viewer/shown/joint_rows.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"

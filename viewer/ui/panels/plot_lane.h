@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "viewer/shown/plot_scale.h"
 #include "viewer/ui/model/view_model.h"
 #include "viewer/ui/panels/time_axis.h"
-#include "viewer/ui/plot/plot_scale.h"
 
 namespace rocinante {
 

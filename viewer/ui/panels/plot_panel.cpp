@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "core/base/duration_text.h"
+#include "viewer/shown/plot_shape.h"
 #include "viewer/ui/commands/study_actions.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_lane.h"
 #include "viewer/ui/panels/plot_parts.h"
 #include "viewer/ui/panels/time_axis.h"
-#include "viewer/ui/plot/plot_shape.h"
 
 namespace rocinante {
 namespace {

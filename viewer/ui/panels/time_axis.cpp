@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "core/base/duration_text.h"
+#include "viewer/shown/plot_scale.h"
 #include "viewer/ui/panels/panel_parts.h"
-#include "viewer/ui/plot/plot_scale.h"
 
 namespace rocinante {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/ui/plot/plot_scale.h"
+#include "viewer/shown/plot_scale.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "viewer/ui/plot/plot_scale.h"
-#include "viewer/ui/study/log_study.h"
+#include "core/series/value_bins.h"
+#include "viewer/shown/plot_scale.h"
 
 namespace rocinante {
 

@@ -1,4 +1,4 @@
-#include "viewer/ui/plot/plot_shape.h"
+#include "viewer/shown/plot_shape.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/ui/panels/joint_rows.h"
+#include "viewer/shown/joint_rows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "viewer/ui/study/positional_names.h"
+#include "viewer/shown/positional_names.h"
 
 #include "core/kinematics/joint_values.h"
 

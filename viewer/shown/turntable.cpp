@@ -1,4 +1,4 @@
-#include "viewer/ui/model/turntable.h"
+#include "viewer/shown/turntable.h"
 
 #include <algorithm>
 #include <cmath>

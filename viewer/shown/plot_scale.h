@@ -6,7 +6,7 @@
 
 #include "core/cell/posed_scene.h"
 #include "core/series/series_key.h"
-#include "viewer/ui/study/log_study.h"
+#include "core/series/value_bins.h"
 
 namespace rocinante {
 
