@@ -8,8 +8,9 @@ namespace {
 Status useNamedCamera(CommandWords words, const CommandStage& stage) {
   stage.model.useCamera(words[0]);
   stage.model.cameraView();
-  return stage.model.panels.complaint.empty() ? Status{}
-                                              : Status{badWord(stage.model.panels.complaint)};
+  return stage.model.viewer.panels.complaint.empty()
+             ? Status{}
+             : Status{badWord(stage.model.viewer.panels.complaint)};
 }
 
 /// A number without a camera does nothing: cells have fewer than nine.

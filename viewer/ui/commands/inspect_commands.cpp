@@ -11,22 +11,22 @@ namespace {
 Status measureDistance(CommandWords words, const CommandStage& stage) {
   ViewModel& model = stage.model;
   if (!words.empty() && words[0] == "none") {
-    model.picking.end();
+    model.viewer.picking.end();
     RenderStyle style = model.style();
     style.measures.clear();
     model.setStyle(style);
     return {};
   }
-  const auto on = switched(words, model.picking.active());
+  const auto on = switched(words, model.viewer.picking.active());
   if (!on.ok()) return on.error();
-  *on ? model.picking.begin() : model.picking.end();
+  *on ? model.viewer.picking.begin() : model.viewer.picking.end();
   return {};
 }
 
 Status setReference(CommandWords words, const CommandStage& stage) {
   ViewModel& model = stage.model;
   if (words[0] == "world") {
-    model.reference = {};
+    model.viewer.reference = {};
     return {};
   }
   const auto path = parseViewPath(words[0]);
@@ -35,29 +35,31 @@ Status setReference(CommandWords words, const CommandStage& stage) {
   if (path->path.is_layer || !model.scene().find(wanted.device, wanted.link)) {
     return badWord(fmt::format("there is no device or link `{}`", words[0]));
   }
-  model.reference = wanted;
+  model.viewer.reference = wanted;
   return {};
 }
 
 Status showPacket(CommandWords words, const CommandStage& stage) {
   ViewModel& model = stage.model;
   const std::string word = words.empty() ? "on" : words[0];
-  model.packet.wanted = word != "off";
-  model.packet.value_name = word == "on" || word == "off" ? std::string() : word;
-  if (!model.packet.wanted) return {};
+  model.viewer.packet.wanted = word != "off";
+  model.viewer.packet.value_name = word == "on" || word == "off" ? std::string() : word;
+  if (!model.viewer.packet.wanted) return {};
   const Selection shown = model.inspected();
   if (shown.device.empty()) return badWord("`packet-behind` needs a selected device");
   // To its end: a script's next picture shows what was found.
   do {
-    model.packet.look(model.session()->log().name(), {shown.device, model.packet.value_name},
-                      model.shownTime(), 100'000);
-  } while (model.packet.searching() && model.packet.trouble.empty());
-  return model.packet.trouble.empty() ? Status{} : Status{badWord(model.packet.trouble)};
+    model.viewer.packet.look(model.session()->log().name(),
+                             {shown.device, model.viewer.packet.value_name}, model.shownTime(),
+                             100'000);
+  } while (model.viewer.packet.searching() && model.viewer.packet.trouble.empty());
+  return model.viewer.packet.trouble.empty() ? Status{}
+                                             : Status{badWord(model.viewer.packet.trouble)};
 }
 
 Status followSelection(CommandWords words, const CommandStage& stage) {
   ViewModel& model = stage.model;
-  const bool follows = !model.followed.device.empty();
+  const bool follows = !model.followed().device.empty();
   const auto on = switched(words, follows);
   if (!on.ok()) return on.error();
   if (*on && !words.empty() && model.selected.device.empty()) {
@@ -68,9 +70,9 @@ Status followSelection(CommandWords words, const CommandStage& stage) {
 }
 
 Status showNearest(CommandWords words, const CommandStage& stage) {
-  const auto on = switched(words, stage.model.nearest_wanted);
+  const auto on = switched(words, stage.model.viewer.nearest_wanted);
   if (!on.ok()) return on.error();
-  stage.model.nearest_wanted = *on;
+  stage.model.viewer.nearest_wanted = *on;
   return {};
 }
 

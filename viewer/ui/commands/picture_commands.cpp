@@ -147,12 +147,14 @@ Status clearSelection(CommandWords /*words*/, const CommandStage& stage) {
   ViewModel& model = stage.model;
   if (model.hand.driving() != nullptr) {
     model.hand.stopDriving();
-  } else if (model.panels.palette.shown || model.panels.open.shown || model.panels.help_shown) {
-    model.panels.palette.shown = model.panels.open.shown = model.panels.help_shown = false;
-  } else if (!model.panels.notes.empty()) {
-    model.panels.notes.clear();
-  } else if (model.picking.active()) {
-    model.picking.end();
+  } else if (model.viewer.panels.palette.shown || model.viewer.panels.open.shown ||
+             model.viewer.panels.help_shown) {
+    model.viewer.panels.palette.shown = model.viewer.panels.open.shown =
+        model.viewer.panels.help_shown = false;
+  } else if (!model.viewer.panels.notes.empty()) {
+    model.viewer.panels.notes.clear();
+  } else if (model.viewer.picking.active()) {
+    model.viewer.picking.end();
   } else if (model.publishing.takesClicks()) {
     model.publishing.endClicks();
   } else {
@@ -162,10 +164,10 @@ Status clearSelection(CommandWords /*words*/, const CommandStage& stage) {
 }
 
 Status setInsets(CommandWords words, const CommandStage& stage) {
-  const bool any = std::ranges::any_of(stage.model.insets, &InsetChoice::shown);
+  const bool any = std::ranges::any_of(stage.model.viewer.insets, &InsetChoice::shown);
   const auto on = switched(words, any);
   if (!on.ok()) return on.error();
-  for (InsetChoice& inset : stage.model.insets) inset.shown = *on;
+  for (InsetChoice& inset : stage.model.viewer.insets) inset.shown = *on;
   return {};
 }
 
@@ -173,11 +175,11 @@ Status setInsets(CommandWords words, const CommandStage& stage) {
 Result<std::size_t> insetOf(const std::string& word, const ViewModel& model) {
   const auto number = numberOf(word);
   if (!number.ok()) return number.error();
-  if (*number < 1 || *number > static_cast<double>(model.insets.size()) ||
+  if (*number < 1 || *number > static_cast<double>(model.viewer.insets.size()) ||
       *number != std::floor(*number)) {
-    return badWord(
-        fmt::format("there is no inset {}, but {}", word,
-                    model.insets.empty() ? "none" : fmt::format("1 to {}", model.insets.size())));
+    return badWord(fmt::format(
+        "there is no inset {}, but {}", word,
+        model.viewer.insets.empty() ? "none" : fmt::format("1 to {}", model.viewer.insets.size())));
   }
   return static_cast<std::size_t>(*number) - 1;
 }
@@ -186,7 +188,7 @@ Result<std::size_t> insetOf(const std::string& word, const ViewModel& model) {
 Status changeInset(CommandWords words, const CommandStage& stage) {
   const auto number = insetOf(words[0], stage.model);
   if (!number.ok()) return number.error();
-  CellInset& inset = stage.model.insets[*number].inset;
+  CellInset& inset = stage.model.viewer.insets[*number].inset;
   const auto asked = parseInset("x:" + words[1]);
   if (!asked.ok() || asked->camera != "x") {
     return badWord(fmt::format(
@@ -309,7 +311,7 @@ std::vector<Command> pictureCommands() {
        .means = "an inset's view in place of the picture's, and the other way round",
        .run = swapWithInset,
        .shortcuts = {{"shift+I", "", "the first inset's view and the picture's, swapped"}},
-       .offered = [](const ViewModel& model) { return !model.inset_places.empty(); }},
+       .offered = [](const ViewModel& model) { return !model.viewer.inset_places.empty(); }},
       {.name = "style",
        .arguments = "KEY VALUE",
        .means = "a look of the picture, as --style",

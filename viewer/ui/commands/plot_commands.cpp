@@ -38,13 +38,13 @@ Status plotValueOf(CommandWords words, const CommandStage& stage) {
   const auto key = seriesKeyOf(words[0]);
   if (!key) return key.error();
   if (Status known = checkKey(*key, stage.model); !known) return known;
-  if (stage.model.plots.add(*key)) return {};
+  if (stage.model.viewer.plots.add(*key)) return {};
   return badWord(
       fmt::format("{} curves are plotted, and there is no room for more", PlotBoard::kMaxCurves));
 }
 
 Status unplotValue(CommandWords words, const CommandStage& stage) {
-  PlotBoard& plots = stage.model.plots;
+  PlotBoard& plots = stage.model.viewer.plots;
   if (words[0] == "all") {
     plots.clear();
     return {};
@@ -57,9 +57,9 @@ Status unplotValue(CommandWords words, const CommandStage& stage) {
 }
 
 Status setPlots(CommandWords words, const CommandStage& stage) {
-  const auto on = switched(words, !stage.model.plots.hidden);
+  const auto on = switched(words, !stage.model.viewer.plots.hidden);
   if (!on.ok()) return on.error();
-  stage.model.plots.hidden = !*on;
+  stage.model.viewer.plots.hidden = !*on;
   return {};
 }
 
@@ -71,12 +71,13 @@ Status writeTable(CommandWords words, const CommandStage& stage) {
 
 Status setFindings(CommandWords words, const CommandStage& stage) {
   ViewModel& model = stage.model;
-  const auto on = switched(words, model.findings_wanted);
+  const auto on = switched(words, model.viewer.findings_wanted);
   if (!on.ok()) return on.error();
-  model.findings_wanted = *on;
+  model.viewer.findings_wanted = *on;
   if (!*on || model.study_delayed) return {};
   // The study of the log comes first; a script has both at once.
-  model.picture = model.study()->show({{}, model.cursor()->start(), model.cursor()->end(), 1, 1});
+  model.viewer.picture =
+      model.study()->show({{}, model.cursor()->start(), model.cursor()->end(), 1, 1});
   model.findings();
   return {};
 }
@@ -115,7 +116,7 @@ Status goToParting(CommandWords words, const CommandStage& stage) {
   TimelineCursor& cursor = *model.cursor();
   if (const auto moment = partings->beside(cursor.position(stage.now), *next)) {
     cursor.seek(*moment, stage.now);
-    model.time_view.follow(*moment);
+    model.viewer.time_view.follow(*moment);
   } else if (!partings->fault().empty()) {
     return badWord(partings->fault());
   } else if (!stage.model.study_waits) {

@@ -57,31 +57,31 @@ Status makeScreenshot(CommandWords words, const CommandStage& stage) {
 }
 
 Status setPanels(CommandWords words, const CommandStage& stage) {
-  const auto on = switched(words, stage.model.panels.shown);
+  const auto on = switched(words, stage.model.viewer.panels.shown);
   if (!on.ok()) return on.error();
-  stage.model.panels.shown = *on;
+  stage.model.viewer.panels.shown = *on;
   return {};
 }
 
 Status setHelp(CommandWords words, const CommandStage& stage) {
-  const auto on = switched(words, stage.model.panels.help_shown);
+  const auto on = switched(words, stage.model.viewer.panels.help_shown);
   if (!on.ok()) return on.error();
-  stage.model.panels.help_shown = *on;
+  stage.model.viewer.panels.help_shown = *on;
   return {};
 }
 
 Status setPalette(CommandWords words, const CommandStage& stage) {
-  const auto on = switched(words, stage.model.panels.palette.shown);
+  const auto on = switched(words, stage.model.viewer.panels.palette.shown);
   if (!on.ok()) return on.error();
-  stage.model.panels.palette.shown = false;
-  if (*on) stage.model.panels.palette.open();
+  stage.model.viewer.panels.palette.shown = false;
+  if (*on) stage.model.viewer.panels.palette.open();
   return {};
 }
 
 Status openFile(CommandWords words, const CommandStage& stage) {
   if (words.empty()) {
     std::error_code ignored;
-    stage.model.panels.open.open(std::filesystem::current_path(ignored));
+    stage.model.viewer.panels.open.open(std::filesystem::current_path(ignored));
   } else {
     stage.requests.open = {words[0]};
   }
@@ -92,12 +92,13 @@ Status setTheme(CommandWords words, const CommandStage& stage) {
   if (!words.empty() && words[0] != "dark" && words[0] != "light") {
     return badWord(fmt::format("`{}` is neither dark nor light", words[0]));
   }
-  stage.model.panels.is_light = words.empty() ? !stage.model.panels.is_light : words[0] == "light";
+  stage.model.viewer.panels.is_light =
+      words.empty() ? !stage.model.viewer.panels.is_light : words[0] == "light";
   return {};
 }
 
 Status resetPanels(CommandWords /*words*/, const CommandStage& stage) {
-  stage.model.panels.places = PanelPlaces();
+  stage.model.viewer.panels.places = PanelPlaces();
   return {};
 }
 

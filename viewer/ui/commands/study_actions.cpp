@@ -10,7 +10,7 @@ namespace rocinante {
 Status writePlotted(ViewModel& model, const std::filesystem::path& path) {
   std::set<SeriesKey> seen;
   std::vector<SeriesKey> keys;
-  for (const PlotBoard::Curve& curve : model.plots.curves()) {
+  for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
     if (!curve.key.isOfDevice()) continue;
     const PosedDevice* const device = model.scene().findDevice(curve.key.name);
     SeriesKey series = plotValue(curve.key, device == nullptr ? nullptr : device->model).series;
@@ -20,7 +20,8 @@ Status writePlotted(ViewModel& model, const std::filesystem::path& path) {
   if (study == nullptr || keys.empty()) {
     return Error{ErrorKind::bad_argument, "a table needs a plotted joint or pose", ""};
   }
-  study->writeTable(std::move(keys), model.time_view.from(), model.time_view.until(), path);
+  study->writeTable(std::move(keys), model.viewer.time_view.from(), model.viewer.time_view.until(),
+                    path);
   return {};
 }
 
@@ -29,11 +30,11 @@ void showFinding(ViewModel& model, TimelineCursor& cursor, std::size_t number, S
   const CheckReport* const report = judged == nullptr ? nullptr : judged->report();
   if (report == nullptr || number == 0 || number > report->findings.size()) return;
   const Finding& finding = report->findings[number - 1];
-  model.finding_shown = number;
+  model.viewer.finding_shown = number;
   if (model.scene().findDevice(finding.subject) != nullptr) model.selected = {finding.subject, ""};
   if (!finding.first) return;
   cursor.seek(*finding.first, now);
-  model.time_view.follow(*finding.first);
+  model.viewer.time_view.follow(*finding.first);
 }
 
 }  // namespace rocinante

@@ -77,7 +77,7 @@ Status goToPacket(CommandWords words, const CommandStage& stage) {
   cursorOf(stage).pause(stage.now);
   const auto moment = stage.model.packetBeside(*next);
   if (!moment.ok()) {
-    stage.model.panels.complaint = moment.error().text();
+    stage.model.viewer.panels.complaint = moment.error().text();
   } else if (*moment) {
     cursorOf(stage).seek(**moment, stage.now);
   }
@@ -99,8 +99,8 @@ Status setLoop(CommandWords words, const CommandStage& stage) {
 Status markMoment(CommandWords words, const CommandStage& stage) {
   ViewModel& model = stage.model;
   if (words.empty()) {
-    model.panels.mark_text[0] = 0;
-    model.panels.asks_mark = true;
+    model.viewer.panels.mark_text[0] = 0;
+    model.viewer.panels.asks_mark = true;
     return {};
   }
   stage.requests.mark = fmt::format("{}", fmt::join(words, " "));
@@ -108,8 +108,8 @@ Status markMoment(CommandWords words, const CommandStage& stage) {
 }
 
 Status askTime(CommandWords /*words*/, const CommandStage& stage) {
-  stage.model.panels.time_text[0] = 0;
-  stage.model.panels.asks_time = true;
+  stage.model.viewer.panels.time_text[0] = 0;
+  stage.model.viewer.panels.asks_time = true;
   return {};
 }
 
@@ -129,7 +129,7 @@ Result<std::optional<std::pair<LogTime, LogTime>>> spanOf(CommandWords words,
 Status showSpan(CommandWords words, const CommandStage& stage) {
   const auto span = spanOf(words, stage);
   if (!span.ok()) return span.error();
-  TimeView& view = stage.model.time_view;
+  TimeView& view = stage.model.viewer.time_view;
   *span ? view.show((*span)->first, (*span)->second) : view.showAll();
   return {};
 }

@@ -14,8 +14,8 @@ constexpr double kLeastDraggedPx = 48;
 
 std::vector<std::size_t> shownInsets(const ViewModel& model) {
   std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < model.insets.size(); ++i) {
-    if (model.insets[i].shown) shown.push_back(i);
+  for (std::size_t i = 0; i < model.viewer.insets.size(); ++i) {
+    if (model.viewer.insets[i].shown) shown.push_back(i);
   }
   return shown;
 }
@@ -40,13 +40,14 @@ std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int
   std::vector<std::size_t> numbers = shownInsets(model);
   const CameraView main = model.cameraView();
   std::erase_if(numbers, [&](std::size_t number) {
-    return repeatsMainView(model.insets[number].inset, model.cameraName(), main, model.scene());
+    return repeatsMainView(model.viewer.insets[number].inset, model.cameraName(), main,
+                           model.scene());
   });
   std::vector<CellInset> insets;
-  for (const std::size_t number : numbers) insets.push_back(model.insets[number].inset);
+  for (const std::size_t number : numbers) insets.push_back(model.viewer.insets[number].inset);
   const std::vector<PixelRectangle> parts = placeInsets(insets, width, height, scale, covered);
   std::vector<FrameInset> shown;
-  model.inset_places.clear();
+  model.viewer.inset_places.clear();
   for (std::size_t i = 0; i < insets.size(); ++i) {
     if (parts[i].width == 0 || parts[i].height == 0) continue;
     const CellInset& inset = insets[i];
@@ -58,7 +59,7 @@ std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int
     if (!camera.ok()) continue;
     shown.push_back({parts[i], *camera, insetTitle(inset), inset.border_rgba, inset.border_px});
     shown.back().has_backdrop = model.backdrop && inset.camera == model.backdrop->camera;
-    model.inset_places.push_back({numbers[i], parts[i], *camera});
+    model.viewer.inset_places.push_back({numbers[i], parts[i], *camera});
   }
   return shown;
 }
@@ -68,17 +69,18 @@ void setTerms(const ViewModel& model, PictureTerms& terms) {
   terms.show = model.shownPaths();
   terms.style = model.frameStyle();
   std::vector<CellInset> insets;
-  for (const std::size_t number : shownInsets(model)) insets.push_back(model.insets[number].inset);
+  for (const std::size_t number : shownInsets(model))
+    insets.push_back(model.viewer.insets[number].inset);
   terms.insets.reset();
   if (insets != model.cell().insets) terms.insets = std::move(insets);
 }
 
 std::optional<InsetDrag> grabInset(const ViewModel& model, double x, double y, double reach_px) {
   std::optional<InsetDrag> grabbed;
-  for (const InsetPlace& place : model.inset_places) {
+  for (const InsetPlace& place : model.viewer.inset_places) {
     const PixelRectangle& at = place.part;
     if (!(x >= at.x && y >= at.y && x < at.x + at.width && y < at.y + at.height)) continue;
-    const InsetCorner corner = model.insets[place.number].inset.corner;
+    const InsetCorner corner = model.viewer.insets[place.number].inset.corner;
     const double across = isLeft(corner) ? at.x + at.width - x : x - at.x;
     const double down = isTop(corner) ? at.y + at.height - y : y - at.y;
     grabbed = InsetDrag{place.number, across < reach_px && down < reach_px, at};
@@ -88,8 +90,8 @@ std::optional<InsetDrag> grabInset(const ViewModel& model, double x, double y, d
 
 void dragInset(ViewModel& model, const InsetDrag& drag, double x, double y, int width, int height,
                double scale) {
-  if (drag.number >= model.insets.size()) return;
-  CellInset& inset = model.insets[drag.number].inset;
+  if (drag.number >= model.viewer.insets.size()) return;
+  CellInset& inset = model.viewer.insets[drag.number].inset;
   if (!drag.sizes) {
     inset.corner = cornerOf(x < width / 2.0, y < height / 2.0);
     return;
@@ -110,11 +112,11 @@ void dragInset(ViewModel& model, const InsetDrag& drag, double x, double y, int 
 }
 
 Status swapInset(ViewModel& model, std::size_t number) {
-  const auto place = std::ranges::find(model.inset_places, number, &InsetPlace::number);
-  if (place == model.inset_places.end()) {
+  const auto place = std::ranges::find(model.viewer.inset_places, number, &InsetPlace::number);
+  if (place == model.viewer.inset_places.end()) {
     return Error{ErrorKind::bad_argument, "this inset is not shown", {}};
   }
-  CellInset& inset = model.insets[number].inset;
+  CellInset& inset = model.viewer.insets[number].inset;
   const bool is_named = !model.cameraName().empty() && model.cameraName()[0] != '@';
   const std::string before = is_named ? model.cameraName() : viewpointText(model.cameraView());
   // `map` and `fit` are no cameras of the main view: it takes what the inset shows.

@@ -37,7 +37,7 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
     if (!events.ok()) return events.error();
     model.events_ = **events;
     model.cursor_.emplace(session->start(), session->end());
-    model.time_view = TimeView(session->start(), session->end());
+    model.viewer.time_view = TimeView(session->start(), session->end());
     for (const LossSpan& span : session->log().losses()) {
       model.recorded_losses_ += span.counts.kernel + span.counts.queue + span.counts.disk;
     }
@@ -46,7 +46,7 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
     model.cursor_->setGrowing(model.log_grows_);
     model.cursor_->followNow();
   }
-  for (const CellInset& inset : model.cell_->insets) model.insets.push_back({inset, true});
+  for (const CellInset& inset : model.cell_->insets) model.viewer.insets.push_back({inset, true});
   model.resetCamera();
   return model;
 }
@@ -151,9 +151,9 @@ Result<bool> ViewModel::update(SteadyTime now) {
 }
 
 bool ViewModel::lookForNearest() {
-  NearestWish wish{selected.device, reference.device};
+  NearestWish wish{selected.device, viewer.reference.device};
   if (wish.other == wish.device) wish.other.clear();
-  const bool wanted = nearest_wanted && !wish.device.empty();
+  const bool wanted = viewer.nearest_wanted && !wish.device.empty();
   if (wanted) {
     if (!nearest_) nearest_ = std::make_unique<NearestStudy>(*cell_);
     if (nearest_asked_ != wish || nearest_is_old_) {
@@ -272,10 +272,10 @@ const PartingStudy* ViewModel::partings() {
 
 const FindingsStudy* ViewModel::findings() {
   // What is still being written would be judged by its first moments.
-  if (!session_ || !findings_wanted || log_grows_) return nullptr;
+  if (!session_ || !viewer.findings_wanted || log_grows_) return nullptr;
   if (!judged_) {
     // One thread after the other: two cores also have to draw.
-    if (picture == nullptr || (study_ && study_->isBusy())) return nullptr;
+    if (viewer.picture == nullptr || (study_ && study_->isBusy())) return nullptr;
     judged_ = std::make_unique<FindingsStudy>(*cell_, session_->log().name());
   }
   if (study_waits) judged_->wait();
@@ -293,7 +293,7 @@ bool ViewModel::isStudyBusy() const {
   return (nearest_ && nearest_->isBusy()) || (study_ && study_->isBusy()) ||
          (judged_ && !judged_->isFinished()) || (study_beside_ && study_beside_->isBusy()) ||
          (partings_ && !partings_->isFinished()) ||
-         (study_ && findings_wanted && !judged_ && !log_grows_);
+         (study_ && viewer.findings_wanted && !judged_ && !log_grows_);
 }
 
 Status ViewModel::addMark(const std::string& text) {
@@ -363,14 +363,16 @@ void ViewModel::setStyle(const RenderStyle& style) {
 
 RenderStyle ViewModel::frameStyle() const {
   RenderStyle style = style_;
-  if (picking.first()) style.measures.push_back({*picking.first(), *picking.first()});
+  if (viewer.picking.first())
+    style.measures.push_back({*viewer.picking.first(), *viewer.picking.first()});
   if (!style.measures.empty()) style.lengths = hand.units.length;
-  if (outline_selected && !selected.device.empty()) style.outlined.push_back(selected.path());
+  if (viewer.outline_selected && !selected.device.empty())
+    style.outlined.push_back(selected.path());
   return style;
 }
 
 void ViewModel::pickPoint(const Selection& link, const Vec3& point) {
-  if (auto measure = picking.add(scene_, link, point)) {
+  if (auto measure = viewer.picking.add(scene_, link, point)) {
     RenderStyle style = style_;
     style.measures.push_back(std::move(*measure));
     setStyle(style);
@@ -378,14 +380,14 @@ void ViewModel::pickPoint(const Selection& link, const Vec3& point) {
 }
 
 void ViewModel::toggleFollowing() {
-  followed = followed.device.empty() ? selected : Selection();
+  followed_ = followed_.device.empty() ? selected : Selection();
   followed_at_.reset();
   follow();
 }
 
 void ViewModel::follow() {
-  if (followed.device.empty()) return;
-  const auto space = scene_.find(followed.device, followed.link);
+  if (followed_.device.empty()) return;
+  const auto space = scene_.find(followed_.device, followed_.link);
   if (!space) return followed_at_.reset();
   const Vec3 at = positionOf(*space);
   if (followed_at_ && at != *followed_at_) holdCamera().shift(at - *followed_at_);
@@ -396,12 +398,12 @@ CameraView ViewModel::cameraView() {
   if (!camera_name_.empty()) {
     auto view = chooseCamera(camera_name_, scene_);
     if (view.ok()) {
-      panels.complaint.clear();
+      viewer.panels.complaint.clear();
       named_view_ = *view;
       return *view;
     }
     // A removed view or carrier, as of a window that closed: keep the present camera.
-    panels.complaint = view.error().text();
+    viewer.panels.complaint = view.error().text();
     camera_name_.clear();
     if (named_view_) turntable_ = Turntable(*named_view_);
   }
@@ -411,7 +413,7 @@ CameraView ViewModel::cameraView() {
 void ViewModel::useCamera(const std::string& name) {
   camera_name_ = name;
   named_view_.reset();
-  followed = {};
+  followed_ = {};
 }
 
 void ViewModel::addCamera(CellCamera camera) {
@@ -423,7 +425,7 @@ void ViewModel::addCamera(CellCamera camera) {
 
 void ViewModel::resetCamera() {
   turntable_ = Turntable();
-  followed = {};
+  followed_ = {};
   camera_name_ = cell_->cameras.empty() ? std::string() : cell_->cameras.front().name;
 }
 

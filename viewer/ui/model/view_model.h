@@ -18,15 +18,12 @@
 #include "viewer/ui/live/other_windows.h"
 #include "viewer/ui/live/source_rows.h"
 #include "viewer/ui/model/hand_control.h"
-#include "viewer/ui/model/inspection.h"
 #include "viewer/ui/model/misfits.h"
 #include "viewer/ui/model/packet_search.h"
-#include "viewer/ui/model/panel_state.h"
-#include "viewer/ui/model/plot_board.h"
 #include "viewer/ui/model/publishing.h"
 #include "viewer/ui/model/selection.h"
-#include "viewer/ui/model/time_view.h"
 #include "viewer/ui/model/timeline_cursor.h"
+#include "viewer/ui/model/viewer_state.h"
 #include "viewer/ui/study/findings_study.h"
 #include "viewer/ui/study/log_study.h"
 #include "viewer/ui/study/nearest_study.h"
@@ -40,26 +37,6 @@
 #include "viewer/view/view_choice.h"
 
 namespace rocinante {
-
-/// An inset and whether it is shown.
-struct InsetChoice {
-  CellInset inset;
-  bool shown = true;
-};
-
-/// Where the last frame shows an inset.
-struct InsetPlace {
-  std::size_t number = 0;  ///< of ViewModel::insets
-  PixelRectangle part;
-  CameraView camera;
-};
-
-/// An inset that the mouse holds.
-struct InsetDrag {
-  std::size_t number = 0;  ///< of ViewModel::insets
-  bool sizes = false;      ///< else it moves to another corner
-  PixelRectangle part;     ///< where it was when it was grabbed
-};
 
 /// The state behind the panels: what the window shows and what the user chose. Needs no window. Not
 /// thread-safe.
@@ -214,35 +191,20 @@ class ViewModel {
   void pickPoint(const Selection& link, const Vec3& point);
   /// The camera moves with the selection from now on, or no longer.
   void toggleFollowing();
+  /// What the camera moves with; empty: nothing.
+  const Selection& followed() const { return followed_; }
 
   /// Data for limits and trails of the style, for scene().
   const FrameExtras& extras() const { return extras_; }
 
-  std::vector<InsetChoice> insets;
-  std::vector<InsetPlace> inset_places;  ///< of the last frame
-  std::optional<InsetDrag> inset_drag;
-  PanelState panels;
+  ViewerState viewer;
   Selection selected;
   HandControl hand;
   Publishing publishing;
-  TimeView time_view;  ///< what the time line shows
-  MomentHover hover;
-  PlotBoard plots;
-  std::shared_ptr<const StudyPicture> picture;         ///< of the log, as far as known; may be null
-  std::shared_ptr<const StudyPicture> picture_beside;  ///< the same of the log beside
-  bool beside_shown = true;                            ///< its ghosts and curves
-  bool study_waits = false;       ///< under a script, for identical screenshots
-  bool study_delayed = false;     ///< until there is a first picture, which has both cores
-  bool findings_wanted = true;    ///< judge the log in the background
-  std::size_t finding_shown = 0;  ///< number in the report, from 1; 0: none
-  Selection reference;            ///< in whose space poses are shown; empty: the world
-  DistancePicking picking;        ///< of a distance
-  PacketLookup packet;
-  bool nearest_wanted = false;             ///< measure how near the selection is to others
   std::optional<BackdropChoice> backdrop;  ///< empty: there is none
-  Selection followed;                      ///< the camera moves with it; empty: with nothing
-  bool outline_selected = true;
-  bool is_empty = false;  ///< nothing is shown yet: an empty cell stands for it
+  bool beside_shown = true;                ///< the ghosts and curves of the session beside
+  bool study_waits = false;                ///< under a script, for identical screenshots
+  bool study_delayed = false;              ///< until there is a first picture, which has both cores
 
  private:
   ViewModel() = default;
@@ -317,6 +279,7 @@ class ViewModel {
   std::vector<Event> events_;
   std::optional<BesideSession> beside_;  // borrows *cell_
   bool beside_was_shown_ = true;
+  Selection followed_;
   std::unique_ptr<PartingStudy> partings_;          // borrows *cell_
   std::unique_ptr<LogStudy> study_, study_beside_;  // borrow *cell_
   std::unique_ptr<FindingsStudy> judged_;           // borrows *cell_

@@ -81,7 +81,7 @@ bool ViewModel::watchLog(SteadyTime now) {
     // What is no longer kept cannot be shown again.
     const LogTime newest = keeping_trouble_.empty() ? live_->time : session_->end();
     cursor_->resize(session_->start(), std::max(session_->end(), newest));
-    time_view.resize(cursor_->start(), cursor_->end());
+    viewer.time_view.resize(cursor_->start(), cursor_->end());
   }
   return shows_more;
 }
@@ -90,12 +90,12 @@ bool ViewModel::watchLog(SteadyTime now) {
 void ViewModel::takeOverLog() {
   if (!feed_) {
     cursor_->resize(session_->start(), session_->end());
-    time_view.resize(cursor_->start(), cursor_->end());
+    viewer.time_view.resize(cursor_->start(), cursor_->end());
   }
   StateDamage hiding;  // the panel counts all places of damage
   const auto events = session_->events(&hiding);
   if (!events.ok()) {
-    panels.complaint = events.error().text();
+    viewer.panels.complaint = events.error().text();
   } else if (events_.size() != (*events)->size() ||
              (!events_.empty() && events_.front().time != (*events)->front().time)) {
     events_ = **events;
@@ -119,7 +119,7 @@ void ViewModel::takeOverLog() {
 /// The log cannot be read any more. A live session continues without its past.
 void ViewModel::loseLog(const Error& error) {
   if (!feed_) {
-    panels.complaint = error.text();
+    viewer.panels.complaint = error.text();
     log_grows_ = false;
     if (cursor_) cursor_->setGrowing(false);
     return;

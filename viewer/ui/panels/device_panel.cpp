@@ -48,7 +48,7 @@ float drawDevicePanel(ViewModel& model, float top, SteadyTime now) {
                        plotsHeight(model, io.DisplaySize.y);
   const Selection shown = model.inspected();
   if (shown.device.empty() || bottom - top < px(kLeastDeviceHeight)) return top;
-  PlacedPanel placed(model.panels.places, "device",
+  PlacedPanel placed(model.viewer.panels.places, "device",
                      ImVec2(io.DisplaySize.x - px(kPanelMargin), top), ImVec2(1, 0),
                      px(kDevicePanelWidth), bottom - top);
   ImGui::Begin("device", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);

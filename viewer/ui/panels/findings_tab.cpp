@@ -25,7 +25,7 @@ void drawRow(ViewModel& model, const Finding& finding, std::size_t number, Stead
                                             severityColor(finding.severity), px(2));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + mark + px(6));
   const std::string when = finding.first ? secondsAt(model, *finding.first) + " s  " : "";
-  if (ImGui::Selectable((when + finding.text).c_str(), model.finding_shown == number)) {
+  if (ImGui::Selectable((when + finding.text).c_str(), model.viewer.finding_shown == number)) {
     showFinding(model, *model.cursor(), number, now);
   }
   if (ImGui::IsItemHovered()) {
@@ -59,10 +59,10 @@ void drawExplanation(const ViewModel& model, const Finding& finding) {
 void drawFindingsTab(ViewModel& model, SteadyTime now) {
   const FindingsStudy* const judged = model.findings();
   if (judged == nullptr) {
-    const char* const why = !model.findings_wanted ? "not judged"
-                            : model.isGrowing()    ? "judged when the session has ended:\n"
-                                                     "save it for `rocinante check`"
-                                                   : "reading the log first";
+    const char* const why = !model.viewer.findings_wanted ? "not judged"
+                            : model.isGrowing()           ? "judged when the session has ended:\n"
+                                                            "save it for `rocinante check`"
+                                                          : "reading the log first";
     ImGui::TextDisabled("%s", why);
     return;
   }
@@ -95,7 +95,7 @@ void drawFindingsTab(ViewModel& model, SteadyTime now) {
     }
   }
   ImGui::EndChild();
-  const std::size_t shown = model.finding_shown;
+  const std::size_t shown = model.viewer.finding_shown;
   if (shown > 0 && shown <= report->findings.size()) {
     drawExplanation(model, report->findings[shown - 1]);
   }

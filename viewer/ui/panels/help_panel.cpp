@@ -56,7 +56,7 @@ void drawHelp(ViewModel& model) {
                                       ImVec2(size.x - px(kPanelMargin), size.y - px(kPanelMargin)));
   ImGui::SetNextWindowFocus();
   ImGui::SetNextWindowBgAlpha(0.96F);
-  ImGui::Begin("Mouse and keyboard", &model.panels.help_shown,
+  ImGui::Begin("Mouse and keyboard", &model.viewer.panels.help_shown,
                kPanelFlags | ImGuiWindowFlags_HorizontalScrollbar);
   const float left = ImGui::GetStyle().WindowPadding.x;
   const float top = ImGui::GetCursorPosY();

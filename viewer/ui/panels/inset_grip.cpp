@@ -15,7 +15,7 @@ constexpr ImU32 kHeld = IM_COL32(255, 168, 64, 255);
 /// What is held, else what could be grabbed there.
 std::optional<InsetDrag> insetAtMouse(const ViewModel& model) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (model.inset_drag) return model.inset_drag;
+  if (model.viewer.inset_drag) return model.viewer.inset_drag;
   if (io.WantCaptureMouse || !ImGui::IsMousePosValid() || ImGui::IsAnyMouseDown()) return {};
   return grabInset(model, io.MousePos.x, io.MousePos.y, px(kInsetGripPx));
 }
@@ -24,17 +24,17 @@ std::optional<InsetDrag> insetAtMouse(const ViewModel& model) {
 
 void drawInsetGrip(const ViewModel& model) {
   const auto at = insetAtMouse(model);
-  if (!at || at->number >= model.insets.size()) return;
-  const auto place = std::ranges::find(model.inset_places, at->number, &InsetPlace::number);
-  if (place == model.inset_places.end()) return;
+  if (!at || at->number >= model.viewer.insets.size()) return;
+  const auto place = std::ranges::find(model.viewer.inset_places, at->number, &InsetPlace::number);
+  if (place == model.viewer.inset_places.end()) return;
   const PixelRectangle& part = place->part;
   const ImVec2 low(static_cast<float>(part.x), static_cast<float>(part.y));
   const ImVec2 high(low.x + static_cast<float>(part.width),
                     low.y + static_cast<float>(part.height));
-  const bool held = model.inset_drag.has_value();
+  const bool held = model.viewer.inset_drag.has_value();
   ImDrawList* const list = ImGui::GetBackgroundDrawList();
   list->AddRect(low, high, held ? kHeld : kFaint, 0, 0, px(held ? 2 : 1));
-  const InsetCorner corner = model.insets[at->number].inset.corner;
+  const InsetCorner corner = model.viewer.insets[at->number].inset.corner;
   const bool left = corner == InsetCorner::top_left || corner == InsetCorner::bottom_left;
   const bool top = corner == InsetCorner::top_left || corner == InsetCorner::top_right;
   const ImVec2 inner(left ? high.x : low.x, top ? high.y : low.y);

@@ -105,42 +105,42 @@ void drawPosition(ViewModel& model, const Selection& shown, const Vec3& at) {
 
 void drawPose(ViewModel& model, const Selection& shown) {
   const Units& units = model.hand.units;
-  const auto pose = poseIn(model.scene(), shown, model.reference);
+  const auto pose = poseIn(model.scene(), shown, model.viewer.reference);
   if (pose) {
     const Vec3& at = pose->position;
     drawPosition(model, shown, at);
     const Quat& q = pose->orientation;
     explain(fmt::format("where its space begins, in {}\nquaternion x y z w {:.6f} {:.6f} {:.6f} "
                         "{:.6f}",
-                        spaceName(model.reference), q.x, q.y, q.z, q.w)
+                        spaceName(model.viewer.reference), q.x, q.y, q.z, q.w)
                 .c_str());
     const Vec3 turn = rpyOf(pose->orientation);
     ImGui::Text("turned %s %s %s", angleNumber(turn.x, units.angle).c_str(),
                 angleNumber(turn.y, units.angle).c_str(), angleText(turn.z, units.angle).c_str());
     explain("roll, pitch, yaw about fixed axes, as URDF has them");
   }
-  ImGui::TextDisabled("in %s", spaceName(model.reference).c_str());
+  ImGui::TextDisabled("in %s", spaceName(model.viewer.reference).c_str());
   ImGui::SameLine();
-  if (model.reference == shown || (!model.reference.device.empty() && !pose)) {
-    if (ImGui::SmallButton("the world")) model.reference = {};
+  if (model.viewer.reference == shown || (!model.viewer.reference.device.empty() && !pose)) {
+    if (ImGui::SmallButton("the world")) model.viewer.reference = {};
     explain("show poses in the world again");
     return;
   }
-  if (ImGui::SmallButton("from here")) model.reference = shown;
+  if (ImGui::SmallButton("from here")) model.viewer.reference = shown;
   explain("show the poses of others in the space of this one");
-  if (model.reference.device.empty()) return;
+  if (model.viewer.reference.device.empty()) return;
   ImGui::SameLine();
-  if (ImGui::SmallButton("world")) model.reference = {};
+  if (ImGui::SmallButton("world")) model.viewer.reference = {};
   explain("show poses in the world again");
 }
 
 void drawNearest(ViewModel& model, const Selection& shown) {
   if (model.selected.device != shown.device) return;
-  if (ImGui::SmallButton(model.nearest_wanted ? "hide distance" : "nearest")) {
-    model.nearest_wanted = !model.nearest_wanted;
+  if (ImGui::SmallButton(model.viewer.nearest_wanted ? "hide distance" : "nearest")) {
+    model.viewer.nearest_wanted = !model.viewer.nearest_wanted;
   }
   explain("how near it is to the reference (`from here`), or to the nearest other device");
-  if (!model.nearest_wanted) return;
+  if (!model.viewer.nearest_wanted) return;
   ImGui::SameLine();
   const NearestFound* const found = model.nearest();
   if (found == nullptr) {
@@ -157,7 +157,7 @@ void drawNearest(ViewModel& model, const Selection& shown) {
 void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selection& shown,
                       float bottom) {
   if (model.session() == nullptr) return;
-  PacketLookup& packet = model.packet;
+  PacketLookup& packet = model.viewer.packet;
   if (ImGui::SmallButton(packet.wanted ? "hide packet" : "packet")) packet.wanted = !packet.wanted;
   explain("the packet behind what is shown; a click on a joint's name: behind its value");
   if (!packet.wanted) {

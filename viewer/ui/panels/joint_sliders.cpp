@@ -269,7 +269,8 @@ void drawRow(ViewModel& model, const PosedDevice& device, const HandRow& one, St
   const std::string name = endOfName(row.name, ImGui::GetContentRegionAvail().x);
   const ImGuiCol ink = row.said || one.by_hand ? ImGuiCol_Text : ImGuiCol_TextDisabled;
   drawDraggable(model, "name", name, ink, {{SeriesKey::Kind::joint, device.name, row.name}});
-  if (ImGui::IsItemClicked() && model.packet.wanted) model.packet.value_name = row.name;
+  if (ImGui::IsItemClicked() && model.viewer.packet.wanted)
+    model.viewer.packet.value_name = row.name;
   explain(rowTip(one, model.hand.units, settable).c_str());
   ImGui::TableNextColumn();
   drawSlider(model, device, one, settable, now);

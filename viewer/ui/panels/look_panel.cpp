@@ -132,7 +132,7 @@ void drawLookTab(ViewModel& model) {
   if (ImGui::Checkbox("labels apart", &apart)) {
     style.labels = apart ? LabelStyle::apart : LabelStyle::beside;
   }
-  ImGui::Checkbox("outline what is selected", &model.outline_selected);
+  ImGui::Checkbox("outline what is selected", &model.viewer.outline_selected);
   if (std::ranges::any_of(model.cell().layers,
                           [](const CellLayer& layer) { return layer.look != LayerLook(); })) {
     ImGui::Checkbox("looks of layers", &style.layer_looks);

@@ -15,16 +15,17 @@ void drawMarkPrompt(ViewModel& model, ViewerRequests& requests) {
               secondsText(std::chrono::floor<std::chrono::milliseconds>(at), 3).c_str());
   ImGui::SetNextItemWidth(px(320));
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputTextWithHint("##text", "what is to be seen here", model.panels.mark_text.data(),
-                               model.panels.mark_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint(
+      "##text", "what is to be seen here", model.viewer.panels.mark_text.data(),
+      model.viewer.panels.mark_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   const bool left = ImGui::IsItemDeactivated();
   ImGui::TextDisabled("Enter keeps it, Esc does not");
   if (entered)
-    requests.mark = model.panels.mark_text[0] == 0 ? "mark" : model.panels.mark_text.data();
+    requests.mark =
+        model.viewer.panels.mark_text[0] == 0 ? "mark" : model.viewer.panels.mark_text.data();
   if (entered || left) {
-    model.panels.asks_mark = false;
-    model.panels.mark_text[0] = 0;
+    model.viewer.panels.asks_mark = false;
+    model.viewer.panels.mark_text[0] = 0;
   }
   ImGui::End();
 }

@@ -122,7 +122,7 @@ void openRecent(const RecentContent& recent, ViewerRequests& requests) {
 }
 
 void drawOpenList(ViewModel& model, ViewerRequests& requests) {
-  OpenState& open = model.panels.open;
+  OpenState& open = model.viewer.panels.open;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float width = std::min(px(kOpenWidth), size.x - px(2 * kPanelMargin));
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, px(4 * kPanelMargin)), ImGuiCond_Always,

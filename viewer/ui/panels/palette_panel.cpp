@@ -20,12 +20,12 @@ void runEntry(const PaletteEntry& entry, ViewModel& model, SteadyTime now,
   const std::string name = words.front();
   if (entry.incomplete) {
     // Its argument is typed now.
-    model.panels.palette.open();
+    model.viewer.panels.palette.open();
     const std::string begun = name + " ";
-    std::ranges::copy(begun, model.panels.palette.text.begin());
+    std::ranges::copy(begun, model.viewer.panels.palette.text.begin());
     return;
   }
-  model.panels.palette.shown = false;
+  model.viewer.panels.palette.shown = false;
   words.erase(words.begin());
   const CommandStage stage{model, now, static_cast<int>(ImGui::GetIO().DisplaySize.y), requests};
   if (const Status done = runCommand(name, words, stage); !done) {
@@ -64,7 +64,7 @@ void drawEntry(const PaletteEntry& entry, bool chosen, bool* clicked) {
 }  // namespace
 
 void drawPalette(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
-  PaletteState& palette = model.panels.palette;
+  PaletteState& palette = model.viewer.panels.palette;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float width = std::min(px(kPaletteWidth), size.x - px(2 * kPanelMargin));
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, px(4 * kPanelMargin)), ImGuiCond_Always,

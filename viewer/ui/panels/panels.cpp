@@ -16,8 +16,9 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now
   const float below = px(model.cursor() != nullptr ? kTimeBarHeight : kPanelMargin) +
                       plotsHeight(model, io.DisplaySize.y);
   const float tallest = std::max(px(120), io.DisplaySize.y - px(kPanelMargin) - below);
-  PlacedPanel placed(model.panels.places, "Scene", ImVec2(px(kPanelMargin), px(kPanelMargin)),
-                     ImVec2(0, 0), px(scenePanelWidth(model.isLive())), tallest);
+  PlacedPanel placed(model.viewer.panels.places, "Scene",
+                     ImVec2(px(kPanelMargin), px(kPanelMargin)), ImVec2(0, 0),
+                     px(scenePanelWidth(model.isLive())), tallest);
   ImGui::Begin("Scene", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
   if (placed.collapsed()) {
     drawCollapsed("Scene");
@@ -47,7 +48,7 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now
       ImGui::EndTabItem();
     }
     if (ImGui::TabItemButton("?", ImGuiTabItemFlags_Trailing))
-      model.panels.help_shown = !model.panels.help_shown;
+      model.viewer.panels.help_shown = !model.viewer.panels.help_shown;
     explain("mouse and keyboard (F1)");
     ImGui::EndTabBar();
   }
@@ -77,9 +78,9 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
   FreeMiddle middle{0, size.x};
   CoveredEdges covered;
   float right_end = 0;
-  model.hover.wanted.reset();
-  if (model.is_empty) drawWelcome(model, status.loading.has_value(), requests);
-  if (model.panels.shown && !model.is_empty) {
+  model.viewer.hover.wanted.reset();
+  if (model.viewer.is_empty) drawWelcome(model, status.loading.has_value(), requests);
+  if (model.viewer.panels.shown && !model.viewer.is_empty) {
     const float unit = px(1);
     const float plots = plotsHeight(model, size.y);
     const PanelLayout layout =
@@ -87,14 +88,14 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
                     model.cursor() != nullptr, !model.inspected().device.empty());
     if (layout.scene) {
       drawScenePanel(model, status, now, requests);
-      middle.left =
-          coveredAtLeft(model.panels.places, px(scenePanelWidth(model.isLive()) + kPanelMargin));
+      middle.left = coveredAtLeft(model.viewer.panels.places,
+                                  px(scenePanelWidth(model.isLive()) + kPanelMargin));
     }
     if (layout.figures != PanelLayout::Figures::none) {
       const bool brief = layout.figures == PanelLayout::Figures::brief;
-      right_end = drawFigures(model, status, now, brief, model.panels.places);
+      right_end = drawFigures(model, status, now, brief, model.viewer.panels.places);
       middle.right = size.x - px(brief ? 150 : 270);
-      if (isMoved(model.panels.places, "figures")) {
+      if (isMoved(model.viewer.panels.places, "figures")) {
         middle.right = size.x;
         right_end = 0;
       }
@@ -106,13 +107,13 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
         right_end = end;
         covered.right =
             std::max(covered.right, static_cast<int>(px(kDevicePanelWidth + kPanelMargin)));
-        if (!isMoved(model.panels.places, "device")) {
+        if (!isMoved(model.viewer.panels.places, "device")) {
           middle.right = std::min(middle.right, size.x - static_cast<float>(covered.right));
         }
       }
     }
     if (TimelineCursor* cursor = model.cursor()) {
-      if (cursor->playing()) model.time_view.follow(cursor->position(now));
+      if (cursor->playing()) model.viewer.time_view.follow(cursor->position(now));
       const TimeAxis axis = timeAxis(model, size.x);
       askStudy(model, axis);
       drawTimeBar(model, *cursor, axis, now);
@@ -125,14 +126,15 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
     covered.right_top = static_cast<int>(right_end);
   }
   drawInsetGrip(model);
-  if (status.loading) drawLoading(*status.loading, model.is_empty);
+  if (status.loading) drawLoading(*status.loading, model.viewer.is_empty);
   const float bottom = size.y - static_cast<float>(covered.bottom);
-  drawPictureLines(pictureLines(model, status, now), middle, right_end, bottom, model.panels.lines);
+  drawPictureLines(pictureLines(model, status, now), middle, right_end, bottom,
+                   model.viewer.panels.lines);
   drawDriveFrame(model);
-  if (model.panels.asks_mark) drawMarkPrompt(model, requests);
-  if (model.panels.help_shown) drawHelp(model);
-  if (model.panels.open.shown) drawOpenList(model, requests);
-  if (model.panels.palette.shown) drawPalette(model, now, requests);
+  if (model.viewer.panels.asks_mark) drawMarkPrompt(model, requests);
+  if (model.viewer.panels.help_shown) drawHelp(model);
+  if (model.viewer.panels.open.shown) drawOpenList(model, requests);
+  if (model.viewer.panels.palette.shown) drawPalette(model, now, requests);
   return covered;
 }
 

@@ -124,15 +124,17 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   if (const OthersBanner others = othersBanner(model); !others.what.empty()) {
     add("others", others.what, others.hint, others.is_fault ? kFault : kOthers);
   }
-  if (model.picking.active()) {
+  if (model.viewer.picking.active()) {
     add("picking",
-        model.picking.first() ? "click the second point" : "click two points: their distance",
+        model.viewer.picking.first() ? "click the second point"
+                                     : "click two points: their distance",
         "Esc ends it", kHint);
   }
   if (!model.keepingTrouble().empty()) add("kept", model.keepingTrouble(), "", kFault);
-  if (!model.panels.complaint.empty()) add("complaint", model.panels.complaint, "", kFault);
+  if (!model.viewer.panels.complaint.empty())
+    add("complaint", model.viewer.panels.complaint, "", kFault);
   for (const bool errors : {true, false}) {
-    const std::string text = notesText(model.panels.notes, errors);
+    const std::string text = notesText(model.viewer.panels.notes, errors);
     if (!text.empty()) {
       add(errors ? "errors" : "notes", text, "Esc dismisses it", errors ? kFault : kHint);
     }

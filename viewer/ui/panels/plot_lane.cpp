@@ -42,14 +42,14 @@ void scaleLane(PlotLane& lane) {
 
 std::vector<PlotLane> plotLanes(const ViewModel& model) {
   std::map<PlotUnit, PlotLane> by_unit;
-  for (const PlotBoard::Curve& curve : model.plots.curves()) {
+  for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
     const PosedDevice* const device =
         curve.key.isOfDevice() ? model.scene().findDevice(curve.key.name) : nullptr;
     PlottedCurve plotted;
     plotted.curve = &curve;
     plotted.value = plotValue(curve.key, device == nullptr ? nullptr : device->model);
-    plotted.columns = columnsOf(model.picture.get(), plotted.value.series);
-    plotted.beside = columnsOf(model.picture_beside.get(), plotted.value.series);
+    plotted.columns = columnsOf(model.viewer.picture.get(), plotted.value.series);
+    plotted.beside = columnsOf(model.viewer.picture_beside.get(), plotted.value.series);
     PlotLane& lane = by_unit[plotted.value.unit];
     lane.unit = plotted.value.unit;
     lane.curves.push_back(std::move(plotted));

@@ -156,13 +156,13 @@ const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
     list->AddRectFilled(ImVec2(left, y + px(4)), ImVec2(left + px(9), y + px(12)),
                         curveColor(plotted.curve->color));
     std::string value = "-";
-    const auto there = cursors.mouse_x && model.picture != nullptr
-                           ? valueAt(plotted, *model.picture, axis, *cursors.mouse_x)
+    const auto there = cursors.mouse_x && model.viewer.picture != nullptr
+                           ? valueAt(plotted, *model.viewer.picture, axis, *cursors.mouse_x)
                            : shownValue(model, plotted);
     if (there) {
       value = plotText(*there, lane.unit, lane.scale);
-    } else if (!plotted.value.series.isOfDevice() && model.picture != nullptr) {
-      const auto rate = valueAt(plotted, *model.picture, axis, cursors.shown_x);
+    } else if (!plotted.value.series.isOfDevice() && model.viewer.picture != nullptr) {
+      const auto rate = valueAt(plotted, *model.viewer.picture, axis, cursors.shown_x);
       if (rate) value = plotText(*rate, lane.unit, lane.scale);
     }
     const float value_left = right - ImGui::CalcTextSize(value.c_str()).x;
@@ -228,8 +228,9 @@ void drawSplitter(ViewModel& model, float width, float window_height) {
                                             ImVec2(middle + px(18), corner.y + px(5)),
                                             fadedInk(used ? 0.7F : 0.25F), px(1));
   if (!ImGui::IsItemActive()) return;
-  const float wanted = model.plots.height - ImGui::GetIO().MouseDelta.y / px(1);
-  model.plots.height = std::clamp(wanted, PlotBoard::kLeastHeight, window_height * 0.6F / px(1));
+  const float wanted = model.viewer.plots.height - ImGui::GetIO().MouseDelta.y / px(1);
+  model.viewer.plots.height =
+      std::clamp(wanted, PlotBoard::kLeastHeight, window_height * 0.6F / px(1));
 }
 
 /// Beside the splitter, above the names of the curves.
@@ -246,8 +247,9 @@ void drawTools(ViewModel& model, const TimeAxis& axis, float room) {
     return pressed;
   };
   const float right = axis.left + axis.width + room - px(8);
-  if (word("clear", right, "no longer plot anything")) model.plots.clear();
-  if (word("hide", right - px(42), "hide the plots, and keep them (P)")) model.plots.hidden = true;
+  if (word("clear", right, "no longer plot anything")) model.viewer.plots.clear();
+  if (word("hide", right - px(42), "hide the plots, and keep them (P)"))
+    model.viewer.plots.hidden = true;
   if (word("table", right - px(80), "what is seen, as a table (CSV) in the working folder")) {
     const auto stem = std::filesystem::path(model.session()->log().name()).stem().string();
     const auto seconds = [&](LogTime moment) {
@@ -256,20 +258,20 @@ void drawTools(ViewModel& model, const TimeAxis& axis, float room) {
     const std::string name =
         fmt::format("curves-{}-{}s-{}s.csv", stem, seconds(axis.from), seconds(axis.until));
     if (Status asked = writePlotted(model, name); !asked)
-      model.panels.complaint = asked.error().text();
+      model.viewer.panels.complaint = asked.error().text();
   }
 }
 
 }  // namespace
 
 float plotsHeight(const ViewModel& model, float window_height) {
-  if (!model.plots.shown() || model.session() == nullptr) return 0;
-  return std::clamp(px(model.plots.height), px(PlotBoard::kLeastHeight),
+  if (!model.viewer.plots.shown() || model.session() == nullptr) return 0;
+  return std::clamp(px(model.viewer.plots.height), px(PlotBoard::kLeastHeight),
                     std::max(px(PlotBoard::kLeastHeight), window_height * 0.6F));
 }
 
 void drawPlotDrag(ViewModel& model) {
-  PlotBoard& plots = model.plots;
+  PlotBoard& plots = model.viewer.plots;
   if (plots.dragged.empty()) return;
   const ImGuiIO& io = ImGui::GetIO();
   const float margin = px(kPanelMargin);
@@ -346,24 +348,25 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
     }
     // The session beside lies under the shown one, fainter and wider, so that both can be followed.
     for (const PlottedCurve& plotted : lane.curves) {
-      if (model.picture_beside == nullptr) break;
-      drawCurve(lane, plotted.value, plotted.beside, *model.picture_beside, axis,
+      if (model.viewer.picture_beside == nullptr) break;
+      drawCurve(lane, plotted.value, plotted.beside, *model.viewer.picture_beside, axis,
                 {curveColor(plotted.curve->color, 110), px(3.5F)});
     }
     for (const PlottedCurve& plotted : lane.curves) {
-      if (model.picture == nullptr) break;
-      drawCurve(lane, plotted.value, plotted.columns, *model.picture, axis,
+      if (model.viewer.picture == nullptr) break;
+      drawCurve(lane, plotted.value, plotted.columns, *model.viewer.picture, axis,
                 {curveColor(plotted.curve->color), px(plotted.curve == looked_at ? 2.4F : 1.5F)});
     }
     list->PopClipRect();
   }
-  if (model.picture != nullptr) drawUnknown(*model.picture, axis, top, top + lanes_height);
+  if (model.viewer.picture != nullptr)
+    drawUnknown(*model.viewer.picture, axis, top, top + lanes_height);
   drawCursorLines(axis, cursors, model.origin(), top, top + lanes_height);
-  if (model.picture != nullptr && !model.picture->fault.empty()) {
+  if (model.viewer.picture != nullptr && !model.viewer.picture->fault.empty()) {
     list->AddText(ImVec2(axis.left + px(6), top + px(4)), IM_COL32(255, 150, 100, 255),
-                  model.picture->fault.c_str());
+                  model.viewer.picture->fault.c_str());
   }
-  if (removed) model.plots.remove(*removed);
+  if (removed) model.viewer.plots.remove(*removed);
   ImGui::End();
 }
 

@@ -40,9 +40,9 @@ ImU32 fadedInk(float part) {
 }
 
 void dragFromItem(ViewModel& model, const std::vector<SeriesKey>& keys) {
-  if (model.session() == nullptr || !model.plots.dragged.empty()) return;
+  if (model.session() == nullptr || !model.viewer.plots.dragged.empty()) return;
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, px(4))) {
-    model.plots.dragged = keys;
+    model.viewer.plots.dragged = keys;
   }
 }
 
@@ -61,7 +61,7 @@ void drawPlotButton(ViewModel& model, const char* id, const std::vector<SeriesKe
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
   const bool pressed = ImGui::InvisibleButton(id, ImVec2(side, height));
-  const PlotBoard::Curve* const curve = model.plots.find(keys.front());
+  const PlotBoard::Curve* const curve = model.viewer.plots.find(keys.front());
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const float top = corner.y + (height - side) / 2;
   const ImVec2 low(corner.x, top), high(corner.x + side, top + side);
@@ -76,19 +76,19 @@ void drawPlotButton(ViewModel& model, const char* id, const std::vector<SeriesKe
         ImVec2(low.x + px(7), low.y + px(7)), ImVec2(high.x - px(2), low.y + px(3))};
     list->AddPolyline(line.data(), 4, fadedInk(faint), 0, px(1.2F));
   }
-  const bool full = model.plots.curves().size() >= PlotBoard::kMaxCurves;
+  const bool full = model.viewer.plots.curves().size() >= PlotBoard::kMaxCurves;
   explain(curve != nullptr ? "no longer plot it"
           : full           ? "20 curves are plotted: remove one first"
                            : "plot it over time: click, or drag it to the plots");
   dragFromItem(model, keys);
-  if (!pressed || !model.plots.dragged.empty()) return;
+  if (!pressed || !model.viewer.plots.dragged.empty()) return;
   const bool all = std::ranges::all_of(
-      keys, [&](const SeriesKey& key) { return model.plots.find(key) != nullptr; });
+      keys, [&](const SeriesKey& key) { return model.viewer.plots.find(key) != nullptr; });
   for (const SeriesKey& key : keys) {
     if (all) {
-      model.plots.remove(key);
+      model.viewer.plots.remove(key);
     } else {
-      model.plots.add(key);
+      model.viewer.plots.add(key);
     }
   }
 }

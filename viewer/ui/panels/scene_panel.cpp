@@ -55,8 +55,8 @@ void drawCameraRow(ViewModel& model, ViewerRequests& requests) {
 
 void drawInsets(ViewModel& model) {
   if (!ImGui::CollapsingHeader("Insets")) return;
-  for (std::size_t i = 0; i < model.insets.size(); ++i) {
-    InsetChoice& choice = model.insets[i];
+  for (std::size_t i = 0; i < model.viewer.insets.size(); ++i) {
+    InsetChoice& choice = model.viewer.insets[i];
     ImGui::PushID(static_cast<int>(i));
     ImGui::Checkbox("##shown", &choice.shown);
     ImGui::SameLine();
@@ -77,14 +77,14 @@ void drawInsets(ViewModel& model) {
     explain("take this window away");
     ImGui::PopID();
     if (gone) {
-      model.insets.erase(model.insets.begin() + static_cast<std::ptrdiff_t>(i));
+      model.viewer.insets.erase(model.viewer.insets.begin() + static_cast<std::ptrdiff_t>(i));
       break;
     }
   }
   if (ImGui::SmallButton("add a window")) {
     CellInset inset;
     inset.camera = "map";
-    model.insets.push_back({inset, true});
+    model.viewer.insets.push_back({inset, true});
   }
 }
 
@@ -116,9 +116,9 @@ bool isJointed(const PosedDevice& device) {
 std::vector<DeviceRow> deviceRows(const ViewModel& model) {
   std::vector<DeviceRow> rows;
   for (const PosedDevice& device : model.scene().devices) {
-    if (!containsWord(device.name, model.panels.device_filter.data())) continue;
+    if (!containsWord(device.name, model.viewer.panels.device_filter.data())) continue;
     rows.push_back({&device, {}});
-    if (!isJointed(device) || !model.panels.open_devices.contains(device.name)) continue;
+    if (!isJointed(device) || !model.viewer.panels.open_devices.contains(device.name)) continue;
     for (std::size_t i = 0; i < device.model->links.size(); ++i) {
       if (!device.model->links[i].visuals.empty()) rows.push_back({&device, i});
     }
@@ -149,13 +149,13 @@ void drawDeviceRow(ViewModel& model, const PosedDevice& device) {
                              ImGuiTreeNodeFlags_NoTreePushOnOpen;
   if (model.selected == here) flags |= ImGuiTreeNodeFlags_Selected;
   if (!isJointed(device)) flags |= ImGuiTreeNodeFlags_Leaf;
-  ImGui::SetNextItemOpen(model.panels.open_devices.contains(device.name));
+  ImGui::SetNextItemOpen(model.viewer.panels.open_devices.contains(device.name));
   const bool open = ImGui::TreeNodeEx("device", flags, "%s", device.name.c_str());
   if (ImGui::IsItemToggledOpen()) {
     if (open) {
-      model.panels.open_devices.insert(device.name);
+      model.viewer.panels.open_devices.insert(device.name);
     } else {
-      model.panels.open_devices.erase(device.name);
+      model.viewer.panels.open_devices.erase(device.name);
     }
   } else if (ImGui::IsItemClicked()) {
     model.selected = model.selected == here ? Selection{} : here;
@@ -166,8 +166,8 @@ void drawDevices(ViewModel& model, float bottom) {
   if (!ImGui::CollapsingHeader("Devices", ImGuiTreeNodeFlags_DefaultOpen)) return;
   if (model.scene().devices.size() > 12) {
     ImGui::SetNextItemWidth(-1);
-    ImGui::InputTextWithHint("##find", "find a device", model.panels.device_filter.data(),
-                             model.panels.device_filter.size());
+    ImGui::InputTextWithHint("##find", "find a device", model.viewer.panels.device_filter.data(),
+                             model.viewer.panels.device_filter.size());
   }
   const std::vector<DeviceRow> rows = deviceRows(model);
   const float pitch = ImGui::GetFrameHeightWithSpacing();
@@ -196,7 +196,7 @@ void drawDevices(ViewModel& model, float bottom) {
 /// The events whose text or source contains the filter; all with an empty filter.
 std::vector<std::size_t> listedEvents(const ViewModel& model) {
   std::vector<std::size_t> listed;
-  const std::string_view wanted = model.panels.event_filter.data();
+  const std::string_view wanted = model.viewer.panels.event_filter.data();
   for (std::size_t i = 0; !wanted.empty() && i < model.events().size(); ++i) {
     const Event& event = model.events()[i];
     if (containsWord(event.text, wanted) || containsWord(event.source, wanted)) listed.push_back(i);
@@ -231,10 +231,11 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
   constexpr std::size_t kMaxEventRows = 14;
   if (events.size() > kMaxEventRows) {
     ImGui::SetNextItemWidth(-1);
-    ImGui::InputTextWithHint("##find event", "find an event", model.panels.event_filter.data(),
-                             model.panels.event_filter.size());
+    ImGui::InputTextWithHint("##find event", "find an event",
+                             model.viewer.panels.event_filter.data(),
+                             model.viewer.panels.event_filter.size());
   }
-  const bool all = model.panels.event_filter[0] == 0;
+  const bool all = model.viewer.panels.event_filter[0] == 0;
   const std::vector<std::size_t> listed = listedEvents(model);
   const float pitch = ImGui::GetTextLineHeightWithSpacing();
   const auto rows = static_cast<float>(std::clamp<std::size_t>(events.size(), 1, kMaxEventRows));
@@ -250,7 +251,7 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
     }
   }
   ImGui::EndChild();
-  auto& text = model.panels.mark_text;
+  auto& text = model.viewer.panels.mark_text;
   ImGui::SetNextItemWidth(px(-60));
   const bool entered = ImGui::InputTextWithHint("##mark", "a mark at this moment", text.data(),
                                                 text.size(), ImGuiInputTextFlags_EnterReturnsTrue);

@@ -100,10 +100,11 @@ void drawSourcesTab(ViewModel& model, SteadyTime now) {
   }
   if (rows.size() > kMaxWithoutSearch) {
     ImGui::SetNextItemWidth(-1);
-    ImGui::InputTextWithHint("##find source", "find a source", model.panels.source_filter.data(),
-                             model.panels.source_filter.size());
+    ImGui::InputTextWithHint("##find source", "find a source",
+                             model.viewer.panels.source_filter.data(),
+                             model.viewer.panels.source_filter.size());
     std::erase_if(rows, [&](const SourceRow& row) {
-      return !containsWord(row.name, model.panels.source_filter.data());
+      return !containsWord(row.name, model.viewer.panels.source_filter.data());
     });
   }
   const float pitch = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;

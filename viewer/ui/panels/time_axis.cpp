@@ -76,19 +76,19 @@ LogTime TimeAxis::momentAt(float x) const {
 }
 
 float legendWidth(const ViewModel& model, float room) {
-  if (!model.plots.shown()) return 0;
+  if (!model.viewer.plots.shown()) return 0;
   return std::min(px(kLegendRoom), room * 0.35F);
 }
 
 TimeAxis timeAxis(const ViewModel& model, float room) {
   const float beside = px(kPanelMargin) + ImGui::GetStyle().WindowPadding.x;
-  const bool plots = model.plots.shown();
+  const bool plots = model.viewer.plots.shown();
   TimeAxis axis;
   axis.left = plots ? px(kPanelMargin + kScaleRoom) : beside;
   axis.width = std::max(
       px(40), room - axis.left - (plots ? px(kPanelMargin) + legendWidth(model, room) : beside));
-  axis.from = model.time_view.from();
-  axis.until = model.time_view.until();
+  axis.from = model.viewer.time_view.from();
+  axis.until = model.viewer.time_view.until();
   return axis;
 }
 
@@ -99,23 +99,23 @@ void askStudy(ViewModel& model, const TimeAxis& axis) {
   wish.from = axis.from;
   wish.until = axis.until;
   wish.columns = wish.strip_columns = columnsOf(axis.width);
-  if (model.plots.shown()) {
-    for (const PlotBoard::Curve& curve : model.plots.curves()) {
+  if (model.viewer.plots.shown()) {
+    for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
       const PosedDevice* const device =
           curve.key.isOfDevice() ? model.scene().findDevice(curve.key.name) : nullptr;
       wish.keys.push_back(plotValue(curve.key, device == nullptr ? nullptr : device->model).series);
     }
   }
-  model.picture = study->show(wish);
+  model.viewer.picture = study->show(wish);
   LogStudy* const study_beside = model.beside_shown ? model.studyBeside() : nullptr;
-  model.picture_beside.reset();
+  model.viewer.picture_beside.reset();
   if (study_beside == nullptr) return;
   const EventAlignment& alignment = model.beside()->alignment();
   StudyWish wish_beside = wish;
   wish_beside.from = alignment.inB(wish.from);
   wish_beside.until = alignment.inB(wish.until);
   if (const auto picture = study_beside->show(wish_beside)) {
-    model.picture_beside = alignedPicture(*picture, wish, alignment);
+    model.viewer.picture_beside = alignedPicture(*picture, wish, alignment);
   }
 }
 
@@ -131,15 +131,15 @@ void applyTimeMouse(ViewModel& model, TimelineCursor& cursor, const TimeAxis& ax
     } else if (!pans) {
       cursor.seek(axis.momentAt(io.MousePos.x), now);
     } else if (io.MouseDelta.x != 0) {
-      model.time_view.pan(-static_cast<double>(io.MouseDelta.x / axis.width));
+      model.viewer.time_view.pan(-static_cast<double>(io.MouseDelta.x / axis.width));
     }
   }
   if (!ImGui::IsItemHovered()) return;
   if (io.MouseWheel != 0) {
-    model.time_view.zoom(std::pow(0.8, static_cast<double>(io.MouseWheel)),
-                         axis.momentAt(io.MousePos.x));
+    model.viewer.time_view.zoom(std::pow(0.8, static_cast<double>(io.MouseWheel)),
+                                axis.momentAt(io.MousePos.x));
   }
-  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right)) model.time_view.showAll();
+  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right)) model.viewer.time_view.showAll();
 }
 
 std::string shownSeconds(Nanoseconds since_origin) {

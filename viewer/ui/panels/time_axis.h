@@ -34,7 +34,7 @@ TimeAxis timeAxis(const ViewModel& model, float room);
 /// Room beside the axis, right of it, for the names of curves; 0 without plots.
 float legendWidth(const ViewModel& model, float room);
 
-/// Asks the log's study for what this axis shows, into model.picture.
+/// Asks the log's study for what this axis shows, into model.viewer.picture.
 void askStudy(ViewModel& model, const TimeAxis& axis);
 
 /// Applies the mouse of the last item, drawn over the axis: left seeks, with Ctrl it chooses the

@@ -87,21 +87,21 @@ void drawButtons(const ViewModel& model, TimelineCursor& cursor, SteadyTime now,
 
 /// The shown moment, and where to type another.
 void drawTime(ViewModel& model, TimelineCursor& cursor, SteadyTime now, float room) {
-  if (model.panels.asks_time) {
+  if (model.viewer.panels.asks_time) {
     ImGui::SetNextItemWidth(px(130));
     if (ImGui::IsWindowAppearing() || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
     const bool entered = ImGui::InputTextWithHint(
-        "##time", "12.5 or 1m02.5s", model.panels.time_text.data(), model.panels.time_text.size(),
-        ImGuiInputTextFlags_EnterReturnsTrue);
+        "##time", "12.5 or 1m02.5s", model.viewer.panels.time_text.data(),
+        model.viewer.panels.time_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     const bool left = ImGui::IsItemDeactivated();
     if (entered) {
-      const auto moment = model.momentNamed(model.panels.time_text.data());
+      const auto moment = model.momentNamed(model.viewer.panels.time_text.data());
       if (moment.ok()) {
         cursor.seek(*moment, now);
-        model.time_view.follow(cursor.position(now));
+        model.viewer.time_view.follow(cursor.position(now));
       }
     }
-    if (entered || left) model.panels.asks_time = false;
+    if (entered || left) model.viewer.panels.asks_time = false;
     explain("Enter goes there; -1s is a second before the end, picked is the event of that name");
     return;
   }
@@ -114,8 +114,8 @@ void drawTime(ViewModel& model, TimelineCursor& cursor, SteadyTime now, float ro
     ImGui::Text("%s", at.c_str());
   }
   if (ImGui::IsItemClicked()) {
-    model.panels.time_text[0] = 0;
-    model.panels.asks_time = true;
+    model.viewer.panels.time_text[0] = 0;
+    model.viewer.panels.asks_time = true;
   }
   explain("click or G: type a time");
   // With its largest width, so that what is beside it does not move.
@@ -156,8 +156,8 @@ void drawVerdict(ViewModel& model) {
 }
 
 void drawZoom(ViewModel& model) {
-  if (model.time_view.showsAll()) return;
-  if (ImGui::Button("all")) model.time_view.showAll();
+  if (model.viewer.time_view.showsAll()) return;
+  if (ImGui::Button("all")) model.viewer.time_view.showAll();
   explain(
       "shows the whole log again (double right click); the wheel zooms the time line, and the "
       "right button moves it");

@@ -265,8 +265,8 @@ void explainPlace(ViewModel& model, const TimeAxis& axis, const CheckReport* rep
     moment = event->time;
     text = fmt::format("{} s\n{}{}{}", shownSeconds(event->time - model.origin()), event->source,
                        event->source.empty() ? "" : ": ", event->text);
-  } else if (model.picture != nullptr && mouse.y < top + px(kStripHeight)) {
-    const std::vector<const SourceStrip*> strips = stripsOf(*model.picture);
+  } else if (model.viewer.picture != nullptr && mouse.y < top + px(kStripHeight)) {
+    const std::vector<const SourceStrip*> strips = stripsOf(*model.viewer.picture);
     const float part = (mouse.y - top) / px(kStripHeight);
     const auto row =
         static_cast<std::size_t>(std::max(0.0F, part * static_cast<float>(strips.size())));
@@ -280,8 +280,8 @@ void explainPlace(ViewModel& model, const TimeAxis& axis, const CheckReport* rep
       if (strips[row]->lost[column] > 0) text += ", packets lost here";
     }
   }
-  model.hover.wanted = moment;
-  drawPlaceTip(model.hover, text);
+  model.viewer.hover.wanted = moment;
+  drawPlaceTip(model.viewer.hover, text);
 }
 
 void applyTrackMouse(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
@@ -338,7 +338,7 @@ void drawTrack(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
   const float right = axis.left + axis.width;
   const LogTime shown = cursor.position(now);
   const float at = axis.xOf(shown);
-  if (model.picture != nullptr) drawStrips(*model.picture, axis, top);
+  if (model.viewer.picture != nullptr) drawStrips(*model.viewer.picture, axis, top);
   list->AddRectFilled(ImVec2(axis.left, middle - half), ImVec2(right, middle + half),
                       fadedInk(0.22F), half);
   list->AddRectFilled(ImVec2(axis.left, middle - half),
@@ -349,7 +349,7 @@ void drawTrack(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
     drawPartings(*partings, axis, middle);
   }
   drawTicks(axis, middle, model.events());
-  if (report != nullptr) drawFindings(*report, axis, middle, model.finding_shown);
+  if (report != nullptr) drawFindings(*report, axis, middle, model.viewer.finding_shown);
   if (axis.shows(shown)) {
     list->AddCircleFilled(ImVec2(at, middle), px(7), IM_COL32(255, 255, 255, 255), 20);
   }

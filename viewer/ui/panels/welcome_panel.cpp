@@ -18,7 +18,7 @@ std::string megabytes(std::uint64_t bytes) {
 }  // namespace
 
 void drawWelcome(ViewModel& model, bool loading, ViewerRequests& requests) {
-  if (loading || model.panels.open.shown) return;
+  if (loading || model.viewer.panels.open.shown) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   ImGui::SetNextWindowSize(ImVec2(std::min(px(kWelcomeWidth), size.x), 0));
@@ -30,17 +30,17 @@ void drawWelcome(ViewModel& model, bool loading, ViewerRequests& requests) {
   ImGui::Spacing();
   if (ImGui::Button("Open a file ...", ImVec2(-1, 0))) {
     std::error_code ignored;
-    model.panels.open.open(std::filesystem::current_path(ignored));
+    model.viewer.panels.open.open(std::filesystem::current_path(ignored));
   }
-  const std::size_t shown = std::min(model.panels.open.recent.size(), kMaxRecent);
+  const std::size_t shown = std::min(model.viewer.panels.open.recent.size(), kMaxRecent);
   if (shown > 0) {
     ImGui::Spacing();
     ImGui::TextDisabled("Shown before");
   }
   for (std::size_t i = 0; i < shown; ++i) {
     ImGui::PushID(static_cast<int>(i));
-    if (drawRecent(model.panels.open.recent[i], false))
-      openRecent(model.panels.open.recent[i], requests);
+    if (drawRecent(model.viewer.panels.open.recent[i], false))
+      openRecent(model.viewer.panels.open.recent[i], requests);
     ImGui::PopID();
   }
   ImGui::Spacing();

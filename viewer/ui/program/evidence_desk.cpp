@@ -22,7 +22,7 @@ std::string sinceOrigin(const ViewModel& model) {
 
 bool showsBackdrop(const ViewModel& model) {
   return model.cameraName() == model.backdrop->camera ||
-         std::ranges::any_of(model.insets, [&](const InsetChoice& choice) {
+         std::ranges::any_of(model.viewer.insets, [&](const InsetChoice& choice) {
            return choice.shown && choice.inset.camera == model.backdrop->camera;
          });
 }
@@ -103,7 +103,8 @@ Status EvidenceDesk::begin(Result<EvidenceRun> run, const std::string& what, Vie
   }
   const auto made = run->wait();
   if (!made.ok()) return made.error();
-  if (!made->doubt.empty()) model.panels.doubts.push_back(made->file.string() + ": " + made->doubt);
+  if (!made->doubt.empty())
+    model.viewer.panels.doubts.push_back(made->file.string() + ": " + made->doubt);
   return {};
 }
 
@@ -153,7 +154,8 @@ Status EvidenceDesk::make(ViewModel& model, const WindowSize& size, const fs::pa
   if (!run.ok()) return run.error();
   const auto made = run->wait();
   if (!made.ok()) return made.error();
-  if (!made->doubt.empty()) model.panels.doubts.push_back(made->file.string() + ": " + made->doubt);
+  if (!made->doubt.empty())
+    model.viewer.panels.doubts.push_back(made->file.string() + ": " + made->doubt);
   return {};
 }
 

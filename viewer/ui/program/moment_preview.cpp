@@ -19,7 +19,7 @@ constexpr Nanoseconds kRest = std::chrono::milliseconds(60);
 
 bool MomentPreview::advance(Renderer& renderer, int width, int height, double scale,
                             SteadyTime now) {
-  const std::optional<LogTime> wanted = model_.hover.wanted;
+  const std::optional<LogTime> wanted = model_.viewer.hover.wanted;
   if (wanted != wanted_) {
     wanted_ = wanted;
     wanted_since_ = now;
@@ -39,7 +39,7 @@ bool MomentPreview::advance(Renderer& renderer, int width, int height, double sc
   width_ = static_cast<int>(kWidthPx * scale);
   height_ = std::clamp(width_ * height / std::max(width, 1), width_ / 3, width_);
   if (scene == nullptr || !draw(renderer, *scene)) return false;
-  model_.hover.drawn = wanted;
+  model_.viewer.hover.drawn = wanted;
   return true;
 }
 
@@ -64,7 +64,7 @@ bool MomentPreview::draw(Renderer& renderer, const PosedScene& scene) {
   pixels_->resolve();
   const Picture picture = pixels_->read();
   if (texture_ == 0) texture_ = GlTexture(gl);
-  model_.hover.texture = texture_;
+  model_.viewer.hover.texture = texture_;
   gl.BindTexture(GL_TEXTURE_2D, texture_);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -72,8 +72,8 @@ bool MomentPreview::draw(Renderer& renderer, const PosedScene& scene) {
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                 picture.rgba.data());
   gl.BindTexture(GL_TEXTURE_2D, 0);
-  model_.hover.width = width_;
-  model_.hover.height = height_;
+  model_.viewer.hover.width = width_;
+  model_.viewer.hover.height = height_;
   return true;
 }
 

@@ -15,7 +15,7 @@ namespace rocinante {
 class MomentPreview {
  public:
   explicit MomentPreview(ViewModel& model) : model_(model) {}
-  ~MomentPreview() { model_.hover = {}; }
+  ~MomentPreview() { model_.viewer.hover = {}; }
   MomentPreview(const MomentPreview&) = delete;
   MomentPreview& operator=(const MomentPreview&) = delete;
 

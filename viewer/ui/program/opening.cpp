@@ -15,8 +15,8 @@ Status Opening::open(const std::vector<std::filesystem::path>& files) {
   if (loader_.busy()) {
     return Error{ErrorKind::refused, "wait until " + loader_.name() + " is loaded", {}};
   }
-  model_.panels.open.used = true;
-  model_.panels.notes.clear();
+  model_.viewer.panels.open.used = true;
+  model_.viewer.panels.notes.clear();
   auto request = requestOf(files, shown_);
   if (!request.ok()) return request.error();
   loader_.start(std::move(*request));
@@ -30,7 +30,7 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
   loaded.emplace();
   if (result->ok()) {
     loaded->content = std::make_unique<ViewContent>(std::move(**result));
-  } else if (model_.is_empty && !model_.panels.open.used) {
+  } else if (model_.viewer.is_empty && !model_.viewer.panels.open.used) {
     return result->error();
   } else {
     loaded->fault = result->error().text();

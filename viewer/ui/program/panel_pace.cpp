@@ -6,7 +6,7 @@ namespace rocinante {
 
 Nanoseconds panelsChangeEvery(const ViewModel& model, const ProgramBusy& busy) {
   using namespace std::chrono_literals;
-  if (model.packet.searching()) return 16ms;
+  if (model.viewer.packet.searching()) return 16ms;
   if (busy.loading) return 50ms;
   if (busy.notice || busy.typing) return 200ms;
   return model.isLive() ? Nanoseconds(1s) : Nanoseconds::max();

@@ -42,13 +42,13 @@ std::pair<int, int> Remembered::sizeFor(int width, int height) const {
 
 void Remembered::apply(ViewContent& content) {
   ViewModel& model = *content.model;
-  model.panels.is_light = isLight();
+  model.viewer.panels.is_light = isLight();
   if (file_.empty()) return;
-  model.panels.open.recent = memory_.recent;
+  model.viewer.panels.open.recent = memory_.recent;
   if (const auto* panels = memory_.panelsOf(whole(content.request.cell))) {
-    model.panels.places.places = *panels;
+    model.viewer.panels.places.places = *panels;
   }
-  if (model.is_empty) return;
+  if (model.viewer.is_empty) return;
   const RecentContent now{whole(content.request.cell), whole(content.request.log)};
   memory_.shown(now);
   shown_.push_back(now);
@@ -56,9 +56,10 @@ void Remembered::apply(ViewContent& content) {
 
 void Remembered::keep(const ViewContent& content, const Window& window) {
   const ViewModel& model = *content.model;
-  memory_.theme = model.panels.is_light ? Theme::light : Theme::dark;
+  memory_.theme = model.viewer.panels.is_light ? Theme::light : Theme::dark;
   std::tie(memory_.width, memory_.height) = window.size();
-  if (!model.is_empty) memory_.keepPanels(whole(content.request.cell), model.panels.places.places);
+  if (!model.viewer.is_empty)
+    memory_.keepPanels(whole(content.request.cell), model.viewer.panels.places.places);
 }
 
 void Remembered::save() const {

@@ -115,14 +115,14 @@ void RequestDesk::finish(SteadyTime now) {
     cli::warn("the window is closed; what was asked for is still being made (Ctrl-C ends it)");
     told = true;
   }
-  if (my_.evidence.noticeIsFault()) my_.model.panels.doubts.push_back(my_.evidence.notice());
+  if (my_.evidence.noticeIsFault()) my_.model.viewer.panels.doubts.push_back(my_.evidence.notice());
 }
 
 void RequestDesk::openFiles(const std::vector<std::filesystem::path>& files, SteadyTime now) {
   const Status begun = my_.opening.open(files);
   if (begun) return;
   if (begun.error().kind == ErrorKind::refused) return say(begun.error().text(), true, now);
-  my_.model.panels.notes.push_back({begun.error().text(), true});
+  my_.model.viewer.panels.notes.push_back({begun.error().text(), true});
 }
 
 }  // namespace rocinante

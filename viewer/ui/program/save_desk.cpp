@@ -24,7 +24,7 @@ Status SaveDesk::make(ViewModel& model, const std::filesystem::path& file) {
       if (!saved->ok()) return saved->error();
       const LiveSaver::Saved& made = **saved;
       if (!made.doubt.empty())
-        model.panels.doubts.push_back(made.file.string() + ": " + made.doubt);
+        model.viewer.panels.doubts.push_back(made.file.string() + ": " + made.doubt);
       return {};
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -19,7 +19,7 @@ bool isSoLong(const ViewModel& model, Nanoseconds length) {
 
 /// Whether a line of the last frame has the text; without a text, whether there was no line.
 bool says(const ViewModel& model, const std::string& text) {
-  const std::vector<std::string>& lines = model.panels.lines;
+  const std::vector<std::string>& lines = model.viewer.panels.lines;
   if (text.empty()) return lines.empty();
   return std::ranges::any_of(
       lines, [&](const std::string& line) { return line.find(text) != std::string::npos; });
@@ -30,9 +30,10 @@ std::string unreached(const ViewerRequests& asked, const ViewModel& model) {
     return fmt::format("the session is not {:g}s long after a minute",
                        std::chrono::duration<double>(*asked.await_length).count());
   }
-  const std::string lines = model.panels.lines.empty()
-                                ? "nothing"
-                                : fmt::format("\"{}\"", fmt::join(model.panels.lines, "\", \""));
+  const std::string lines =
+      model.viewer.panels.lines.empty()
+          ? "nothing"
+          : fmt::format("\"{}\"", fmt::join(model.viewer.panels.lines, "\", \""));
   return asked.await_line->empty()
              ? fmt::format("the lines over the picture still say {} after a minute", lines)
              : fmt::format("no line over the picture says \"{}\" within a minute: they say {}",

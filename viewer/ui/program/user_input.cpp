@@ -33,11 +33,12 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int heigh
   };
   const double scale = ImGui::GetFontSize() / kFontPixels;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.KeyShift) {
-    model.inset_drag = grabInset(model, io.MousePos.x, io.MousePos.y, kInsetGripPx * scale);
+    model.viewer.inset_drag = grabInset(model, io.MousePos.x, io.MousePos.y, kInsetGripPx * scale);
   }
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) model.inset_drag.reset();
-  if (model.inset_drag && dragged(ImGuiMouseButton_Left)) {
-    dragInset(model, *model.inset_drag, io.MousePos.x, io.MousePos.y, width_px, height_px, scale);
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) model.viewer.inset_drag.reset();
+  if (model.viewer.inset_drag && dragged(ImGuiMouseButton_Left)) {
+    dragInset(model, *model.viewer.inset_drag, io.MousePos.x, io.MousePos.y, width_px, height_px,
+              scale);
     return std::nullopt;
   }
   if (moved.x != 0 || moved.y != 0) {
@@ -68,8 +69,8 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int heigh
 
 /// What is typed before the palette or the list of files has the keyboard is not lost.
 void collectTyped(ViewModel& model, std::span<const KeyPress> presses) {
-  LineStart& start =
-      model.panels.palette.shown ? model.panels.palette.start : model.panels.open.start;
+  LineStart& start = model.viewer.panels.palette.shown ? model.viewer.panels.palette.start
+                                                       : model.viewer.panels.open.start;
   for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters) start.type(letter);
   for (const KeyPress& press : presses) {
     if (press.key == GLFW_KEY_ENTER || press.key == GLFW_KEY_KP_ENTER) start.enter = true;
@@ -97,7 +98,7 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
       });
   if (ended) model.hand.stopDriving();
   if (io.WantTextInput) return click;
-  if (model.panels.palette.shown || model.panels.open.shown) {
+  if (model.viewer.panels.palette.shown || model.viewer.panels.open.shown) {
     // They get the keyboard in a moment, and close themselves.
     collectTyped(model, presses);
     return click;
@@ -118,7 +119,7 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
     }
     if (ended && press.key == GLFW_KEY_ESCAPE) continue;
     tell(runKey(press, stage));
-    if (!model.panels.palette.shown && !model.panels.open.shown) continue;
+    if (!model.viewer.panels.palette.shown && !model.viewer.panels.open.shown) continue;
     // What follows is typed into it.
     collectTyped(model, presses.subspan(i + 1));
     return click;

@@ -135,7 +135,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   for (const std::string& warning : renderer->warnings()) {
     const std::string shown = model.cell().shown(warning);
     cli::warn(shown);
-    model.panels.notes.push_back({shown, false});
+    model.viewer.panels.notes.push_back({shown, false});
   }
   std::unique_ptr<ViewApp> app(
       new ViewApp(content, window, options, session, std::move(*renderer)));
@@ -154,7 +154,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   if (model.isLive()) model.feed().onNews([] { glfwPostEmptyEvent(); });
   model.study_waits = app->scripted();
   model.study_delayed = !app->scripted();
-  if (!app->isPersonal()) model.findings_wanted = false;  // until the script asks
+  if (!app->isPersonal()) model.viewer.findings_wanted = false;  // until the script asks
   ViewerStatus& status = app->status_;
   status.renderer = app->picture_.renderer().key().renderer;
   status.tells_times = !app->scripted() && !app->record_.active();
@@ -186,7 +186,7 @@ void ViewApp::prepareView() {
     painter_->refreshFont();
     composer_.forget();
   }
-  interface_.useTheme(model_.panels.is_light);
+  interface_.useTheme(model_.viewer.panels.is_light);
   if (detail_.prepare(picture_.renderer())) picture_.changed();
   // What a frame cost says nothing of another look.
   if (const RenderStyle& style = model_.style(); style != style_) {
@@ -258,7 +258,7 @@ void ViewApp::beginFrame() {
   record_.add(seen, now());
   if (const auto fault = record_.takeFault()) {
     evidence_.say(*fault, true, now());
-    model_.panels.doubts.push_back(*fault);
+    model_.viewer.panels.doubts.push_back(*fault);
   }
 }
 
@@ -334,7 +334,7 @@ void ViewApp::writeDown() {
   frame.shown_at = std::chrono::steady_clock::now();
   frame.shown_wall = std::chrono::system_clock::now();
   frame.moment = model_.shownTime();
-  frame.loaded = !model_.is_empty;
+  frame.loaded = !model_.viewer.is_empty;
   frame.drawn = scene_drawn_;
   frame.level = detail_.rung();
   frame.whole =
@@ -400,18 +400,18 @@ Result<std::unique_ptr<ViewContent>> ViewApp::takeOpened() {
   record_.addFilesCame();
   frame_due_.happened(now());
   std::unique_ptr<ViewContent> content = std::move((*loaded)->content);
-  std::vector<PictureNote>& notes = model_.panels.notes;
+  std::vector<PictureNote>& notes = model_.viewer.panels.notes;
   if (content == nullptr) {
     cli::warn((*loaded)->fault);
     notes.push_back({(*loaded)->fault, true});
     return nullptr;
   }
-  if (model_.is_empty || isHopeless(model_.cell()) || !isHopeless(content->model->cell())) {
+  if (model_.viewer.is_empty || isHopeless(model_.cell()) || !isHopeless(content->model->cell())) {
     return content;
   }
   notes.push_back(
       {content->request.named().string() + " is not shown: it has nothing to draw", true});
-  for (PictureNote& note : content->model->panels.notes) notes.push_back(std::move(note));
+  for (PictureNote& note : content->model->viewer.panels.notes) notes.push_back(std::move(note));
   for (const std::string& warning : content->warnings) cli::warn(warning);
   return nullptr;
 }

@@ -280,7 +280,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
                                request.show);
   if (!model.ok()) return model.error();
   content.model = std::make_unique<ViewModel>(std::move(*model));
-  content.model->panels.notes = std::move(notes);
+  content.model->viewer.panels.notes = std::move(notes);
   if (auto shown = showBeside(request, *file, progress, stop, content); !shown) {
     return shown.error();
   }
@@ -296,7 +296,7 @@ ViewContent emptyContent() {
   ViewContent content;
   auto model = ViewModel::make(Cell(), std::nullopt, std::nullopt, {}, {});
   content.model = std::make_unique<ViewModel>(std::move(*model));
-  content.model->is_empty = true;
+  content.model->viewer.is_empty = true;
   return content;
 }
 

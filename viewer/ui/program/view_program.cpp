@@ -29,8 +29,8 @@ bool isBeyondDoubt(const ViewModel& model) {
     cli::warn(model.seenDamage().what() + "; what was shown may be older than its time says (" +
               model.seenDamage().where() + ")");
   }
-  for (const std::string& doubt : model.panels.doubts) cli::warn(doubt);
-  return model.seenDamage().empty() && model.panels.doubts.empty();
+  for (const std::string& doubt : model.viewer.panels.doubts) cli::warn(doubt);
+  return model.seenDamage().empty() && model.viewer.panels.doubts.empty();
 }
 
 Result<ViewContent> loadNow(const ContentRequest& request) {
@@ -101,7 +101,7 @@ Result<bool> runViewer(const ContentRequest& first, const ViewOptions& options) 
   while (content != nullptr) {
     warnOf(*content);
     // By its title, programs that drive a window know that what was asked for is there.
-    if (!content->model->is_empty) {
+    if (!content->model->viewer.is_empty) {
       (*window)->setTitle("Rocinante: " + content->model->cell().file);
     } else {
       (*window)->setTitle(loader.busy() ? "Loading " + loader.name() + ": Rocinante" : "Rocinante");

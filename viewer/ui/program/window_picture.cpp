@@ -38,11 +38,13 @@ Result<std::optional<DrawCounts>> WindowPicture::draw(WindowTerms terms, SteadyT
   if (terms.drops_looks) terms.style.shadows = terms.style.contact = false;
   terms_ = terms;
   insets_ = frameInsets(model_, fitted_, terms.width, terms.height, terms.scale, terms.covered);
-  const bool shows_fitted = std::ranges::any_of(model_.insets, [](const InsetChoice& choice) {
-    return choice.shown && FittedCameras::knows(choice.inset.camera);
-  });
+  const bool shows_fitted =
+      std::ranges::any_of(model_.viewer.insets, [](const InsetChoice& choice) {
+        return choice.shown && FittedCameras::knows(choice.inset.camera);
+      });
   if (shows_fitted && !fit_damage_.empty()) {
-    model_.panels.doubts.push_back("a fitted camera may miss movement: " + fit_damage_.text());
+    model_.viewer.panels.doubts.push_back("a fitted camera may miss movement: " +
+                                          fit_damage_.text());
     fit_damage_ = {};
   }
   ShownScene shown;
@@ -80,7 +82,7 @@ Status WindowPicture::point(const PictureClick& at) {
 Status WindowPicture::click(const PictureClick& click) {
   const auto met = pick(click);
   if (!met) return met.error();
-  if (model_.picking.active()) {
+  if (model_.viewer.picking.active()) {
     if (*met) model_.pickPoint({(*met)->name.device, (*met)->name.link}, (*met)->point);
     return {};
   }

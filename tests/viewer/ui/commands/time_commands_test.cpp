@@ -25,7 +25,7 @@ class TimeCommands : public testing::Test {
     ASSERT_TRUE(model.ok());
     model_.emplace(std::move(*model));
     model_->study_waits = true;
-    model_->findings_wanted = false;
+    model_->viewer.findings_wanted = false;
     ASSERT_TRUE(model_->update(SteadyTime{}).ok());
   }
   /// The sentence of what went wrong, or nothing.
@@ -47,16 +47,16 @@ TEST_F(TimeCommands, PlotsWhatThereIs) {
   EXPECT_EQ(run("plot arm.turn"), "");
   EXPECT_EQ(run("plot arm:x"), "");
   EXPECT_EQ(run("plot rate/robot"), "");
-  EXPECT_EQ(model_->plots.curves().size(), 3U);
+  EXPECT_EQ(model_->viewer.plots.curves().size(), 3U);
   EXPECT_EQ(run("plot arm.bend"), "`arm` has no joint value `bend`");
   EXPECT_EQ(run("plot leg.turn"), "no device is named `leg`");
   EXPECT_EQ(run("plot arm").substr(0, 25), "`arm` is not DEVICE.JOINT");
   EXPECT_EQ(run("plots off"), "");
-  EXPECT_FALSE(model_->plots.shown());
+  EXPECT_FALSE(model_->viewer.plots.shown());
   EXPECT_EQ(run("unplot arm:x"), "");
   EXPECT_EQ(run("unplot arm:x"), "`arm:x` is not plotted");
   EXPECT_EQ(run("unplot all"), "");
-  EXPECT_TRUE(model_->plots.curves().empty());
+  EXPECT_TRUE(model_->viewer.plots.curves().empty());
 }
 
 TEST_F(TimeCommands, ATableOfWhatIsSeen) {
@@ -72,9 +72,9 @@ TEST_F(TimeCommands, ATableOfWhatIsSeen) {
 
 TEST_F(TimeCommands, MovesTheTimeLine) {
   EXPECT_EQ(run("show-time 1s 2s"), "");
-  EXPECT_EQ(model_->time_view.span(), std::chrono::seconds(1));
+  EXPECT_EQ(model_->viewer.time_view.span(), std::chrono::seconds(1));
   EXPECT_EQ(run("show-time all"), "");
-  EXPECT_TRUE(model_->time_view.showsAll());
+  EXPECT_TRUE(model_->viewer.time_view.showsAll());
   EXPECT_NE(run("show-time 1s"), "");
   EXPECT_EQ(run("part 1s -1s"), "");
   EXPECT_EQ(model_->cursor()->partEnd(), sessionTime(3000));
@@ -90,9 +90,9 @@ TEST_F(TimeCommands, MovesTheTimeLine) {
 TEST_F(TimeCommands, AMarkHasWords) {
   EXPECT_EQ(run("mark look at this"), "");
   EXPECT_EQ(requests_.mark, "look at this");
-  EXPECT_FALSE(model_->panels.asks_mark);
+  EXPECT_FALSE(model_->viewer.panels.asks_mark);
   EXPECT_EQ(run("mark"), "");
-  EXPECT_TRUE(model_->panels.asks_mark);
+  EXPECT_TRUE(model_->viewer.panels.asks_mark);
 }
 
 TEST_F(TimeCommands, AFindingIsGoneTo) {
@@ -123,7 +123,7 @@ TEST_F(TimeCommands, KeysOfTheTimeLine) {
   EXPECT_EQ(run("key J"), "");
   EXPECT_TRUE(model_->cursor()->reversed());
   EXPECT_EQ(run("key G"), "");
-  EXPECT_TRUE(model_->panels.asks_time);
+  EXPECT_TRUE(model_->viewer.panels.asks_time);
 }
 
 }  // namespace

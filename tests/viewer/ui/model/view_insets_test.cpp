@@ -24,9 +24,9 @@ class InsetsByMouse : public testing::Test {
                                               std::nullopt, std::nullopt, {}, {})));
     ASSERT_TRUE(model_->update(SteadyTime{}).ok());
     model_->resetCamera();
-    model_->inset_places = {{0, {548, 12, 240, 180}, {}}};
+    model_->viewer.inset_places = {{0, {548, 12, 240, 180}, {}}};
   }
-  CellInset& inset() { return model_->insets.front().inset; }
+  CellInset& inset() { return model_->viewer.insets.front().inset; }
   std::string fault(std::vector<std::string> words) {
     ViewerRequests requests;
     const std::string name = words.front();
@@ -83,7 +83,7 @@ TEST_F(InsetsByMouse, AreSwappedWithThePictureAndBack) {
   EXPECT_EQ(model_->cameraName(), "front");
   EXPECT_EQ(inset().camera[0], '@');
   EXPECT_EQ(insetTitle(inset()), "free view");
-  model_->inset_places.clear();
+  model_->viewer.inset_places.clear();
   EXPECT_FALSE(swapInset(*model_, 0).ok());
 }
 

@@ -82,7 +82,7 @@ TEST_F(ViewedSession, EventsAreReachedForwardsAndBackwards) {
 TEST_F(ViewedSession, AMarkIsKeptBesideTheLogAndListed) {
   seek(500ms);
   EXPECT_FALSE(press("M").mark.has_value());
-  EXPECT_TRUE(model_->panels.asks_mark);
+  EXPECT_TRUE(model_->viewer.panels.asks_mark);
   ASSERT_TRUE(model_->addMark("look here"));
   ASSERT_EQ(model_->events().size(), 3U);
   EXPECT_EQ(model_->events()[1].text, "look here");
@@ -129,14 +129,14 @@ TEST_F(ViewedSession, KeysWishForWhatTheProgramDoes) {
   EXPECT_TRUE(press("S").evidence);
   EXPECT_TRUE(press("Q").close);
   press("F1");
-  EXPECT_TRUE(model_->panels.help_shown);
+  EXPECT_TRUE(model_->viewer.panels.help_shown);
   press("escape");
-  EXPECT_FALSE(model_->panels.help_shown);
+  EXPECT_FALSE(model_->viewer.panels.help_shown);
   press("tab");
-  EXPECT_FALSE(model_->panels.shown);
-  ASSERT_EQ(model_->insets.size(), 1U);
+  EXPECT_FALSE(model_->viewer.panels.shown);
+  ASSERT_EQ(model_->viewer.insets.size(), 1U);
   press("I");
-  EXPECT_FALSE(model_->insets[0].shown);
+  EXPECT_FALSE(model_->viewer.insets[0].shown);
   EXPECT_FALSE(parseKey("hyper").has_value());
   EXPECT_FALSE(parseKey("").has_value());
 }

@@ -49,10 +49,10 @@ class TypedLines : public testing::Test {
 
 TEST_F(TypedLines, TakeEveryLetterHoweverFewTheFrames) {
   frame("ab", {ctrl_p_});
-  ASSERT_TRUE(model_->panels.palette.shown);
+  ASSERT_TRUE(model_->viewer.panels.palette.shown);
   for (const char* letter : {"c", "d", "e", "f", "g"}) frame(letter);
   frame("");
-  EXPECT_STREQ(model_->panels.palette.text.data(), "abcdefg");
+  EXPECT_STREQ(model_->viewer.panels.palette.text.data(), "abcdefg");
 }
 
 TEST_F(TypedLines, TakeAWholeCommandOfOneFrame) {
@@ -61,7 +61,7 @@ TEST_F(TypedLines, TakeAWholeCommandOfOneFrame) {
   for (int i = 0; i < 4 && !asked; ++i) asked = frame("").screenshot;
   ASSERT_TRUE(asked);
   EXPECT_EQ(*asked, "a.png");
-  EXPECT_FALSE(model_->panels.palette.shown);
+  EXPECT_FALSE(model_->viewer.panels.palette.shown);
 }
 
 TEST_F(TypedLines, OfFilesTakeAPathOfOneFrame) {

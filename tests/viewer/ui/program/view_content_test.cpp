@@ -69,19 +69,19 @@ TEST_F(OpenedFiles, TheirErrorsAreNotesOverThePicture) {
   const std::string arm = "[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n";
   const auto whole = opened(arm);
   ASSERT_TRUE(whole.ok());
-  EXPECT_TRUE(whole->model->panels.notes.empty());
+  EXPECT_TRUE(whole->model->viewer.panels.notes.empty());
   EXPECT_FALSE(isHopeless(whole->model->cell()));
   // Something is drawn.
   const auto half = opened(arm + "[[device]]\nname = \"b\"\nmodel = \"gone.urdf\"\n");
   ASSERT_TRUE(half.ok());
-  ASSERT_EQ(half->model->panels.notes.size(), 1U);
-  EXPECT_TRUE(half->model->panels.notes[0].is_error);
-  EXPECT_NE(half->model->panels.notes[0].text.find("gone.urdf"), std::string::npos);
-  EXPECT_EQ(half->warnings, std::vector<std::string>{half->model->panels.notes[0].text});
+  ASSERT_EQ(half->model->viewer.panels.notes.size(), 1U);
+  EXPECT_TRUE(half->model->viewer.panels.notes[0].is_error);
+  EXPECT_NE(half->model->viewer.panels.notes[0].text.find("gone.urdf"), std::string::npos);
+  EXPECT_EQ(half->warnings, std::vector<std::string>{half->model->viewer.panels.notes[0].text});
   EXPECT_FALSE(isHopeless(half->model->cell()));
   const auto typo = opened("[[devise]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n");
   ASSERT_TRUE(typo.ok());
-  EXPECT_FALSE(typo->model->panels.notes.empty());
+  EXPECT_FALSE(typo->model->viewer.panels.notes.empty());
   EXPECT_TRUE(isHopeless(typo->model->cell()));
 }
 

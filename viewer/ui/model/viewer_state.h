@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/cell/cell.h"
+#include "viewer/ui/model/inspection.h"
+#include "viewer/ui/model/packet_search.h"
+#include "viewer/ui/model/panel_state.h"
+#include "viewer/ui/model/plot_board.h"
+#include "viewer/ui/model/selection.h"
+#include "viewer/ui/model/time_view.h"
+#include "viewer/ui/study/log_study.h"
+#include "viewer/view/inset_layout.h"
+
+namespace rocinante {
+
+/// An inset and whether it is shown.
+struct InsetChoice {
+  CellInset inset;
+  bool shown = true;
+};
+
+/// Where the last frame shows an inset.
+struct InsetPlace {
+  std::size_t number = 0;  ///< of ViewerState::insets
+  PixelRectangle part;
+  CameraView camera;
+};
+
+/// An inset that the mouse holds.
+struct InsetDrag {
+  std::size_t number = 0;  ///< of ViewerState::insets
+  bool sizes = false;      ///< else it moves to another corner
+  PixelRectangle part;     ///< where it was when it was grabbed
+};
+
+/// What whoever looks at a window has chosen in its panels, and what those have shown: panels and
+/// commands change it, the ViewModel beside it reads it. Plain values. Not thread-safe.
+struct ViewerState {
+  std::vector<InsetChoice> insets;
+  std::vector<InsetPlace> inset_places;  ///< of the last frame
+  std::optional<InsetDrag> inset_drag;
+  PanelState panels;
+  TimeView time_view;  ///< what the time line shows
+  MomentHover hover;
+  PlotBoard plots;
+  std::shared_ptr<const StudyPicture> picture;         ///< of the log, as far as known; may be null
+  std::shared_ptr<const StudyPicture> picture_beside;  ///< the same of the log beside
+  bool findings_wanted = true;                         ///< judge the log in the background
+  std::size_t finding_shown = 0;                       ///< number in the report, from 1; 0: none
+  Selection reference;      ///< in whose space poses are shown; empty: the world
+  DistancePicking picking;  ///< of a distance
+  PacketLookup packet;
+  bool nearest_wanted = false;  ///< measure how near the selection is to others
+  bool outline_selected = true;
+  bool is_empty = false;  ///< nothing is shown yet: an empty cell stands for it
+};
+
+}  // namespace rocinante
