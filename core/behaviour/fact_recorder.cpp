@@ -83,26 +83,35 @@ void FactRecorder::set(const std::string& name, LogTime time, std::string text,
 void FactRecorder::note(const SessionState& state, LogTime time, bool is_restated) {
   is_restated_ = is_restated;
   seen_.clear();
-  for (const auto& [path, item] : state.visibility()) {
-    if (item.value.kind == Visibility::Kind::by_default) continue;
-    set("visibility of " + pathText(path), time, visibilityText(path, item.value));
-  }
-  for (const auto& [path, item] : state.colors()) {
-    if (!item.value.rgba) continue;
-    set("color of " + pathText(path), time, colorText(path, item.value));
-  }
-  for (const auto& [name, said] : state.devices()) {
-    if (said.presence) {
-      set("presence of " + name, time, presenceText(name, said.presence->value));
-    }
-    if (said.pose && !said.pose->value.carrier.first.empty()) {
-      set("carrier of " + name, time, "in " + pathText(said.pose->value.carrier));
-    }
-  }
-  for (const auto& [key, drawing] : state.drawings()) {
-    set("drawing/" + key.first + "/" + key.second, time, drawingStyle(drawing),
-        drawingShape(drawing));
-  }
+  const Drawing* drawn = nullptr;  // the one whose parts are being visited
+  const ByKind set_fact{
+      [&](const PresenceItem& item) {
+        set("presence of " + item.device, time, statementText(item));
+      },
+      [&](const PoseItem& item) {
+        const Path& carrier = item.item.value.carrier;
+        if (!carrier.first.empty())
+          set("carrier of " + item.device, time, "in " + pathText(carrier));
+      },
+      [&](const VisibilityItem& item) {
+        if (item.item.value.kind == Visibility::Kind::by_default) return;
+        set("visibility of " + pathText(item.path), time, statementText(item));
+      },
+      [&](const ColorItem& item) {
+        if (item.item.value.rgba) set("color of " + pathText(item.path), time, statementText(item));
+      },
+      [&](const DrawingItem& item) {
+        if (std::exchange(drawn, &item.drawing) == &item.drawing) return;
+        set("drawing/" + item.source + "/" + item.id, time, drawingStyle(item.drawing),
+            drawingShape(item.drawing));
+      },
+      // Judged as series, or not at all.
+      [](const PositionsItem&) {},
+      [](const OrderItem&) {},
+      [](const JointItem&) {},
+      [](const ViewItem&) {},
+  };
+  eachItem(state, set_fact);
   for (auto& [name, changes] : facts_) {
     if (changes.back().text.empty()) continue;
     if (std::ranges::find(seen_, &changes) == seen_.end())

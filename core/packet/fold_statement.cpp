@@ -162,14 +162,12 @@ void StateFolder::foldOrder(const Statement& statement) {
     eraseOrder(said, header_.source);
     said.last_write = time_;
   } else {
-    std::vector<std::string> names(statement.names.begin(), statement.names.end());
+    auto order = itemOf(std::vector<std::string>(statement.names.begin(), statement.names.end()));
     const auto found = said.orders.find(header_.source);
     const std::uint64_t before =
         found == said.orders.end() ? 0 : weightOf(found->first) + weightOf(found->second);
-    if (makeRoom(before, header_.source.size() + weightOf(names))) {
-      const std::string source(header_.source);
-      said.orders.insert_or_assign(source, std::move(names));
-      said.orders_said.insert_or_assign(source, SaidMark{state_.packets_});
+    if (makeRoom(before, header_.source.size() + weightOf(order))) {
+      said.orders.insert_or_assign(std::string(header_.source), std::move(order));
       said.last_write = time_;
     }
   }

@@ -49,9 +49,10 @@ bool isAboutDevice(const Statement& statement, std::span<const std::string> patt
   return false;
 }
 
-std::string presenceText(std::string_view device, const PresenceValue& value) {
+std::string statementText(const PresenceItem& item) {
+  const PresenceValue& value = item.item.value;
   const bool is_removed = value.presence == Presence::removed;
-  Statement statement = about(is_removed ? StatementKind::remove : StatementKind::add, device);
+  Statement statement = about(is_removed ? StatementKind::remove : StatementKind::add, item.device);
   statement.text = value.model;
   statement.kinematics = value.kinematics;
   return statementText(statement);
@@ -87,29 +88,32 @@ std::string jointText(std::string_view device, std::string_view name, double val
   return statementText(statement);
 }
 
-std::string visibilityText(const Path& path, const Visibility& value) {
-  const bool is_hidden = value.kind == Visibility::Kind::hidden;
+std::string statementText(const VisibilityItem& item) {
+  const Visibility::Kind kind = item.item.value.kind;
+  const bool is_hidden = kind == Visibility::Kind::hidden;
   Statement statement = about(is_hidden ? StatementKind::hide : StatementKind::show, {});
-  statement.path = viewOf(path);
-  statement.is_default = value.kind == Visibility::Kind::by_default;
+  statement.path = viewOf(item.path);
+  statement.is_default = kind == Visibility::Kind::by_default;
   return statementText(statement);
 }
 
-std::string colorText(const Path& path, const ColorValue& value) {
+std::string statementText(const ColorItem& item) {
+  const std::optional<std::uint32_t>& rgba = item.item.value.rgba;
   Statement statement = about(StatementKind::color, {});
-  statement.path = viewOf(path);
-  statement.is_default = !value.rgba;
-  statement.rgba = value.rgba.value_or(0);
+  statement.path = viewOf(item.path);
+  statement.is_default = !rgba;
+  statement.rgba = rgba.value_or(0);
   return statementText(statement);
 }
 
-std::string drawingText(std::string_view id, const Drawing& drawing, std::size_t part) {
-  Statement statement = about(drawing.kind, id);
+std::string statementText(const DrawingItem& item) {
+  const Drawing& drawing = item.drawing;
+  Statement statement = about(drawing.kind, item.id);
   statement.rgba = drawing.rgba;
   statement.carrier = viewOf(drawing.carrier);
   statement.text = drawing.text;
-  statement.numbers = *drawing.parts[part];
-  statement.part_index = static_cast<std::uint32_t>(part) + 1;
+  statement.numbers = *drawing.parts[item.part];
+  statement.part_index = static_cast<std::uint32_t>(item.part) + 1;
   statement.part_count = static_cast<std::uint32_t>(drawing.parts.size());
   const double default_px =
       drawing.kind == StatementKind::points ? limits::kDefaultPointPx : limits::kDefaultLinePx;
@@ -117,11 +121,12 @@ std::string drawingText(std::string_view id, const Drawing& drawing, std::size_t
   return statementText(statement);
 }
 
-std::string viewText(std::string_view name, const ViewValue& value) {
+std::string statementText(const ViewItem& item) {
+  const ViewValue& value = item.item.value;
   const std::array<double, 10> numbers = {
       value.eye.x,    value.eye.y,   value.eye.z, value.target.x, value.target.y,
       value.target.z, value.fov_deg, value.up.x,  value.up.y,     value.up.z};
-  Statement statement = about(StatementKind::view, name);
+  Statement statement = about(StatementKind::view, item.name);
   statement.numbers = numbers;
   statement.ortho_height_m = value.ortho_height_m;
   statement.carrier = viewOf(value.carrier);
@@ -132,6 +137,15 @@ std::string seenText(std::string_view device, LogTime time) {
   Statement statement = about(StatementKind::seen, device);
   statement.seen_ns = time.time_since_epoch().count();
   return statementText(statement);
+}
+
+std::string sourceText(std::string_view name, const SourceState& source) {
+  PacketHeader header;
+  header.source = name;
+  header.run = source.run;
+  header.sequence = source.highest_sequence;
+  header.time_ns = source.time_ns;
+  return headerText(header).substr(4);
 }
 
 }  // namespace rocinante

@@ -1,4 +1,3 @@
-// The statement that restates each item of a state: used for restatements and the identity's text.
 #pragma once
 
 #include <span>
@@ -7,7 +6,7 @@
 #include <vector>
 
 #include "core/packet/packet.h"
-#include "core/packet/session_state.h"
+#include "core/packet/state_items.h"
 
 namespace rocinante {
 
@@ -16,17 +15,34 @@ namespace rocinante {
 /// drawn on it. False for `erase`, `event`, layers, and whatever is drawn in the world.
 bool isAboutDevice(const Statement& statement, std::span<const std::string> patterns);
 
-std::string presenceText(std::string_view device, const PresenceValue& value);
+// Statements of a device.
 std::string poseText(std::string_view device, const PoseValue& value);
 std::string jointsText(std::string_view device, const std::vector<double>& values);
-/// An order without names, which removes an order.
+/// An order without names removes an order.
 std::string orderText(std::string_view device, const std::vector<std::string>& names);
 std::string jointText(std::string_view device, std::string_view name, double value);
-std::string visibilityText(const Path& path, const Visibility& value);
-std::string colorText(const Path& path, const ColorValue& value);
-/// `part` counts from 0 and must be present.
-std::string drawingText(std::string_view id, const Drawing& drawing, std::size_t part);
-std::string viewText(std::string_view name, const ViewValue& value);
 std::string seenText(std::string_view device, LogTime time);
+
+/// The statement that restates an item of each kind.
+std::string statementText(const PresenceItem& item);
+inline std::string statementText(const PositionsItem& item) {
+  return jointsText(item.device, item.item.value);
+}
+inline std::string statementText(const OrderItem& item) {
+  return orderText(item.device, item.item.value);
+}
+inline std::string statementText(const JointItem& item) {
+  return jointText(item.device, item.joint, item.item.value);
+}
+inline std::string statementText(const PoseItem& item) {
+  return poseText(item.device, item.item.value);
+}
+std::string statementText(const VisibilityItem& item);
+std::string statementText(const ColorItem& item);
+std::string statementText(const DrawingItem& item);
+std::string statementText(const ViewItem& item);
+
+/// `SOURCE[@RUN] SEQUENCE TIME`, a header's text after its "RK1": what the state knows of a source.
+std::string sourceText(std::string_view name, const SourceState& source);
 
 }  // namespace rocinante

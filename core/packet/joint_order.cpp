@@ -18,7 +18,7 @@ JointsMeaning meaningOfJoints(const DeviceState* device, std::string_view source
   JointsMeaning meaning;
   if (device != nullptr && !device->orders.empty()) {
     const auto order = device->orders.find(source);
-    if (order != device->orders.end()) meaning.names = &order->second;
+    if (order != device->orders.end()) meaning.names = &order->second.value;
   }
   const bool is_counted =
       meaning.names != nullptr && meaning.names->size() == joints.numbers.size();

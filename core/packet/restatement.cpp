@@ -20,10 +20,12 @@ class OwnedText {
  public:
   const std::vector<std::string>& of(std::size_t stage) const { return lines_[stage]; }
 
-  void add(Stage stage, std::string line) { lines_[stage].push_back(std::move(line)); }
-  void addOf(const std::string& device, Stage stage, std::string line) {
-    if (devices_.empty() || *devices_.back() != device) devices_.push_back(&device);
-    add(stage, std::move(line));
+  /// `device`: a name in the state; null for what is of no device.
+  void add(Stage stage, const std::string* device, std::string line) {
+    if (device != nullptr && (devices_.empty() || *devices_.back() != *device)) {
+      devices_.push_back(device);
+    }
+    lines_[stage].push_back(std::move(line));
   }
 
   void addSeen(const SessionState& state) {
@@ -32,7 +34,8 @@ class OwnedText {
     std::sort(devices_.begin(), devices_.end(), is_before);
     devices_.erase(std::unique(devices_.begin(), devices_.end(), is_same), devices_.end());
     for (const std::string* name : devices_) {
-      add(Stage::last_writes, seenText(*name, state.devices().find(*name)->second.last_write));
+      const LogTime last_write = state.devices().find(*name)->second.last_write;
+      lines_[Stage::last_writes].push_back(seenText(*name, last_write));
     }
   }
 
@@ -41,25 +44,61 @@ class OwnedText {
   std::vector<const std::string*> devices_;  ///< with items of the source; names in the state
 };
 
+/// The named joints of one device: several per line, as long as the line leaves room for a header
+/// in a datagram.
+class NamedJointLines {
+ public:
+  explicit NamedJointLines(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+
+  void add(const JointItem& item) {
+    Line& line = open_[item.owner()];
+    std::string alone = statementText(item);
+    const std::string pair = alone.substr(alone.rfind(' '));
+    const bool is_full =
+        line.text.size() + pair.size() > most_bytes_ || line.count == limits::kJointValues;
+    if (line.count == 0 || is_full) {
+      if (line.count > 0) full_.emplace_back(&item.owner(), std::move(line.text));
+      line = {std::move(alone), 1};
+    } else {
+      line.text += pair;
+      ++line.count;
+    }
+  }
+
+  /// Gives the lines to `give`, those of one owner in the order of their joints; none are left.
+  template <class Give>
+  void take(Give give) {
+    if (open_.empty()) return;
+    for (auto& [owner, line] : full_) give(*owner, std::move(line));
+    for (auto& [owner, line] : open_) give(std::string(owner), std::move(line.text));
+    full_.clear();
+    open_.clear();
+  }
+
+ private:
+  struct Line {
+    std::string text;
+    std::size_t count = 0;
+  };
+  const std::size_t most_bytes_;
+  std::vector<std::pair<const std::string*, std::string>> full_;  ///< with their owners
+  std::map<std::string_view, Line> open_;                         ///< by owner
+};
+
 /// The items of each source, found in one walk over the state: of one source, or of all.
 class OwnedTexts {
  public:
   OwnedTexts(const SessionState& state, const RestatementOptions& options,
              std::optional<std::string_view> only)
-      : options_(options), only_(only) {
-    for (const auto& [name, device] : state.devices()) addDevice(name, device);
-    for (const auto& [path, item] : state.visibility()) {
-      if (wants(item.owner)) addOfPath(item.owner, path, visibilityText(path, item.value));
-    }
-    for (const auto& [path, item] : state.colors()) {
-      if (wants(item.owner)) addOfPath(item.owner, path, colorText(path, item.value));
-    }
-    for (const auto& [key, drawing] : state.drawings()) {
-      if (wants(key.first)) addDrawing(key.first, key.second, drawing);
-    }
-    for (const auto& [name, item] : state.views()) {
-      if (wants(item.owner)) owned_[item.owner].add(Stage::items, viewText(name, item.value));
-    }
+      : only_(only), joints_(options.mtu_bytes / 2) {
+    eachMap(state, [&](std::string_view, const auto& map) {
+      for (const auto& [key, value] : map) {
+        eachItemOf(key, value, [&](const auto& item) {
+          if (wants(item.owner())) add(item);
+        });
+        addNamedJoints(key);
+      }
+    });
     if (!options.with_seen) return;
     for (auto& owned : owned_) owned.second.addSeen(state);
   }
@@ -72,75 +111,39 @@ class OwnedTexts {
 
  private:
   bool wants(std::string_view owner) const { return !only_ || *only_ == owner; }
-  template <class T>
-  bool wants(const std::optional<Item<T>>& item) const {
-    return item && wants(item->owner);
-  }
 
-  void addOfPath(const std::string& owner, const Path& path, std::string line) {
-    if (path.is_layer) return owned_[owner].add(Stage::items, std::move(line));
-    owned_[owner].addOf(path.first, Stage::items, std::move(line));
+  template <class Said>
+  void addTo(Stage stage, const Said& item) {
+    owned_[item.owner()].add(stage, item.ofDevice(), statementText(item));
   }
-
-  void addDevice(const std::string& name, const DeviceState& device) {
-    if (wants(device.presence)) {
-      const PresenceValue& presence = device.presence->value;
-      const bool is_removed = presence.presence == Presence::removed;
-      owned_[device.presence->owner].addOf(name, is_removed ? Stage::removals : Stage::items,
-                                           presenceText(name, presence));
-    }
-    if (wants(device.joints)) {
-      OwnedText& owned = owned_[device.joints->owner];
-      // An order known to the receiver would turn these into named joints.
-      owned.addOf(name, Stage::positions, orderText(name, {}));
-      owned.addOf(name, Stage::positions, jointsText(name, device.joints->value));
-    }
-    for (const auto& [source, names] : device.orders) {
-      if (wants(source)) owned_[source].addOf(name, Stage::items, orderText(name, names));
-    }
-    if (wants(device.pose)) {
-      owned_[device.pose->owner].addOf(name, Stage::items, poseText(name, device.pose->value));
-    }
-    if (!device.named_joints.empty()) addNamedJoints(name, device);
+  void add(const PresenceItem& item) {
+    const bool is_removed = item.item.value.presence == Presence::removed;
+    addTo(is_removed ? Stage::removals : Stage::items, item);
   }
-
-  /// Several joints per line, as long as the line leaves room for a header in a datagram.
-  void addNamedJoints(const std::string& name, const DeviceState& device) {
-    struct Line {
-      std::string text;
-      std::size_t count = 0;
-    };
-    std::map<std::string_view, Line> lines;  // by owner, the one that is not full
-    const std::size_t most_bytes = options_.mtu_bytes / 2;
-    for (const auto& [joint, item] : device.named_joints) {
-      if (!wants(item.owner)) continue;
-      Line& line = lines[item.owner];
-      std::string alone = jointText(name, joint, item.value);
-      const std::string pair = alone.substr(alone.rfind(' '));
-      const bool is_full =
-          line.text.size() + pair.size() > most_bytes || line.count == limits::kJointValues;
-      if (line.count == 0 || is_full) {
-        if (line.count > 0) owned_[item.owner].addOf(name, Stage::items, std::move(line.text));
-        line = {std::move(alone), 1};
-      } else {
-        line.text += pair;
-        ++line.count;
-      }
-    }
-    for (auto& [owner, line] : lines) {
-      owned_[std::string(owner)].addOf(name, Stage::items, std::move(line.text));
-    }
+  void add(const PositionsItem& item) {
+    // An order known to the receiver would turn these into named joints.
+    owned_[item.owner()].add(Stage::positions, &item.device, orderText(item.device, {}));
+    addTo(Stage::positions, item);
   }
+  void add(const OrderItem& item) { addTo(Stage::items, item); }
+  void add(const JointItem& item) { joints_.add(item); }
+  void add(const PoseItem& item) { addTo(Stage::items, item); }
+  void add(const VisibilityItem& item) { addTo(Stage::items, item); }
+  void add(const ColorItem& item) { addTo(Stage::items, item); }
+  void add(const DrawingItem& item) { addTo(Stage::items, item); }
+  void add(const ViewItem& item) { addTo(Stage::items, item); }
 
-  void addDrawing(const std::string& owner, const std::string& id, const Drawing& drawing) {
-    OwnedText& owned = owned_[owner];
-    for (std::size_t part = 0; part < drawing.parts.size(); ++part) {
-      if (drawing.parts[part]) owned.add(Stage::items, drawingText(id, drawing, part));
-    }
+  /// Of the device whose items have been added.
+  void addNamedJoints(const std::string& device) {
+    joints_.take([&](const std::string& owner, std::string line) {
+      owned_[owner].add(Stage::items, &device, std::move(line));
+    });
   }
+  template <class Key>
+  void addNamedJoints(const Key&) {}
 
-  const RestatementOptions& options_;
   const std::optional<std::string_view> only_;
+  NamedJointLines joints_;
   std::map<std::string, OwnedText, std::less<>> owned_;  ///< by SOURCE
 };
 
@@ -214,16 +217,10 @@ template <class Meet>
 void forEachOwner(const SessionState& state, const std::string& name, const DeviceState& device,
                   Meet meet) {
   const auto meetPaths = [&](const auto& paths) {
-    auto item = paths.lower_bound(Path{false, name, {}});
-    for (; item != paths.end() && !item->first.is_layer && item->first.first == name; ++item) {
-      meet(item->second.owner);
-    }
+    auto [path, end] = pathsOf(paths, name);
+    for (; path != end; ++path) meet(path->second.owner);
   };
-  if (device.presence) meet(device.presence->owner);
-  if (device.pose) meet(device.pose->owner);
-  if (device.joints) meet(device.joints->owner);
-  for (const auto& joint : device.named_joints) meet(joint.second.owner);
-  for (const auto& order : device.orders) meet(order.first);
+  eachItemOf(name, device, [&](const auto& item) { meet(item.owner()); });
   meetPaths(state.visibility());
   meetPaths(state.colors());
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/base/time.h"
@@ -60,16 +61,22 @@ struct PoseValue {
 /// Everything stated about one device. Nothing stated (an empty optional, a missing key) means the
 /// cell's own value.
 struct DeviceState {
+  using Orders = std::map<std::string, Item<std::vector<std::string>>, std::less<>>;
+  using NamedJoints = std::map<std::string, Item<double>, std::less<>>;
+
   std::optional<Item<PresenceValue>> presence;
   std::optional<Item<PoseValue>> pose;
   /// Positional values, one item: as many as the sender sent (check judges the count).
   std::optional<Item<std::vector<double>>> joints;
   /// Values by joint name. They override positional values; new positional values clear them.
-  std::map<std::string, Item<double>, std::less<>> named_joints;
+  NamedJoints named_joints;
   /// The joints that a SOURCE's `joints DEVICE` means, by SOURCE (which is also the owner).
-  std::map<std::string, std::vector<std::string>, std::less<>> orders;
-  std::map<std::string, SaidMark, std::less<>> orders_said;  ///< by the same keys
-  LogTime last_write{};                                      ///< of any statement about this device
+  Orders orders;
+  LogTime last_write{};  ///< of any statement about this device
+
+  /// Its items by kind, in the order in which they are sent.
+  auto slots() { return std::tie(presence, joints, orders, named_joints, pose); }
+  auto slots() const { return std::tie(presence, joints, orders, named_joints, pose); }
 
   bool operator==(const DeviceState&) const = default;
 };
@@ -184,6 +191,11 @@ class SessionState {
   const std::map<Path, Item<ColorValue>>& colors() const { return colors_; }
   const Drawings& drawings() const { return drawings_; }
   const std::map<std::string, Item<ViewValue>, std::less<>>& views() const { return views_; }
+  /// All items, by map; whoever walks over them uses core/packet/state_items.h.
+  auto maps() const { return std::tie(devices_, visibility_, colors_, drawings_, views_); }
+  static constexpr std::array<std::string_view, 5> kMapNames = {"devices", "visibility", "colors",
+                                                                "drawings", "views"};
+
   const std::map<std::string, SourceState, std::less<>>& sources() const { return sources_; }
 
   /// Counters and faults since the state was made; never part of the identity.
@@ -222,6 +234,8 @@ class SessionState {
     std::uint64_t first_packet = 0;  ///< items stated before this packet are removed at the end
     bool nothing_before = false;     ///< it begins with the source's first packet: none to remove
   };
+
+  auto ownMaps() { return std::tie(devices_, visibility_, colors_, drawings_, views_); }
 
   Devices devices_;
   std::map<Path, Item<Visibility>> visibility_;

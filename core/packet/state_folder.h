@@ -38,7 +38,7 @@ class StateFolder {
 
  private:
   using Device = SessionState::Devices::value_type;
-  using NamedJoints = decltype(DeviceState::named_joints);
+  using NamedJoints = DeviceState::NamedJoints;
 
   // state_folder.cpp: the header.
   bool findSource();
@@ -92,13 +92,20 @@ class StateFolder {
   void clearNamedJoints(DeviceState& device);
   void eraseOrder(DeviceState& device, std::string_view source);
   void forgetUnrepeated(std::uint64_t first_packet);
-  void forgetUnrepeatedDrawings(std::uint64_t first_packet);
   template <class T>
-  void eraseOptional(std::optional<Item<T>>& slot);
+  bool isUnrepeated(const Item<T>& item, std::uint64_t first_packet) const;
+  void eraseUnrepeated(SessionState::Devices& devices, std::uint64_t first_packet);
+  void eraseUnrepeated(SessionState::Drawings& drawings, std::uint64_t first_packet);
+  template <class T>
+  void eraseUnrepeated(std::optional<Item<T>>& slot, std::uint64_t first_packet);
+  template <class Map>
+  void eraseUnrepeated(Map& items, std::uint64_t first_packet);
+  template <class T>
+  void eraseAll(std::optional<Item<T>>& slot);
+  template <class Map>
+  void eraseAll(Map& items);
   template <class Map>
   typename Map::iterator eraseFrom(Map& items, typename Map::iterator item);
-  template <class Map, class Condition>
-  void eraseWhere(Map& items, Condition condition);
 
   SessionState& state_;
   LogTime time_;
@@ -108,23 +115,10 @@ class StateFolder {
   SourceCounts* counts_ = nullptr;
 };
 
-template <class T>
-void StateFolder::eraseOptional(std::optional<Item<T>>& slot) {
-  state_.weight_ -= weightOf(slot);
-  slot.reset();
-}
-
 template <class Map>
 typename Map::iterator StateFolder::eraseFrom(Map& items, typename Map::iterator item) {
   state_.weight_ -= weightOf(item->first) + weightOf(item->second);
   return items.erase(item);
-}
-
-template <class Map, class Condition>
-void StateFolder::eraseWhere(Map& items, Condition condition) {
-  for (auto item = items.begin(); item != items.end();) {
-    item = condition(item->second) ? eraseFrom(items, item) : std::next(item);
-  }
 }
 
 }  // namespace rocinante

@@ -1,36 +1,46 @@
 #include "core/packet/state_folder.h"
+#include "core/packet/state_items.h"
 
 namespace rocinante {
 
+template <class T>
+void StateFolder::eraseAll(std::optional<Item<T>>& slot) {
+  state_.weight_ -= weightOf(slot);
+  slot.reset();
+}
+
+template <class Map>
+void StateFolder::eraseAll(Map& items) {
+  for (auto item = items.begin(); item != items.end();) item = eraseFrom(items, item);
+}
+
 void StateFolder::forgetItemsOf(DeviceState& device) {
-  eraseOptional(device.presence);
-  eraseOptional(device.pose);
-  eraseOptional(device.joints);
-  clearNamedJoints(device);
-  eraseWhere(device.orders, [](const auto&) { return true; });
-  device.orders_said.clear();
+  std::apply([&](auto&... slots) { (eraseAll(slots), ...); }, device.slots());
 }
 
 void StateFolder::forgetPathsOf(std::string_view device) {
   const auto eraseRange = [&](auto& items) {
-    auto item = items.lower_bound(Path{false, std::string(device), {}});
-    while (item != items.end() && !item->first.is_layer && item->first.first == device) {
-      item = eraseFrom(items, item);
-    }
+    auto [item, end] = pathsOf(items, device);
+    while (item != end) item = eraseFrom(items, item);
   };
   eraseRange(state_.visibility_);
   eraseRange(state_.colors_);
 }
 
 bool StateFolder::isEmpty(const Device& device) const {
-  const DeviceState& said = device.second;
-  if (said.presence || said.pose || said.joints || !said.named_joints.empty() ||
-      !said.orders.empty()) {
-    return false;
-  }
+  bool has_items = false;
+  const auto look = [&](const auto& slot) {
+    if constexpr (requires { slot.empty(); }) {
+      has_items = has_items || !slot.empty();
+    } else {
+      has_items = has_items || slot.has_value();
+    }
+  };
+  std::apply([&](const auto&... slots) { (look(slots), ...); }, device.second.slots());
+  if (has_items) return false;
   const auto hasPath = [&](const auto& items) {
-    const auto item = items.lower_bound(Path{false, device.first, {}});
-    return item != items.end() && !item->first.is_layer && item->first.first == device.first;
+    const auto [first, end] = pathsOf(items, device.first);
+    return first != end;
   };
   return !hasPath(state_.visibility_) && !hasPath(state_.colors_);
 }
@@ -48,21 +58,36 @@ SessionState::Devices::iterator StateFolder::eraseDevice(SessionState::Devices::
 }
 
 void StateFolder::clearNamedJoints(DeviceState& device) {
-  if (device.named_joints.empty()) return;
-  eraseWhere(device.named_joints, [](const auto&) { return true; });
+  if (!device.named_joints.empty()) eraseAll(device.named_joints);
 }
 
 void StateFolder::eraseOrder(DeviceState& device, std::string_view source) {
   const auto order = device.orders.find(source);
-  if (order == device.orders.end()) return;
-  device.orders_said.erase(device.orders_said.find(source));
-  eraseFrom(device.orders, order);
+  if (order != device.orders.end()) eraseFrom(device.orders, order);
 }
 
-void StateFolder::forgetUnrepeatedDrawings(std::uint64_t first_packet) {
+template <class T>
+bool StateFolder::isUnrepeated(const Item<T>& item, std::uint64_t first_packet) const {
+  return item.said.packet < first_packet && item.owner == header_.source;
+}
+
+template <class T>
+void StateFolder::eraseUnrepeated(std::optional<Item<T>>& slot, std::uint64_t first_packet) {
+  if (slot && isUnrepeated(*slot, first_packet)) eraseAll(slot);
+}
+
+template <class Map>
+void StateFolder::eraseUnrepeated(Map& items, std::uint64_t first_packet) {
+  for (auto item = items.begin(); item != items.end();) {
+    const bool is_stale = isUnrepeated(item->second, first_packet);
+    item = is_stale ? eraseFrom(items, item) : std::next(item);
+  }
+}
+
+void StateFolder::eraseUnrepeated(SessionState::Drawings& drawings, std::uint64_t first_packet) {
   const std::string owner(header_.source);
-  auto next = state_.drawings_.lower_bound({owner, std::string()});
-  while (next != state_.drawings_.end() && next->first.first == owner) {
+  auto next = drawings.lower_bound({owner, std::string()});
+  while (next != drawings.end() && next->first.first == owner) {
     Drawing& drawing = next->second;
     bool has_parts = false;
     for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
@@ -73,34 +98,26 @@ void StateFolder::forgetUnrepeatedDrawings(std::uint64_t first_packet) {
       }
       has_parts = has_parts || part;
     }
-    next = has_parts ? std::next(next) : eraseFrom(state_.drawings_, next);
+    next = has_parts ? std::next(next) : eraseFrom(drawings, next);
+  }
+}
+
+void StateFolder::eraseUnrepeated(SessionState::Devices& devices, std::uint64_t first_packet) {
+  for (auto device = devices.begin(); device != devices.end();) {
+    std::apply([&](auto&... slots) { (eraseUnrepeated(slots, first_packet), ...); },
+               device->second.slots());
+    device = isEmpty(*device) ? eraseDevice(device) : std::next(device);
   }
 }
 
 void StateFolder::forgetUnrepeated(std::uint64_t first_packet) {
-  const std::string_view source = header_.source;
-  const auto isStale = [&](const auto& item) {
-    return item.said.packet < first_packet && item.owner == source;
-  };
-  const auto eraseStale = [&](auto& slot) {
-    if (slot && isStale(*slot)) eraseOptional(slot);
-  };
-  eraseWhere(state_.visibility_, isStale);
-  eraseWhere(state_.colors_, isStale);
-  eraseWhere(state_.views_, isStale);
-  forgetUnrepeatedDrawings(first_packet);
-  for (auto device = state_.devices_.begin(); device != state_.devices_.end();) {
-    DeviceState& said = device->second;
-    eraseStale(said.presence);
-    eraseStale(said.pose);
-    eraseStale(said.joints);
-    eraseWhere(said.named_joints, isStale);
-    const auto order_said = said.orders_said.find(source);
-    if (order_said != said.orders_said.end() && order_said->second.packet < first_packet) {
-      eraseOrder(said, source);
-    }
-    device = isEmpty(*device) ? eraseDevice(device) : std::next(device);
-  }
+  // The devices last: one that has no item of its own stays for a path.
+  std::apply(
+      [&](auto& devices, auto&... others) {
+        (eraseUnrepeated(others, first_packet), ...);
+        eraseUnrepeated(devices, first_packet);
+      },
+      state_.ownMaps());
 }
 
 }  // namespace rocinante

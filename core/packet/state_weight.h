@@ -27,9 +27,10 @@ inline std::uint64_t weightOf(const Item<std::vector<double>>& item) {
   return kItemWeight + item.owner.size() + item.value.size() * sizeof(double);
 }
 inline std::uint64_t weightOf(const Item<double>& item) { return kItemWeight + item.owner.size(); }
-inline std::uint64_t weightOf(const std::vector<std::string>& order) {
+/// Without the owner, which is the key of an order.
+inline std::uint64_t weightOf(const Item<std::vector<std::string>>& order) {
   std::uint64_t weight = kItemWeight;
-  for (const std::string& name : order) weight += kOrderNameWeight + name.size();
+  for (const std::string& name : order.value) weight += kOrderNameWeight + name.size();
   return weight;
 }
 inline std::uint64_t weightOf(const Item<Visibility>& item) {

@@ -31,10 +31,10 @@ std::vector<std::string> orderOfValues(const DeviceState& device, const std::str
     if (item.owner == source) names.push_back(name);
   }
   const auto own = device.orders.find(source);
-  if (own == device.orders.end() || own->second.size() != names.size()) return names;
-  std::vector<std::string> sorted = own->second;
+  if (own == device.orders.end() || own->second.value.size() != names.size()) return names;
+  std::vector<std::string> sorted = own->second.value;
   std::ranges::sort(sorted);
-  return sorted == names ? own->second : names;
+  return sorted == names ? own->second.value : names;
 }
 
 std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& told) const {
@@ -69,7 +69,7 @@ std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& told) c
         text.insert(0, orderText(key.name, {}) + '\n');
       }
       const bool says_order = is_ordered && (key.kind == ItemKind::order || !restating);
-      if (style_.by_order && says_order) told[{key.name, owner}] = orderTag(order->second);
+      if (style_.by_order && says_order) told[{key.name, owner}] = orderTag(order->second.value);
     }
     add(before, key, std::move(text));
     before = &key;

@@ -14,53 +14,29 @@ double roundedTo(double value, double steps) {
   return std::isfinite(whole) ? whole : value;
 }
 
-std::string positionsText(const DeviceState& device, const ItemKey& key, const ItemStyle& style,
-                          bool restating) {
-  std::vector<double> values = device.joints->value;
+/// `orders`: those of the device.
+std::string positionsText(const PositionsItem& item, const DeviceState::Orders& orders,
+                          const ItemStyle& style, bool restating) {
+  std::vector<double> values = item.item.value;
   for (double& value : values) value = style.value(value);
   std::string text;
-  const auto order = device.orders.find(device.joints->owner);
-  const bool is_ordered = order != device.orders.end();
-  if (restating || is_ordered) text = orderText(key.name, {}) + '\n';
-  text += jointsText(key.name, values) + '\n';
-  if (is_ordered && !restating) text += orderText(key.name, order->second) + '\n';
+  const auto order = orders.find(item.owner());
+  const bool is_ordered = order != orders.end();
+  if (restating || is_ordered) text = orderText(item.device, {}) + '\n';
+  text += jointsText(item.device, values);
+  if (is_ordered && !restating) text += '\n' + orderText(item.device, order->second.value);
   return text;
 }
 
-std::string roundedPoseText(const std::string& device, PoseValue value, const ItemStyle& style) {
-  if (style.rounded) {
-    Vec3& p = value.pose.position;
-    Quat& q = value.pose.orientation;
-    for (double* each : {&p.x, &p.y, &p.z, &q.x, &q.y, &q.z, &q.w}) *each = roundedTo(*each, 1e6);
-  }
-  return poseText(device, value);
+std::string roundedPoseText(const PoseItem& item) {
+  PoseValue value = item.item.value;
+  Vec3& p = value.pose.position;
+  Quat& q = value.pose.orientation;
+  for (double* each : {&p.x, &p.y, &p.z, &q.x, &q.y, &q.z, &q.w}) *each = roundedTo(*each, 1e6);
+  return poseText(item.device, value);
 }
 
 Path pathOf(const ItemKey& key) { return {key.is_layer, key.name, key.second}; }
-
-StatementKind statementOf(const SessionState& state, const ItemKey& key) {
-  switch (key.kind) {
-    case ItemKind::presence:
-      return StatementKind::add;
-    case ItemKind::positions:
-      return StatementKind::joints;
-    case ItemKind::order:
-      return StatementKind::order;
-    case ItemKind::joint:
-      return StatementKind::joint;
-    case ItemKind::pose:
-      return StatementKind::pose;
-    case ItemKind::visibility:
-      return StatementKind::show;
-    case ItemKind::color:
-      return StatementKind::color;
-    case ItemKind::drawing:
-      return state.drawings().find({key.second, key.name})->second.kind;
-    case ItemKind::view:
-      break;
-  }
-  return StatementKind::view;
-}
 
 ItemKey keyOf(ItemKind kind, std::string_view name, std::string_view second = {}) {
   return {kind, false, 0, std::string(name), std::string(second)};
@@ -74,15 +50,76 @@ ItemKey keyOf(ItemKind kind, const PathView& path) {
   return {kind, path.is_layer, 0, std::string(path.first), std::string(path.second)};
 }
 
-template <class T>
-const std::string* ownerIn(const std::optional<Item<T>>& item) {
-  return item ? &item->owner : nullptr;
+ItemKey keyOf(const PresenceItem& item) { return keyOf(ItemKind::presence, item.device); }
+ItemKey keyOf(const PositionsItem& item) { return keyOf(ItemKind::positions, item.device); }
+ItemKey keyOf(const OrderItem& item) { return keyOf(ItemKind::order, item.device, item.owner()); }
+ItemKey keyOf(const JointItem& item) { return keyOf(ItemKind::joint, item.device, item.joint); }
+ItemKey keyOf(const PoseItem& item) { return keyOf(ItemKind::pose, item.device); }
+ItemKey keyOf(const VisibilityItem& item) { return keyOf(ItemKind::visibility, item.path); }
+ItemKey keyOf(const ColorItem& item) { return keyOf(ItemKind::color, item.path); }
+ItemKey keyOf(const DrawingItem& item) {
+  ItemKey key = keyOf(ItemKind::drawing, item.id, item.source);
+  key.part = static_cast<std::uint32_t>(item.part);
+  return key;
 }
+ItemKey keyOf(const ViewItem& item) { return keyOf(ItemKind::view, item.name); }
 
-template <class Map, class Name>
-const std::string* ownerIn(const Map& items, const Name& name) {
-  const auto found = items.find(name);
-  return found == items.end() ? nullptr : &found->second.owner;
+/// The kind of statement by which filters judge an item.
+constexpr ByKind kStatementOf{
+    [](const PresenceItem&) { return StatementKind::add; },
+    [](const PositionsItem&) { return StatementKind::joints; },
+    [](const OrderItem&) { return StatementKind::order; },
+    [](const JointItem&) { return StatementKind::joint; },
+    [](const PoseItem&) { return StatementKind::pose; },
+    [](const VisibilityItem&) { return StatementKind::show; },
+    [](const ColorItem&) { return StatementKind::color; },
+    [](const DrawingItem& item) { return item.drawing.kind; },
+    [](const ViewItem&) { return StatementKind::view; },
+};
+
+/// Calls `visit` with the item that has this key, if the state has one.
+template <class Visit>
+void visitItem(const SessionState& state, const ItemKey& key, Visit visit) {
+  const auto visitIn = [&](const auto& items, const auto& name) {
+    const auto found = items.find(name);
+    if (found != items.end()) eachItemOf(found->first, found->second, visit);
+  };
+  const bool is_slot = key.kind < ItemKind::visibility;
+  const DeviceState* const device = is_slot ? state.findDevice(key.name) : nullptr;
+  if (device == nullptr && is_slot) return;
+  switch (key.kind) {
+    case ItemKind::presence:
+      return eachItemIn(key.name, device->presence, visit);
+    case ItemKind::positions:
+      return eachItemIn(key.name, device->joints, visit);
+    case ItemKind::order: {
+      const auto found = device->orders.find(key.second);
+      if (found != device->orders.end()) visit(OrderItem{key.name, found->second});
+      return;
+    }
+    case ItemKind::joint: {
+      const auto found = device->named_joints.find(key.second);
+      if (found != device->named_joints.end()) {
+        visit(JointItem{{key.name, found->second}, key.second});
+      }
+      return;
+    }
+    case ItemKind::pose:
+      return eachItemIn(key.name, device->pose, visit);
+    case ItemKind::visibility:
+      return visitIn(state.visibility(), pathOf(key));
+    case ItemKind::color:
+      return visitIn(state.colors(), pathOf(key));
+    case ItemKind::drawing: {
+      const auto found = state.drawings().find({key.second, key.name});
+      if (found == state.drawings().end()) return;
+      const auto& [id, drawing] = *found;
+      if (key.part >= drawing.parts.size() || !drawing.parts[key.part]) return;
+      return visit(DrawingItem{id.first, id.second, drawing, key.part});
+    }
+    case ItemKind::view:
+      return visitIn(state.views(), key.name);
+  }
 }
 
 }  // namespace
@@ -100,71 +137,29 @@ bool isOfDevice(const ItemKey& key) {
 }
 
 const std::string* ownerOf(const SessionState& state, const ItemKey& key) {
-  switch (key.kind) {
-    case ItemKind::visibility:
-      return ownerIn(state.visibility(), pathOf(key));
-    case ItemKind::color:
-      return ownerIn(state.colors(), pathOf(key));
-    case ItemKind::drawing: {
-      const auto found = state.drawings().find({key.second, key.name});
-      if (found == state.drawings().end()) return nullptr;
-      const auto& parts = found->second.parts;
-      return key.part < parts.size() && parts[key.part] ? &found->first.first : nullptr;
-    }
-    case ItemKind::view:
-      return ownerIn(state.views(), key.name);
-    default:
-      break;
-  }
-  const DeviceState* const device = state.findDevice(key.name);
-  if (device == nullptr) return nullptr;
-  switch (key.kind) {
-    case ItemKind::presence:
-      return ownerIn(device->presence);
-    case ItemKind::positions:
-      return ownerIn(device->joints);
-    case ItemKind::order: {
-      const auto found = device->orders.find(key.second);
-      return found == device->orders.end() ? nullptr : &found->first;
-    }
-    case ItemKind::joint:
-      return ownerIn(device->named_joints, key.second);
-    default:
-      return ownerIn(device->pose);
-  }
+  const std::string* owner = nullptr;
+  visitItem(state, key, [&](const auto& item) { owner = &item.owner(); });
+  return owner;
 }
 
 std::string itemText(const SessionState& state, const ItemKey& key, const ItemStyle& style,
                      bool restating) {
-  switch (key.kind) {
-    case ItemKind::visibility:
-      return visibilityText(pathOf(key), state.visibility().find(pathOf(key))->second.value) + '\n';
-    case ItemKind::color:
-      return colorText(pathOf(key), state.colors().find(pathOf(key))->second.value) + '\n';
-    case ItemKind::drawing: {
-      const Drawing& drawing = state.drawings().find({key.second, key.name})->second;
-      return drawingText(key.name, drawing, key.part) + '\n';
-    }
-    case ItemKind::view:
-      return viewText(key.name, state.views().find(key.name)->second.value) + '\n';
-    default:
-      break;
-  }
-  const DeviceState& device = *state.findDevice(key.name);
-  switch (key.kind) {
-    case ItemKind::presence:
-      return presenceText(key.name, device.presence->value) + '\n';
-    case ItemKind::positions:
-      return positionsText(device, key, style, restating);
-    case ItemKind::order:
-      return orderText(key.name, device.orders.find(key.second)->second) + '\n';
-    case ItemKind::joint: {
-      const double value = device.named_joints.find(key.second)->second.value;
-      return jointText(key.name, key.second, style.value(value)) + '\n';
-    }
-    default:
-      return roundedPoseText(key.name, device.pose->value, style) + '\n';
-  }
+  std::string text;
+  const auto say = ByKind{
+      [&](const PositionsItem& item) {
+        text = positionsText(item, state.findDevice(item.device)->orders, style, restating);
+      },
+      [&](const JointItem& item) {
+        text = jointText(item.device, item.joint, style.value(item.item.value));
+      },
+      [&](const PoseItem& item) {
+        text = style.rounded ? roundedPoseText(item) : statementText(item);
+      },
+      [&](const auto& item) { text = statementText(item); },
+  };
+  visitItem(state, key, say);
+  text += '\n';
+  return text;
 }
 
 void appendItem(std::string& text, const ItemKey* before, const ItemKey& key,
@@ -179,30 +174,20 @@ void appendItem(std::string& text, const ItemKey* before, const ItemKey& key,
 
 bool passes(const std::vector<RelayFilter>& filters, const SessionState& state,
             const ItemKey& key) {
-  return std::all_of(filters.begin(), filters.end(), [&](const RelayFilter& filter) {
-    return filter.passesKind(statementOf(state, key)) &&
-           filter.passesSource(*ownerOf(state, key)) &&
-           (!isOfDevice(key) || filter.passesDevice(key.name));
+  if (filters.empty()) return true;
+  bool passes_all = true;
+  visitItem(state, key, [&](const auto& item) {
+    const StatementKind kind = kStatementOf(item);
+    passes_all = std::ranges::all_of(filters, [&](const RelayFilter& filter) {
+      return filter.passesKind(kind) && filter.passesSource(item.owner()) &&
+             (!isOfDevice(key) || filter.passesDevice(key.name));
+    });
   });
+  return passes_all;
 }
 
 void forEachItem(const SessionState& state, const std::function<void(ItemKey&&)>& visit) {
-  for (const auto& [name, device] : state.devices()) {
-    if (device.presence) visit(keyOf(ItemKind::presence, name));
-    if (device.joints) visit(keyOf(ItemKind::positions, name));
-    for (const auto& order : device.orders) visit(keyOf(ItemKind::order, name, order.first));
-    for (const auto& joint : device.named_joints) visit(keyOf(ItemKind::joint, name, joint.first));
-    if (device.pose) visit(keyOf(ItemKind::pose, name));
-  }
-  for (const auto& item : state.visibility()) visit(keyOf(ItemKind::visibility, item.first));
-  for (const auto& item : state.colors()) visit(keyOf(ItemKind::color, item.first));
-  for (const auto& [id, drawing] : state.drawings()) {
-    ItemKey key = keyOf(ItemKind::drawing, id.second, id.first);
-    for (key.part = 0; key.part < drawing.parts.size(); ++key.part) {
-      if (drawing.parts[key.part]) visit(ItemKey(key));
-    }
-  }
-  for (const auto& item : state.views()) visit(keyOf(ItemKind::view, item.first));
+  eachItem(state, [&](const auto& item) { visit(keyOf(item)); });
 }
 
 void forEachWritten(const SessionState& state, std::string_view source, const Statement& statement,

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 
+#include "core/packet/state_items.h"
+
 namespace rocinante {
 namespace {
 
 /// Compares everything in a state that a picture can depend on.
 bool drawsAlike(const SessionState& a, const SessionState& b) {
-  const auto sameDevice = [](const auto& left, const auto& right) {
-    DeviceState first = left.second;
-    first.last_write = right.second.last_write;
-    return left.first == right.first && first == right.second;
-  };
-  return std::ranges::equal(a.devices(), b.devices(), sameDevice) &&
-         a.visibility() == b.visibility() && a.colors() == b.colors() &&
-         a.drawings() == b.drawings() && a.views() == b.views();
+  return sameItems(a, b, [](DeviceState one, const DeviceState& other) {
+    one.last_write = other.last_write;
+    return one == other;
+  });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/base/hash.h"
+#include "core/packet/state_items.h"
 #include "core/report/json_text.h"
 #include "recorder/contents/log_state.h"
 
@@ -22,7 +23,7 @@ Json jsonOf(const Path& path) {
 /// Null for the world.
 Json carrierJson(const Path& path) { return path.first.empty() ? Json(nullptr) : jsonOf(path); }
 
-Json presenceJson(const Item<PresenceValue>& item) {
+Json jsonOf(const Item<PresenceValue>& item) {
   Json out = {{"is", item.value.presence == Presence::removed ? "removed" : "added"}};
   if (item.value.presence == Presence::added) {
     out["model"] = item.value.model;
@@ -32,7 +33,7 @@ Json presenceJson(const Item<PresenceValue>& item) {
   return out;
 }
 
-Json poseJson(const Item<PoseValue>& item) {
+Json jsonOf(const Item<PoseValue>& item) {
   const Quat& q = item.value.pose.orientation;
   return {{"position_m", jsonOf(item.value.pose.position)},
           {"orientation_xyzw", Json::array({q.x, q.y, q.z, q.w})},
@@ -40,25 +41,29 @@ Json poseJson(const Item<PoseValue>& item) {
           {"owner", item.owner}};
 }
 
-Json deviceJson(const std::string& name, const DeviceState& device) {
+Json jsonOf(const std::string& name, const DeviceState& device) {
   Json out = {{"name", name}, {"last_write_ns", nanosecondsOf(device.last_write)}};
-  out["presence"] = device.presence ? presenceJson(*device.presence) : Json(nullptr);
-  out["pose"] = device.pose ? poseJson(*device.pose) : Json(nullptr);
-  out["joints"] = device.joints
-                      ? Json({{"values", device.joints->value}, {"owner", device.joints->owner}})
-                      : Json(nullptr);
-  out["named_joints"] = Json::array();
-  for (const auto& [joint, item] : device.named_joints) {
-    out["named_joints"].push_back({{"name", joint}, {"value", item.value}, {"owner", item.owner}});
-  }
-  out["orders"] = Json::array();
-  for (const auto& [source, joints] : device.orders) {
-    out["orders"].push_back({{"joints", joints}, {"owner", source}});
-  }
+  for (const char* const one : {"presence", "pose", "joints"}) out[one] = nullptr;
+  for (const char* const several : {"named_joints", "orders"}) out[several] = Json::array();
+  const ByKind add{
+      [&](const PresenceItem& said) { out["presence"] = jsonOf(said.item); },
+      [&](const PoseItem& said) { out["pose"] = jsonOf(said.item); },
+      [&](const PositionsItem& said) {
+        out["joints"] = {{"values", said.item.value}, {"owner", said.owner()}};
+      },
+      [&](const JointItem& said) {
+        out["named_joints"].push_back(
+            {{"name", said.joint}, {"value", said.item.value}, {"owner", said.owner()}});
+      },
+      [&](const OrderItem& said) {
+        out["orders"].push_back({{"joints", said.item.value}, {"owner", said.owner()}});
+      },
+  };
+  eachItemOf(name, device, add);
   return out;
 }
 
-Json drawingJson(const std::pair<std::string, std::string>& key, const Drawing& drawing) {
+Json jsonOf(const std::pair<std::string, std::string>& key, const Drawing& drawing) {
   Json out = {{"id", key.second},
               {"kind", nameOf(drawing.kind)},
               {"color", colorOf(drawing.rgba)},
@@ -71,7 +76,7 @@ Json drawingJson(const std::pair<std::string, std::string>& key, const Drawing& 
   return out;
 }
 
-Json viewJson(const std::string& name, const Item<ViewValue>& item) {
+Json jsonOf(const std::string& name, const Item<ViewValue>& item) {
   return {{"name", name},
           {"eye_m", jsonOf(item.value.eye)},
           {"target_m", jsonOf(item.value.target)},
@@ -82,7 +87,7 @@ Json viewJson(const std::string& name, const Item<ViewValue>& item) {
           {"owner", item.owner}};
 }
 
-Json sourceJson(const std::string& name, const SourceState& source) {
+Json jsonOf(const std::string& name, const SourceState& source) {
   return {{"name", name},
           {"run", orNull(source.run)},
           {"sequence", orNull(source.highest_sequence)},
@@ -101,19 +106,19 @@ std::string_view visibilityName(Visibility::Kind kind) {
   return "default";
 }
 
-Json visibilityJson(const Path& path, const Item<Visibility>& item) {
+Json jsonOf(const Path& path, const Item<Visibility>& item) {
   return {{"path", jsonOf(path)}, {"is", visibilityName(item.value.kind)}, {"owner", item.owner}};
 }
 
-Json colorJson(const Path& path, const Item<ColorValue>& item) {
+Json jsonOf(const Path& path, const Item<ColorValue>& item) {
   const Json color = item.value.rgba ? Json(colorOf(*item.value.rgba)) : Json(nullptr);
   return {{"path", jsonOf(path)}, {"color", color}, {"owner", item.owner}};
 }
 
-template <class Map, class Make>
-Json listOf(const Map& items, Make make) {
+template <class Map>
+Json listOf(const Map& items) {
   Json out = Json::array();
-  for (const auto& [key, value] : items) out.push_back(make(key, value));
+  for (const auto& [key, value] : items) out.push_back(jsonOf(key, value));
   return out;
 }
 
@@ -132,12 +137,9 @@ std::string stateJson(const ShownState& shown) {
               {"at_ns", nanosecondsOf(shown.moment)},
               {"origin_ns", nanosecondsOf(shown.origin)},
               {"identity_sha256", identityHash(state)}};
-  out["sources"] = listOf(state.sources(), sourceJson);
-  out["devices"] = listOf(state.devices(), deviceJson);
-  out["visibility"] = listOf(state.visibility(), visibilityJson);
-  out["colors"] = listOf(state.colors(), colorJson);
-  out["drawings"] = listOf(state.drawings(), drawingJson);
-  out["views"] = listOf(state.views(), viewJson);
+  out["sources"] = listOf(state.sources());
+  eachMap(state,
+          [&](std::string_view name, const auto& map) { out[std::string(name)] = listOf(map); });
   return jsonText(out, -1);
 }
 

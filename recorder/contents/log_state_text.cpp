@@ -17,59 +17,44 @@ class StateLines {
   std::string text() {
     const SessionState& state = *shown_.state;
     heading("sources", state.sources().size());
-    for (const auto& [name, source] : state.sources()) addSource(name, source);
-    heading("devices", state.devices().size());
-    for (const auto& [name, device] : state.devices()) addDevice(name, device);
-    heading("visibility", state.visibility().size());
-    for (const auto& [path, item] : state.visibility()) {
-      addItem(item.owner, visibilityText(path, item.value));
+    for (const auto& [name, source] : state.sources()) {
+      text_ += fmt::format("  {}\n", sourceText(name, source));
     }
-    heading("colors", state.colors().size());
-    for (const auto& [path, item] : state.colors()) {
-      addItem(item.owner, colorText(path, item.value));
-    }
-    heading("drawings", state.drawings().size());
-    for (const auto& [key, drawing] : state.drawings()) {
-      for (std::size_t part = 0; part < drawing.parts.size(); ++part) {
-        if (drawing.parts[part]) addItem(key.first, drawingText(key.second, drawing, part));
-      }
-    }
-    heading("views", state.views().size());
-    for (const auto& [name, item] : state.views()) addItem(item.owner, viewText(name, item.value));
+    eachMap(state, [&](std::string_view name, const auto& map) {
+      heading(name, map.size());
+      for (const auto& [key, value] : map) add(key, value);
+    });
     return std::move(text_);
   }
 
  private:
-  void heading(const char* name, std::size_t count) {
+  void heading(std::string_view name, std::size_t count) {
     if (count > 0) text_ += fmt::format("{} ({})\n", name, count);
   }
 
-  void addSource(const std::string& name, const SourceState& source) {
-    PacketHeader header;
-    header.source = name;
-    header.run = source.run;
-    header.sequence = source.highest_sequence;
-    header.time_ns = source.time_ns;
-    // The header's text after its "RK1": SOURCE[@RUN] SEQUENCE TIME.
-    text_ += fmt::format(" {}\n", headerText(header).substr(3));
-  }
-
-  void addDevice(const std::string& name, const DeviceState& device) {
+  void add(const std::string& name, const DeviceState& device) {
     const Nanoseconds written = device.last_write - shown_.origin;
     text_ += fmt::format("  {}, last written at {} s\n", encodeName(name), secondsText(written, 3));
-    if (device.presence) {
-      addItem(device.presence->owner, presenceText(name, device.presence->value));
-    }
-    if (device.pose) addItem(device.pose->owner, poseText(name, device.pose->value));
-    if (device.joints) addItem(device.joints->owner, jointsText(name, device.joints->value));
-    for (const auto& [joint, item] : device.named_joints) {
-      addItem(item.owner, jointText(name, joint, item.value));
-    }
-    for (const auto& [source, joints] : device.orders) addItem(source, orderText(name, joints));
+    // The orders stand behind the joints, and the pose before them.
+    std::string joints, orders;
+    const ByKind add_line{
+        [&](const PresenceItem& item) { text_ += lineOf(item); },
+        [&](const PoseItem& item) { text_ += lineOf(item); },
+        [&](const PositionsItem& item) { joints += lineOf(item); },
+        [&](const JointItem& item) { joints += lineOf(item); },
+        [&](const OrderItem& item) { orders += lineOf(item); },
+    };
+    eachItemOf(name, device, add_line);
+    text_ += joints + orders;
+  }
+  template <class Key, class Value>
+  void add(const Key& key, const Value& value) {
+    eachItemOf(key, value, [&](const auto& item) { text_ += lineOf(item); });
   }
 
-  void addItem(const std::string& owner, const std::string& statement) {
-    text_ += fmt::format("    {}  ({})\n", plainText(statement), encodeName(owner));
+  template <class Said>
+  static std::string lineOf(const Said& item) {
+    return fmt::format("    {}  ({})\n", plainText(statementText(item)), encodeName(item.owner()));
   }
 
   const ShownState& shown_;

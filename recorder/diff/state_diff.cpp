@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "core/base/hash.h"
+#include "core/packet/state_items.h"
 #include "core/session/message_folder.h"
 #include "recorder/diff/log_diff.h"
 
@@ -74,12 +75,7 @@ bool isSameDevice(const DeviceState& a, const DeviceState& b) {
 /// SessionState::sameAs(), but for the sign of quaternions.
 bool isSameState(const SessionState& a, const SessionState& b) {
   if (a.sameAs(b)) return true;
-  const auto isSame = [](const auto& one, const auto& other) {
-    return one.first == other.first && isSameDevice(one.second, other.second);
-  };
-  return std::ranges::equal(a.devices(), b.devices(), isSame) && a.visibility() == b.visibility() &&
-         a.colors() == b.colors() && a.drawings() == b.drawings() && a.views() == b.views() &&
-         a.sources() == b.sources();
+  return sameItems(a, b, isSameDevice) && a.sources() == b.sources();
 }
 
 /// A line of SessionState::identityText(); of a pose's two quaternions the one whose last number

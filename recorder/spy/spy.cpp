@@ -367,10 +367,9 @@ SpyReport Spy::report(LogTime now) {
   for (const auto& [key, drawing] : state.drawings()) {
     SpyDrawing& seen = report.drawings.emplace_back();
     std::tie(seen.source, seen.name) = key;
-    for (std::size_t part = 0; part < drawing.parts.size(); ++part) {
-      if (!drawing.parts[part]) continue;
-      if (seen.parts++ == 0) seen.text = shownText(drawingText(seen.name, drawing, part));
-    }
+    eachItemOf(key, drawing, [&](const DrawingItem& part) {
+      if (seen.parts++ == 0) seen.text = shownText(statementText(part));
+    });
   }
   for (const auto& [key, event] : events_) {
     report.events.push_back({shownText(key.second), key.first, event.count, now - event.last});

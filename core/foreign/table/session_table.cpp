@@ -82,7 +82,7 @@ void SessionTable::noticeDevice(const std::string& name, const DeviceState& stat
   }
   // An order has the joints as the sender thinks of them; the state has them sorted by name.
   for (const auto& [source, order] : state.orders) {
-    for (const std::string& joint : order) {
+    for (const std::string& joint : order.value) {
       if (state.named_joints.contains(joint)) addJoint(device, joint);
     }
   }
