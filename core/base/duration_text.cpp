@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/plain_text.h"
+
 namespace rocinante {
 namespace {
 
@@ -30,8 +32,6 @@ Error badDuration(std::string_view text) {
   return {ErrorKind::bad_argument,
           "a duration is a number with a unit, such as 12.5s, 250ms or 1m02.5s", std::string(text)};
 }
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Reads digits with an optional fraction off the front of `text`, times `unit` nanoseconds.
 /// `unit` is known only after the digits, so both are returned as a fraction of 10^18ths.

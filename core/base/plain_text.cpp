@@ -11,25 +11,6 @@ constexpr std::size_t kLineBytes = 160;
 
 unsigned byteAt(ByteView bytes, std::size_t at) { return std::to_integer<unsigned>(bytes[at]); }
 
-/// The length of the character at `at` in bytes; 0 when it is not UTF-8.
-std::size_t characterBytes(ByteView bytes, std::size_t at) {
-  const unsigned first = byteAt(bytes, at);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xC2 && first <= 0xDF   ? 2
-                             : first >= 0xE0 && first <= 0xEF ? 3
-                             : first >= 0xF0 && first <= 0xF4 ? 4
-                                                              : 0;
-  if (length == 0 || bytes.size() - at < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byteAt(bytes, at + i) & 0xC0U) != 0x80) return 0;
-  }
-  const unsigned second = byteAt(bytes, at + 1);
-  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool surrogate = first == 0xED && second > 0x9F;
-  const bool beyond = first == 0xF4 && second > 0x8F;
-  return overlong || surrogate || beyond ? 0 : length;
-}
-
 char32_t characterAt(ByteView bytes, std::size_t at, std::size_t length) {
   if (length == 1) return byteAt(bytes, at);
   char32_t character = byteAt(bytes, at) & (0xFFU >> (length + 1));
@@ -67,11 +48,42 @@ std::string shellWord(std::string_view word) {
   return quoted + "'";
 }
 
+// Unicode 15, table 3-7: no overlong forms, no surrogates, nothing past U+10FFFF.
+std::size_t utf8Length(std::string_view text) {
+  const auto byteIn = [&](std::size_t at) {
+    return std::uint32_t{static_cast<unsigned char>(text[at])};
+  };
+  if (text.empty()) return 0;
+  const std::uint32_t first = byteIn(0);
+  if (first < 0x80) return 1;
+  std::size_t length = 0;
+  std::uint32_t low = 0x80;
+  std::uint32_t high = 0xBF;
+  if (first >= 0xC2 && first <= 0xDF) {
+    length = 2;
+  } else if (first >= 0xE0 && first <= 0xEF) {
+    length = 3;
+    if (first == 0xE0) low = 0xA0;
+    if (first == 0xED) high = 0x9F;
+  } else if (first >= 0xF0 && first <= 0xF4) {
+    length = 4;
+    if (first == 0xF0) low = 0x90;
+    if (first == 0xF4) high = 0x8F;
+  }
+  if (length == 0 || text.size() < length) return 0;
+  if (byteIn(1) < low || byteIn(1) > high) return 0;
+  for (std::size_t i = 2; i < length; ++i) {
+    if ((byteIn(i) & 0xC0U) != 0x80) return 0;
+  }
+  return length;
+}
+
 bool isUtf8(ByteView bytes) {
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t length = characterBytes(bytes, at);
+  std::string_view rest = textOf(bytes);
+  while (!rest.empty()) {
+    const std::size_t length = utf8Length(rest);
     if (length == 0) return false;
-    at += length;
+    rest.remove_prefix(length);
   }
   return true;
 }
@@ -80,7 +92,7 @@ std::string plainText(std::string_view text) {
   const ByteView bytes = bytesOf(text);
   std::string out;
   for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t length = characterBytes(bytes, at);
+    const std::size_t length = utf8Length(text.substr(at));
     if (length == 0 || isUnseen(characterAt(bytes, at, length))) {
       for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i) {
         out += fmt::format("\\x{:02x}", byteAt(bytes, at + i));

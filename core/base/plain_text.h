@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -11,6 +12,15 @@ namespace rocinante {
 /// `word` written so that a POSIX shell takes it for one argument: as it is where that is safe, in
 /// single quotes otherwise. Any bytes but NUL.
 std::string shellWord(std::string_view word);
+
+constexpr bool isDigit(char byte) { return byte >= '0' && byte <= '9'; }
+/// True for ASCII's control characters.
+constexpr bool isControl(char byte) {
+  return static_cast<unsigned char>(byte) < 0x20 || byte == 0x7F;
+}
+
+/// The length of the UTF-8 sequence at the start of `text` in bytes, or 0 when it is not valid.
+std::size_t utf8Length(std::string_view text);
 
 /// True when the bytes are UTF-8 (RFC 3629: no overlong forms, no surrogates).
 bool isUtf8(ByteView bytes);

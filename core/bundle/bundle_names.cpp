@@ -38,8 +38,6 @@ std::string percentEncoded(std::string_view text, bool (*is_bad)(char)) {
   return encoded;
 }
 
-bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
 std::string nameBelow(const fs::path& path, const fs::path& folder) {
   const fs::path relative = path.lexically_relative(folder);
   if (relative == ".") return {};

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/plain_text.h"
+
 namespace rocinante {
 
 /// Walks through the text of an OBJ, MTL or ASCII STL file line by line. Lines end with LF, CR LF
@@ -153,7 +155,6 @@ class TextScanner {
     return value;
   }
 
-  static bool isDigit(char c) { return c >= '0' && c <= '9'; }
   static std::uint64_t digitOf(char c) { return static_cast<std::uint64_t>(c - '0'); }
   static bool isBlankOrEnd(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 

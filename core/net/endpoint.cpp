@@ -31,7 +31,6 @@ std::optional<Number> decimal(std::string_view text) {
   return number;
 }
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// As in URLs: a last label that begins with a digit makes the host a number, never a name to look

@@ -21,9 +21,7 @@ Status setPattern(std::string& pattern, std::string_view name, std::string_view 
   if (!decoded) {
     return badEndpoint(text, fmt::format("a % in {}= is written %25, as in URLs", name));
   }
-  const bool has_control = std::any_of(decoded->begin(), decoded->end(), [](char c) {
-    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
-  });
+  const bool has_control = std::any_of(decoded->begin(), decoded->end(), isControl);
   if (decoded->empty() || decoded->size() > kPatternBytes || has_control ||
       !isUtf8(bytesOf(*decoded))) {
     return badEndpoint(text, fmt::format("{}= takes a pattern of 1 to {} bytes, such as arm*", name,

@@ -27,27 +27,36 @@ class PacketTextDecoder final : public Decoder {
   std::unique_ptr<Scratch> scratch_;
 };
 
-/// Builds one packet's text. Every append is canonical: names percent-encoded, the shortest decimal
-/// that reads back as the same double, LF line ends. Arguments must be values that a decoder can
-/// produce: names not empty and UTF-8, numbers finite, as many as the kind requires.
+/// Builds the text of packets, one after the other in the same memory. Every append is canonical:
+/// names percent-encoded, the shortest decimal that reads back as the same double, LF line ends.
+/// Arguments must be values that a decoder can produce: names not empty and UTF-8, numbers finite,
+/// as many as the kind requires.
 class PacketTextWriter {
  public:
-  explicit PacketTextWriter(const PacketHeader& header);
+  PacketTextWriter() = default;
+  explicit PacketTextWriter(const PacketHeader& header) { begin(header); }
 
+  /// Begins the next packet; the text of the last one is gone.
+  void begin(const PacketHeader& header);
   /// Appends one statement, written from the fields that its kind uses.
   void add(const Statement& statement);
 
+  /// False before the first statement of a packet.
+  bool hasStatements() const { return text_.size() > header_bytes_; }
   std::size_t byteCount() const { return text_.size(); }
   const std::string& text() const { return text_; }
 
  private:
   std::string text_;
+  std::size_t header_bytes_ = 0;
 };
 
 /// The text of one header line or statement line, without its LF.
 std::string headerText(const PacketHeader& header);
 std::string statementText(const Statement& statement);
 
+/// Whether a packet can say the name: 1 to 255 bytes of UTF-8 without control characters.
+bool isName(std::string_view name);
 /// `name` as a packet writes it: bytes outside A-Z a-z 0-9 _ . - : percent-encoded.
 std::string encodeName(std::string_view name);
 

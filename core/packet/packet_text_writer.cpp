@@ -211,9 +211,11 @@ void appendHeader(std::string& text, const PacketHeader& header) {
 
 }  // namespace
 
-PacketTextWriter::PacketTextWriter(const PacketHeader& header) {
+void PacketTextWriter::begin(const PacketHeader& header) {
+  text_.clear();
   appendHeader(text_, header);
   text_ += '\n';
+  header_bytes_ = text_.size();
 }
 
 void PacketTextWriter::add(const Statement& statement) {

@@ -9,9 +9,9 @@
 
 #include "core/packet/session_state.h"
 
-// The items of a state, of every kind, for whoever walks over them: a visitor takes each kind by its
-// type, so that a new kind does not compile until all who have to do with items say what they do
-// with it. A new kind has a member of DeviceState or SessionState and its place in slots() or
+// The items of a state, of every kind, for whoever walks over them: a visitor takes each kind by
+// its type, so that a new kind does not compile until all who have to do with items say what they
+// do with it. A new kind has a member of DeviceState or SessionState and its place in slots() or
 // maps(), a type and eachItemIn() or eachItemOf() here, its text (item_text.h) and its weight
 // (state_weight.h).
 namespace rocinante {
@@ -92,8 +92,7 @@ void eachItemOf(const Path& path, const Item<T>& item, Visit&& visit) {
   visit(PathItem<T>{path, item});
 }
 template <class Visit>
-void eachItemOf(const SessionState::Drawings::key_type& id, const Drawing& drawing,
-                Visit&& visit) {
+void eachItemOf(const SessionState::Drawings::key_type& id, const Drawing& drawing, Visit&& visit) {
   for (std::size_t part = 0; part < drawing.parts.size(); ++part) {
     if (drawing.parts[part]) visit(DrawingItem{id.first, id.second, drawing, part});
   }

@@ -1,8 +1,10 @@
 #include "core/packet/text_name.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "core/base/plain_text.h"
 #include "core/packet/packet_limits.h"
 #include "core/packet/packet_text.h"
 #include "core/packet/text_number.h"
@@ -25,47 +27,9 @@ std::uint32_t byteOf(char character) { return static_cast<unsigned char>(charact
 /// isNameByte() where the compiler can inline it: it cannot inline an exported function.
 bool isPlain(char byte) { return kNameBytes[byteOf(byte)]; }
 
-bool isControl(char byte) { return byteOf(byte) < 0x20 || byteOf(byte) == 0x7F; }
-
-bool isUtf8(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t length = utf8Length(text);
-    if (length == 0) return false;
-    text.remove_prefix(length);
-  }
-  return true;
-}
-
 }  // namespace
 
 bool isNameByte(char byte) { return isPlain(byte); }
-
-// Unicode 15, table 3-7: no overlong forms, no surrogates, nothing past U+10FFFF.
-std::size_t utf8Length(std::string_view text) {
-  if (text.empty()) return 0;
-  const std::uint32_t first = byteOf(text[0]);
-  if (first < 0x80) return 1;
-  std::size_t length = 0;
-  std::uint32_t low = 0x80;
-  std::uint32_t high = 0xBF;
-  if (first >= 0xC2 && first <= 0xDF) {
-    length = 2;
-  } else if (first >= 0xE0 && first <= 0xEF) {
-    length = 3;
-    if (first == 0xE0) low = 0xA0;
-    if (first == 0xED) high = 0x9F;
-  } else if (first >= 0xF0 && first <= 0xF4) {
-    length = 4;
-    if (first == 0xF0) low = 0x90;
-    if (first == 0xF4) high = 0x8F;
-  }
-  if (length == 0 || text.size() < length) return 0;
-  if (byteOf(text[1]) < low || byteOf(text[1]) > high) return 0;
-  for (std::size_t i = 2; i < length; ++i) {
-    if ((byteOf(text[i]) & 0xC0U) != 0x80) return 0;
-  }
-  return length;
-}
 
 std::optional<std::string_view> decodeName(std::string_view raw, TextArena& arena) {
   std::size_t plain = 0;
@@ -91,7 +55,7 @@ std::optional<std::string_view> decodeName(std::string_view raw, TextArena& aren
     i += 2;
   }
   const std::string_view name = arena.since(mark);
-  if (name.size() > limits::kNameBytes || !isUtf8(name)) return std::nullopt;
+  if (name.size() > limits::kNameBytes || !isUtf8(bytesOf(name))) return std::nullopt;
   return name;
 }
 
@@ -102,7 +66,7 @@ std::optional<std::string_view> decodeString(const char*& at, const char* end, T
     char byte = *next;
     if (byte == '"') {
       const std::string_view string = arena.since(mark);
-      if (string.size() > limits::kStringBytes || !isUtf8(string)) return std::nullopt;
+      if (string.size() > limits::kStringBytes || !isUtf8(bytesOf(string))) return std::nullopt;
       at = next + 1;
       return string;
     }
@@ -124,14 +88,16 @@ std::optional<std::string_view> decodeString(const char*& at, const char* end, T
 
 void appendName(std::string& text, std::string_view name) {
   constexpr std::string_view kHex = "0123456789ABCDEF";
-  for (const char byte : name) {
-    if (isNameByte(byte)) {
-      text += byte;
-    } else {
-      text += '%';
-      text += kHex[byteOf(byte) >> 4U];
-      text += kHex[byteOf(byte) & 15U];
-    }
+  for (;;) {
+    std::size_t plain = 0;
+    while (plain < name.size() && isPlain(name[plain])) ++plain;
+    text.append(name.substr(0, plain));
+    if (plain == name.size()) return;
+    const std::uint32_t byte = byteOf(name[plain]);
+    text += '%';
+    text += kHex[byte >> 4U];
+    text += kHex[byte & 15U];
+    name.remove_prefix(plain + 1);
   }
 }
 
@@ -153,6 +119,11 @@ void appendString(std::string& text, std::string_view string) {
     string.remove_prefix(length == 0 ? 1 : length);
   }
   text += '"';
+}
+
+bool isName(std::string_view name) {
+  return !name.empty() && name.size() <= limits::kNameBytes && isUtf8(bytesOf(name)) &&
+         std::ranges::none_of(name, isControl);
 }
 
 std::string encodeName(std::string_view name) {

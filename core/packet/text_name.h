@@ -50,8 +50,4 @@ void appendName(std::string& text, std::string_view name);
 
 /// Appends `string` quoted and escaped. Characters that a string cannot hold become U+FFFD.
 void appendString(std::string& text, std::string_view string);
-
-/// The length of the UTF-8 sequence at the start of `text` in bytes, or 0 when it is not valid.
-std::size_t utf8Length(std::string_view text);
-
 }  // namespace rocinante

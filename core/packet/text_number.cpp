@@ -9,10 +9,10 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/plain_text.h"
+
 namespace rocinante {
 namespace {
-
-bool isDigit(char character) { return character >= '0' && character <= '9'; }
 
 bool isSeparator(char character) { return character == ' ' || character == '\t'; }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/packet/packet_limits.h"
+#include "core/packet/packet_text.h"
 #include "core/packet/text_lines.h"
 #include "core/packet/text_name.h"
 #include "core/packet/text_number.h"
@@ -15,7 +16,6 @@ namespace rocinante {
 namespace {
 
 constexpr std::string_view kVersionWord = "RKS1";
-constexpr std::size_t kPatternBytes = 255;
 constexpr std::size_t kCookieBytes = 64;
 
 constexpr std::array<std::string_view, 7> kVerbs = {"subscribe", "keep", "leave",  "challenge",
@@ -34,14 +34,7 @@ std::optional<std::string> decodePattern(std::string_view raw) {
     pattern += static_cast<char>(*byte);
     i += 2;
   }
-  if (pattern.empty() || pattern.size() > kPatternBytes) return std::nullopt;
-  for (std::string_view rest = pattern; !rest.empty();) {
-    const std::size_t length = utf8Length(rest);
-    if (length == 0 || static_cast<unsigned char>(rest.front()) < 0x20 || rest.front() == 0x7F) {
-      return std::nullopt;
-    }
-    rest.remove_prefix(length);
-  }
+  if (!isName(pattern)) return std::nullopt;
   return pattern;
 }
 

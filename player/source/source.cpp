@@ -11,7 +11,6 @@
 #include "core/base/random_id.h"
 #include "core/log/log_profile.h"
 #include "core/packet/packet_text.h"
-#include "core/packet/text_name.h"
 #include "core/signing/signed_datagram.h"
 #include "player/logs/played_span.h"
 #include "player/logs/read_ahead.h"
@@ -62,10 +61,7 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 Status checkUtf8Name(const char* option, const std::string& name) {
-  TextArena arena;
-  const std::string encoded = encodeName(name);
-  arena.begin(encoded.size());
-  if (decodeName(encoded, arena)) return {};
+  if (isName(name)) return {};
   return Error{ErrorKind::bad_argument, "a name is 1 to 255 bytes of UTF-8", option};
 }
 

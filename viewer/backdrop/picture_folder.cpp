@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/figure_text.h"
+#include "core/base/plain_text.h"
 #include "core/session/session_time.h"
 #include "viewer/backdrop/video_facts.h"
 
@@ -20,8 +21,6 @@ constexpr std::uint64_t kMaxTimesBytes = std::uint64_t{64} << 20U;
 Error badFolder(std::string what, const fs::path& where) {
   return {ErrorKind::bad_argument, std::move(what), where.string()};
 }
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Removes and returns the digits at the front, without leading zeros.
 std::string_view takeDigits(std::string_view& text) {

@@ -22,7 +22,6 @@ constexpr std::string_view kStale = "baseline.stale";
 constexpr std::string_view kUnvalued = "baseline.unvalued";
 constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20U;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 /// Characters of names: a digit beside one of these is part of a name such as joint_1 or arm/7.
 bool isNamePart(char c) {
   return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '/' ||

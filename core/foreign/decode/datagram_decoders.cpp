@@ -4,7 +4,6 @@
 
 #include "core/base/pattern.h"
 #include "core/log/log_profile.h"
-#include "core/packet/text_name.h"
 #include "core/packet/text_number.h"
 
 namespace rocinante::decode {
@@ -83,14 +82,10 @@ bool DatagramDecoders::decodeBy(std::size_t index, const Route& route, std::int6
   for (const Condition& condition : decoder.match.where) {
     if (reader.values[condition.field].asNumber() != condition.equals) return false;
   }
-  text_ = "RK1 ";
-  appendName(text_, reader.source);
-  text_ += " - ";
-  if (publish_time_ns < 0) {
-    text_ += '-';
-  } else {
-    appendSeconds(text_, publish_time_ns);
-  }
+  PacketHeader header;
+  header.source = reader.source;
+  if (publish_time_ns >= 0) header.time_ns = publish_time_ns;
+  writer_.begin(header);
   std::vector<std::string>* before = nullptr;
   static const std::vector<std::string> kNone;
   if (!decoder.events.empty()) {
@@ -103,24 +98,26 @@ bool DatagramDecoders::decodeBy(std::size_t index, const Route& route, std::int6
     }
     if (found != reader.before.end()) before = &found->second;
   }
-  const bool any = reader.lines.append(text_, reader.values, before == nullptr ? kNone : *before);
+  reader.lines.add(writer_, reader.values, before == nullptr ? kNone : *before);
   if (before != nullptr) {
     for (std::size_t i = 0; i < decoder.events.size(); ++i) {
       const FieldValue& value = reader.values[decoder.events[i].changes];
       if (value.kind != FieldValue::Kind::missing) (*before)[i] = valueText(value);
     }
   }
-  if (!any) {
+  if (!writer_.hasStatements()) {
     ++counts.empty;
     return false;
   }
-  if (text_.size() > kMaxPacketBytes) {
+  // These packets have no LF at their end.
+  const std::string_view text = std::string_view(writer_.text()).substr(0, writer_.byteCount() - 1);
+  if (text.size() > kMaxPacketBytes) {
     ++counts.refused;
     counts.last_reason = "its packet would be longer than a datagram";
     return false;
   }
   ++counts.decoded;
-  packet_ = {index, reader.source, text_};
+  packet_ = {index, reader.source, text};
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include "core/foreign/decode/decoder_set.h"
 #include "core/foreign/decode/field_reader.h"
 #include "core/foreign/decode/packet_lines.h"
+#include "core/packet/packet_text.h"
 
 namespace rocinante::decode {
 
@@ -79,7 +80,7 @@ class DatagramDecoders {
   std::vector<Reader> readers_;
   std::vector<DecodeCounts> counts_;
   DecodedPacket packet_;
-  std::string text_;
+  PacketTextWriter writer_;
   std::string key_;
 };
 

@@ -1,10 +1,11 @@
 #include "core/foreign/decode/packet_lines.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/math/transform.h"
 #include "core/packet/packet_limits.h"
-#include "core/packet/text_name.h"
 #include "core/packet/text_number.h"
 
 namespace rocinante::decode {
@@ -65,69 +66,60 @@ bool appendTemplate(std::string& text, const TextTemplate& of, std::span<const F
 
 bool PacketLines::fillName(const TextTemplate& name, std::span<const FieldValue> values) {
   name_.clear();
-  if (!appendTemplate(name_, name, values)) return false;
-  if (name_.empty() || name_.size() > limits::kNameBytes) return false;
-  // A stranger's text may be anything; a name is UTF-8 without control characters.
-  for (std::size_t at = 0; at < name_.size();) {
-    const std::size_t length = utf8Length(std::string_view(name_).substr(at));
-    const auto first = static_cast<unsigned char>(name_[at]);
-    if (length == 0 || first < 0x20 || first == 0x7F) return false;
-    at += length;
-  }
-  return true;
+  // A stranger's text may be anything.
+  return appendTemplate(name_, name, values) && isName(name_);
 }
 
-bool PacketLines::appendJoints(std::string& text, const JointsLine& line,
-                               std::span<const FieldValue> values) {
-  if (!fillName(line.device, values)) return false;
-  const std::size_t begin = text.size();
-  text += "\njoint ";
-  appendName(text, name_);
-  bool any = false;
+void PacketLines::addJoints(PacketTextWriter& packet, const JointsLine& line,
+                            std::span<const FieldValue> values) {
+  if (!fillName(line.device, values)) return;
+  joints_.clear();
+  numbers_.clear();
   for (const JointsLine::Joint& joint : line.joints) {
     const std::optional<double> number = numberOf(joint.value, values);
     if (!number) continue;
-    text += ' ';
-    appendName(text, joint.name);
-    text += '=';
-    appendNumber(text, *number);
-    any = true;
+    joints_.push_back(joint.name);
+    numbers_.push_back(*number);
   }
-  if (!any) text.resize(begin);
-  return any;
+  if (joints_.empty()) return;
+  Statement statement;
+  statement.kind = StatementKind::joint;
+  statement.name = name_;
+  statement.names = joints_;
+  statement.numbers = numbers_;
+  packet.add(statement);
 }
 
-bool PacketLines::appendPose(std::string& text, const PoseLine& line,
-                             std::span<const FieldValue> values) {
-  if (!fillName(line.device, values)) return false;
+void PacketLines::addPose(PacketTextWriter& packet, const PoseLine& line,
+                          std::span<const FieldValue> values) {
+  if (!fillName(line.device, values)) return;
   const auto position = numbersOf(line.position, values);
-  if (!position) return false;
+  if (!position) return;
   std::optional<Quat> rotation = Quat(1, 0, 0, 0);
   if (line.rotation == PoseLine::Rotation::euler) {
     const auto angles = numbersOf(line.angles, values);
-    if (!angles) return false;
+    if (!angles) return;
     rotation = normalized(rotationOf(line, *angles));
   } else if (line.rotation == PoseLine::Rotation::quaternion) {
     const auto q = numbersOf(line.quaternion, values);
-    if (!q) return false;
+    if (!q) return;
     rotation = normalized(Quat((*q)[3], (*q)[0], (*q)[1], (*q)[2]));
   }
-  if (!rotation) return false;
-  text += "\npose ";
-  appendName(text, name_);
-  for (const double number : {(*position)[0], (*position)[1], (*position)[2], rotation->x,
-                              rotation->y, rotation->z, rotation->w}) {
-    text += ' ';
-    appendNumber(text, number);
-  }
-  return true;
+  if (!rotation) return;
+  const std::array<double, 7> numbers = {(*position)[0], (*position)[1], (*position)[2],
+                                         rotation->x,    rotation->y,    rotation->z,
+                                         rotation->w};
+  Statement statement;
+  statement.kind = StatementKind::pose;
+  statement.name = name_;
+  statement.numbers = numbers;
+  packet.add(statement);
 }
 
-bool PacketLines::append(std::string& text, std::span<const FieldValue> values,
-                         std::span<const std::string> before) {
-  const std::size_t begin = text.size();
-  for (const JointsLine& line : decoder_.joints) (void)appendJoints(text, line, values);
-  for (const PoseLine& line : decoder_.poses) (void)appendPose(text, line, values);
+void PacketLines::add(PacketTextWriter& packet, std::span<const FieldValue> values,
+                      std::span<const std::string> before) {
+  for (const JointsLine& line : decoder_.joints) addJoints(packet, line, values);
+  for (const PoseLine& line : decoder_.poses) addPose(packet, line, values);
   for (std::size_t i = 0; i < decoder_.events.size() && i < before.size(); ++i) {
     const EventLine& line = decoder_.events[i];
     if (values[line.changes].kind == FieldValue::Kind::missing || before[i].empty()) continue;
@@ -135,10 +127,11 @@ bool PacketLines::append(std::string& text, std::span<const FieldValue> values,
     name_.clear();
     if (!appendTemplate(name_, line.text, values)) continue;
     name_.resize(std::min(name_.size(), limits::kStringBytes / 4));
-    text += "\nevent ";
-    appendString(text, name_);
+    Statement statement;
+    statement.kind = StatementKind::event;
+    statement.text = name_;
+    packet.add(statement);
   }
-  return text.size() > begin;
 }
 
 }  // namespace rocinante::decode

@@ -2,9 +2,12 @@
 
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/foreign/decode/declaration.h"
 #include "core/foreign/decode/field_reader.h"
+#include "core/packet/packet_text.h"
 
 namespace rocinante::decode {
 
@@ -14,19 +17,22 @@ class PacketLines {
   /// The decoder must outlive it.
   explicit PacketLines(const Decoder& decoder) : decoder_(decoder) {}
 
-  /// Appends the statement lines, each with LF before it. A joint, pose or event whose fields are
-  /// missing is left out. `before` are the values of the EventLine::changes fields in the sender's
-  /// last datagram, as valueText(): empty at its first. False when no line could be written.
-  bool append(std::string& text, std::span<const FieldValue> values,
-              std::span<const std::string> before);
+  /// Adds the statements. A joint, pose or event whose fields are missing is left out. `before` are
+  /// the values of the EventLine::changes fields in the sender's last datagram, as valueText():
+  /// empty at its first.
+  void add(PacketTextWriter& packet, std::span<const FieldValue> values,
+           std::span<const std::string> before);
 
  private:
-  bool appendJoints(std::string& text, const JointsLine& line, std::span<const FieldValue> values);
-  bool appendPose(std::string& text, const PoseLine& line, std::span<const FieldValue> values);
+  void addJoints(PacketTextWriter& packet, const JointsLine& line,
+                 std::span<const FieldValue> values);
+  void addPose(PacketTextWriter& packet, const PoseLine& line, std::span<const FieldValue> values);
   bool fillName(const TextTemplate& name, std::span<const FieldValue> values);
 
   const Decoder& decoder_;
   std::string name_;
+  std::vector<std::string_view> joints_;
+  std::vector<double> numbers_;
 };
 
 /// A value as people read it; "" for a missing one.

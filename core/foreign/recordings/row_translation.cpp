@@ -9,8 +9,6 @@
 #include "core/foreign/ros/names.h"
 #include "core/foreign/table/table_column.h"
 #include "core/packet/packet_limits.h"
-#include "core/packet/packet_text.h"
-#include "core/packet/text_number.h"
 
 namespace rocinante {
 namespace {
@@ -29,9 +27,7 @@ constexpr std::string_view kNoName = "packets have no such name";
 }  // namespace
 
 RowTranslation::RowTranslation(std::string topic, std::string_view decoder, std::string kind)
-    : topic_(std::move(topic)), kind_(std::move(kind)) {
-  first_words_ = "RK1 " + encodeName(ros::sourceOf(topic_, decoder)) + " - ";
-}
+    : topic_(std::move(topic)), source_(ros::sourceOf(topic_, decoder)), kind_(std::move(kind)) {}
 
 void RowTranslation::setNames(std::span<const std::string_view> names) {
   if (std::ranges::equal(names, names_)) return;
@@ -63,7 +59,7 @@ void RowTranslation::makePlans() {
     const auto column = tableColumn(names_[i]);
     if (!reason.empty()) {
       unused_.push_back({i, reason, Severity::note});
-    } else if (column && column->pose_part && ros::isName(column->device)) {
+    } else if (column && column->pose_part && isName(column->device)) {
       addPose(std::string(column->device), *column->pose_part, i);
     } else if (column && !column->topic.empty()) {
       auto& [names, places] = plain[std::string(column->topic)];
@@ -161,37 +157,35 @@ void RowTranslation::nameUnused(std::span<const double> numbers) {
 
 void RowTranslation::addJoint(const std::string& device, const std::string& joint,
                               std::size_t place) {
-  if (!ros::isName(device) || !ros::isName(joint)) {
+  if (!isName(device) || !isName(joint)) {
     unused_.push_back({place, kNoName, Severity::warning});
     return;
   }
-  const std::string first_words = "joint " + encodeName(device);
-  std::string prefix = " " + encodeName(joint) + "=";
-  if (!said_.insert(first_words + prefix).second) {
+  if (!said_.emplace(device, joint).second) {
     unused_.push_back({place, kTwice, Severity::warning});
     return;
   }
   DevicePlan* plan = nullptr;
   for (DevicePlan& each : plans_) {
-    if (each.first_words == first_words && each.places.size() < limits::kJointValues) plan = &each;
+    const bool has_room = !each.joints.empty() && each.joints.size() < limits::kJointValues;
+    if (each.device == device && has_room) plan = &each;
   }
   if (plan == nullptr) {
     plan = &plans_.emplace_back();
-    plan->first_words = first_words;
+    plan->device = device;
   }
   plan->places.push_back(place);
-  plan->prefixes.push_back(std::move(prefix));
+  plan->joints.push_back(joint);
 }
 
 void RowTranslation::addPose(const std::string& device, std::size_t part, std::size_t place) {
-  const std::string first_words = "pose " + encodeName(device);
   DevicePlan* plan = nullptr;
   for (DevicePlan& each : plans_) {
-    if (each.first_words == first_words) plan = &each;
+    if (each.device == device && each.joints.empty()) plan = &each;
   }
   if (plan == nullptr) {
     plan = &plans_.emplace_back();
-    plan->first_words = first_words;
+    plan->device = device;
     plan->places.assign(kPoseEndings.size(), kNoPlace);
   }
   if (plan->places[part] != kNoPlace) {
@@ -201,57 +195,55 @@ void RowTranslation::addPose(const std::string& device, std::size_t part, std::s
   }
 }
 
-void RowTranslation::sayJoints(const DevicePlan& plan, std::span<const double> numbers) {
-  const std::size_t before = text_.size();
-  text_ += plan.first_words;
-  const std::size_t empty = text_.size();
+void RowTranslation::sayJoints(const DevicePlan& plan, std::span<const double> row) {
+  said_names_.clear();
+  said_numbers_.clear();
   for (std::size_t i = 0; i < plan.places.size(); ++i) {
-    const double number = numbers[plan.places[i]];
+    const double number = row[plan.places[i]];
     if (!std::isfinite(number)) continue;
-    text_ += plan.prefixes[i];
-    appendNumber(text_, number);
+    said_names_.push_back(plan.joints[i]);
+    said_numbers_.push_back(number);
   }
-  if (text_.size() == empty) {
-    text_.resize(before);
-  } else {
-    text_ += '\n';
-  }
+  if (said_names_.empty()) return;
+  Statement statement;
+  statement.kind = StatementKind::joint;
+  statement.name = plan.device;
+  statement.names = said_names_;
+  statement.numbers = said_numbers_;
+  packet_.add(statement);
 }
 
-bool RowTranslation::sayPose(const DevicePlan& plan, std::span<const double> numbers) {
-  const auto said = static_cast<std::size_t>(std::ranges::count_if(
-      plan.places, [&](std::size_t place) { return std::isfinite(numbers[place]); }));
-  if (said == 0) return true;
-  if (said < plan.places.size()) return false;
-  text_ += plan.first_words;
+bool RowTranslation::sayPose(const DevicePlan& plan, std::span<const double> row) {
+  said_numbers_.clear();
   for (const std::size_t place : plan.places) {
-    text_ += ' ';
-    appendNumber(text_, numbers[place]);
+    if (std::isfinite(row[place])) said_numbers_.push_back(row[place]);
   }
-  text_ += '\n';
+  if (said_numbers_.empty()) return true;
+  if (said_numbers_.size() < plan.places.size()) return false;
+  Statement statement;
+  statement.kind = StatementKind::pose;
+  statement.name = plan.device;
+  statement.numbers = said_numbers_;
+  packet_.add(statement);
   return true;
 }
 
 RowTranslation::Outcome RowTranslation::translate(Nanoseconds time,
                                                   std::span<const double> numbers) {
   if (!unused_.empty()) nameUnused(numbers);
-  text_ = first_words_;
-  if (time.count() < 0) {
-    text_ += '-';
-  } else {
-    appendSeconds(text_, time.count());
-  }
-  text_ += '\n';
-  const std::size_t header_bytes = text_.size();
+  PacketHeader header;
+  header.source = source_;
+  if (time.count() >= 0) header.time_ns = time.count();
+  packet_.begin(header);
   for (const DevicePlan& plan : plans_) {
-    if (!plan.prefixes.empty()) {
+    if (!plan.joints.empty()) {
       sayJoints(plan, numbers);
     } else if (!sayPose(plan, numbers)) {
       return {{}, true};
     }
   }
-  if (text_.size() == header_bytes) return {};
-  return {text_, false};
+  if (!packet_.hasStatements()) return {};
+  return {packet_.text(), false};
 }
 
 }  // namespace rocinante

@@ -4,11 +4,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/time.h"
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/device_finder.h"
+#include "core/packet/packet_text.h"
 #include "core/report/account.h"
 
 namespace rocinante {
@@ -42,9 +44,9 @@ class RowTranslation {
 
  private:
   struct DevicePlan {
-    std::string first_words;            ///< "joint DEVICE", "pose DEVICE"
-    std::vector<std::size_t> places;    ///< of a row
-    std::vector<std::string> prefixes;  ///< " NAME=" of joints; empty: a pose
+    std::string device;
+    std::vector<std::size_t> places;  ///< of a row
+    std::vector<std::string> joints;  ///< their names; empty: a pose
   };
 
   /// A name that no packet has, until it has a value: then it is left out.
@@ -61,16 +63,19 @@ class RowTranslation {
   void addJoint(const std::string& device, const std::string& joint, std::size_t place);
   void addPose(const std::string& device, std::size_t part, std::size_t place);
   void nameUnused(std::span<const double> numbers);
-  bool sayPose(const DevicePlan& plan, std::span<const double> numbers);
-  void sayJoints(const DevicePlan& plan, std::span<const double> numbers);
+  bool sayPose(const DevicePlan& plan, std::span<const double> row);
+  void sayJoints(const DevicePlan& plan, std::span<const double> row);
 
-  std::string topic_, first_words_, text_;
+  std::string topic_, source_;
+  PacketTextWriter packet_;
+  std::vector<std::string_view> said_names_;
+  std::vector<double> said_numbers_;
   const ros::DeviceFinder* devices_ = nullptr;
   const ros::DeviceFinder nobody_{nullptr, {}};
   std::vector<std::string> names_;
   std::vector<DevicePlan> plans_;
   std::vector<Unused> unused_;
-  std::set<std::string> said_;  ///< the joints of the plans
+  std::set<std::pair<std::string, std::string>> said_;  ///< devices and joints of the plans
   std::string kind_;
   std::set<std::string, std::less<>> named_;  ///< in the account
   Account account_;

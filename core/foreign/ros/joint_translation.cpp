@@ -5,8 +5,6 @@
 #include "core/foreign/ros/names.h"
 #include "core/foreign/ros/topic_translation.h"
 #include "core/packet/packet_limits.h"
-#include "core/packet/packet_text.h"
-#include "core/packet/text_number.h"
 
 namespace rocinante::ros {
 namespace {
@@ -16,9 +14,8 @@ using Outcome = RosTranslator::Outcome;
 /// The joints of one device in a message: `joint DEVICE NAME=q ...`.
 struct DevicePlan {
   std::string device;
-  std::string first_words;                   ///< "joint DEVICE"
-  std::vector<std::size_t> places;           ///< in the message
-  std::vector<std::string> names, prefixes;  ///< "arm_1", " arm_1="
+  std::vector<std::size_t> places;  ///< in the message
+  std::vector<std::string> names;
 };
 
 /// sensor_msgs/JointState. Senders repeat the same names in every message, so the bytes of the last
@@ -50,7 +47,7 @@ class JointTranslation final : public TopicTranslation {
     begin(header.stamp_ns);
     say(header.stamp_ns);
     if (packet_.statements.empty()) return Outcome::nothing;
-    out = {text_, &packet_};
+    out = {packet_text_.text(), &packet_};
     return Outcome::packet;
   }
 
@@ -90,7 +87,7 @@ class JointTranslation final : public TopicTranslation {
     for (std::size_t i = 0; i < homes.size(); ++i) {
       const DeviceFinder::JointHome& home = homes[i];
       if (home.fate == DeviceFinder::Fate::said && isName(home.name) && isName(home.device)) {
-        add(home, i);
+        addToPlan(home, i);
       } else if (home.fate == DeviceFinder::Fate::ambiguous) {
         leaveOut("joint states with joints of several devices; name the device in the topic");
       } else if (home.fate == DeviceFinder::Fate::passive) {
@@ -101,7 +98,7 @@ class JointTranslation final : public TopicTranslation {
     }
   }
 
-  void add(const DeviceFinder::JointHome& home, std::size_t place) {
+  void addToPlan(const DeviceFinder::JointHome& home, std::size_t place) {
     DevicePlan* plan = nullptr;
     for (DevicePlan& each : plans_) {
       if (each.device == home.device && each.names.size() < limits::kJointValues) plan = &each;
@@ -109,11 +106,9 @@ class JointTranslation final : public TopicTranslation {
     if (plan == nullptr) {
       plan = &plans_.emplace_back();
       plan->device = home.device;
-      plan->first_words = "joint " + encodeName(home.device);
     }
     plan->places.push_back(place);
     plan->names.push_back(home.name);
-    plan->prefixes.push_back(" " + encodeName(home.name) + "=");
   }
 
   void leaveOut(std::string sentence) {
@@ -131,31 +126,24 @@ class JointTranslation final : public TopicTranslation {
     bool all_finite = true;
     for (const DevicePlan& plan : plans_) {
       const std::size_t first = numbers_.size();
-      const std::size_t text_before = text_.size();
-      text_ += plan.first_words;
       for (std::size_t i = 0; i < plan.places.size(); ++i) {
         const double value = positions_[plan.places[i]];
         if (!std::isfinite(value)) {
           all_finite = false;
           continue;
         }
-        text_ += plan.prefixes[i];
-        appendNumber(text_, value);
         numbers_.push_back(value + 0.0);  // -0 to 0, as it is written
         said_names_.push_back(plan.names[i]);
       }
       const std::size_t count = numbers_.size() - first;
-      if (count == 0) {
-        text_.resize(text_before);
-        continue;
-      }
-      text_ += '\n';
+      if (count == 0) continue;
       Statement& statement = statements_.emplace_back();
       statement.kind = StatementKind::joint;
       statement.line = static_cast<std::uint32_t>(statements_.size() + 1);
       statement.name = plan.device;
       statement.numbers = std::span(numbers_).subspan(first, count);
       statement.names = std::span(said_names_).subspan(first, count);
+      add(statement);
     }
     if (!all_finite) note("joint states with values that are not finite");
     packet_ = {};
@@ -164,7 +152,6 @@ class JointTranslation final : public TopicTranslation {
     packet_.statements = statements_;
   }
 
-  std::string source_ = sourceOf(topic_);
   Bytes name_bytes_;          ///< of the last message, with their count
   std::size_t names_at_ = 0;  ///< where they began: it decides their padding
   std::size_t names_ = 0;

@@ -3,8 +3,6 @@
 #include "core/base/plain_text.h"
 #include "core/foreign/ros/names.h"
 #include "core/packet/packet_limits.h"
-#include "core/packet/packet_text.h"
-#include "core/packet/text_number.h"
 
 namespace rocinante::ros {
 namespace {
@@ -157,24 +155,13 @@ class LogTranslation final : public TopicTranslation {
 
 TopicTranslation::TopicTranslation(std::string_view topic, const DeviceFinder& devices,
                                    FrameTree& frames)
-    : topic_(topic), devices_(devices), frames_(frames) {
-  first_words_ = "RK1 " + encodeName(sourceOf(topic)) + " - ";
-}
+    : topic_(topic), devices_(devices), frames_(frames), source_(sourceOf(topic)) {}
 
 void TopicTranslation::begin(std::int64_t stamp_ns) {
-  text_ = first_words_;
-  if (stamp_ns > 0) {
-    appendSeconds(text_, stamp_ns);
-  } else {
-    text_ += '-';
-  }
-  text_ += '\n';
-  header_bytes_ = text_.size();
-}
-
-void TopicTranslation::add(const Statement& statement) {
-  text_ += statementText(statement);
-  text_ += '\n';
+  PacketHeader header;
+  header.source = source_;
+  if (stamp_ns > 0) header.time_ns = stamp_ns;
+  packet_text_.begin(header);
 }
 
 void TopicTranslation::addPose(std::string_view device, const FrameTree::Place& place) {
@@ -191,8 +178,8 @@ void TopicTranslation::addPose(std::string_view device, const FrameTree::Place& 
 }
 
 Outcome TopicTranslation::end(Translated& out) {
-  if (text_.size() == header_bytes_) return Outcome::nothing;
-  out = {text_, nullptr};
+  if (!packet_text_.hasStatements()) return Outcome::nothing;
+  out = {packet_text_.text(), nullptr};
   return Outcome::packet;
 }
 

@@ -8,7 +8,7 @@
 #include "core/foreign/ros/frame_tree.h"
 #include "core/foreign/ros/ros_message.h"
 #include "core/foreign/ros/ros_translator.h"
-#include "core/packet/packet.h"
+#include "core/packet/packet_text.h"
 
 namespace rocinante::ros {
 
@@ -29,7 +29,7 @@ class TopicTranslation {
  protected:
   /// Begins a packet with its header line; TIME is `-` when the stamp is 0 or before 1970.
   void begin(std::int64_t stamp_ns);
-  void add(const Statement& statement);
+  void add(const Statement& statement) { packet_text_.add(statement); }
   void addPose(std::string_view device, const FrameTree::Place& place);
   /// Ends the packet: nothing when it has no statement.
   RosTranslator::Outcome end(Translated& out);
@@ -40,11 +40,10 @@ class TopicTranslation {
   std::string topic_;
   const DeviceFinder& devices_;
   FrameTree& frames_;
-  std::string text_;
+  std::string source_;
+  PacketTextWriter packet_text_;
 
  private:
-  std::string first_words_;  ///< "RK1 SOURCE - "
-  std::size_t header_bytes_ = 0;
   TranslationNotes notes_;
 };
 

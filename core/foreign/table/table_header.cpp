@@ -83,9 +83,7 @@ std::optional<TableHeader> headerWith(std::string_view line, char separator) {
   header.separator = separator;
   for (const CsvField& field : fields) {
     std::string& name = header.names.emplace_back(field.unescaped());
-    const bool is_plain = std::ranges::none_of(
-        name, [](char byte) { return static_cast<unsigned char>(byte) < 0x20 || byte == 0x7F; });
-    if (!is_plain) return std::nullopt;
+    if (std::ranges::any_of(name, isControl)) return std::nullopt;
     if (!name.empty() && !(header.names.size() == 1 && name.starts_with("Unnamed:"))) continue;
     // A table with several is another's layout, not an index.
     if (header.names.size() > 1) return std::nullopt;

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "core/packet/text_name.h"
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 
