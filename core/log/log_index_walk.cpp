@@ -31,478 +31,369 @@ constexpr std::uint64_t kMostAwaitedBytes = mcap::kMaxChunkBytes;
 /// Of the file, between two calls of releasePages().
 constexpr std::uint64_t kWalkBeforeRelease = std::uint64_t{64} << 20U;
 
-/// Where a walk is in its file, and what it carries from one record to the next.
-struct WalkPlace {
-  std::uint64_t position = mcap::magic().size();
-  mcap::ExpansionBudget budget{0};
-  bool chunks_seen = false;
-  std::optional<MessageSpan> loose;  ///< the open run of loose messages
-  std::optional<MessageSpan> chunk;  ///< the chunk whose indexes are being read
-  std::vector<mcap::IndexEntries> indexes;
-};
-
-/// Walks over one file. Every step either adds a record to the index or reports why it cannot.
-class Walk {
- public:
-  /// From `place` on. `mapped`: whose bytes these are, if anybody's.
-  Walk(ByteView file, const MappedFile* mapped, WalkPlace place, LogIndex& index)
-      : file_(file),
-        mapped_(mapped),
-        decoder_(file),
-        probe_(file),
-        at_(std::move(place)),
-        released_(at_.position),
-        index_(index) {}
-
-  /// Takes the records that are complete, up to the first of which that is not known: of a chunk
-  /// that is still open, or that nothing follows yet, or of damage.
-  void runSettled() {
-    while (at_.position < file_.size() && settledAt(at_.position) && takeRecord()) releasePages();
-  }
-  const WalkPlace& place() const { return at_; }
-
-  /// Takes the rest. While the file is `being_written`, a record that is there in part is not
-  /// there yet.
-  void run(bool being_written) {
-    const std::size_t damages = index_.damage.size();
-    while (at_.position < file_.size() && !index_.closed) {
-      if (being_written && cutAt(at_.position)) break;
-      if (!takeRecord()) skipDamage();
-      releasePages();
-    }
-    if (being_written) at_.indexes.clear();  // the others may be still to come
-    endChunk(false);
-    endLooseRun();
-    if (!index_.closed && !index_.ended) {
-      damaged(file_.size(), file_.size(), "the file ends without a summary: it was never closed",
-              std::nullopt);
-    }
-    // What is not written yet is not lost.
-    while (being_written && !index_.closed && index_.damage.size() > damages &&
-           index_.damage.back().to == file_.size()) {
-      index_.damage.pop_back();
-    }
-  }
-
- private:
-  void damaged(std::uint64_t from, std::uint64_t to, std::string cause,
-               std::optional<std::uint64_t> lost) {
-    addDamage(index_, {from, to, std::move(cause), lost});
-  }
-
-  /// Reports the bytes behind the end of the closed file.
-  void takeTrailing(std::uint64_t end) {
-    if (end < file_.size()) damaged(end, file_.size(), trailingText(file_, end), std::nullopt);
-  }
-
-  /// Whether the record there is complete, and stays as it is. The end of the log is left to run().
-  bool settledAt(std::uint64_t position) const {
-    const std::optional<mcap::Record> record = mcap::recordAt(file_, position);
-    if (!record || record->opcode == Opcode::data_end) return false;
-    if (record->opcode != Opcode::chunk) return true;
-    const std::optional<ChunkHead> head = chunkHeadAt(file_, position);
-    return head && !head->open() && mcap::recordAt(file_, record->end());
-  }
-
-  /// Whether the end of the file cuts the record there. An open chunk is read as far as it goes.
-  bool cutAt(std::uint64_t position) const {
-    if (mcap::recordAt(file_, position)) return false;
-    if (const auto head = chunkHeadAt(file_, position); head && head->open()) return false;
-    mcap::ByteCursor cursor(file_.subspan(static_cast<std::size_t>(position)));
-    if (cursor.number<std::uint8_t>() == 0) return false;
-    const auto length = cursor.number<std::uint64_t>();
-    return !cursor.ok() || length <= kMostAwaitedBytes || length == mcap::kOpenEnded;
-  }
-
-  void releasePages() {
-    if (mapped_ == nullptr || at_.position - released_ < kWalkBeforeRelease) return;
-    mapped_->releasePages();
-    released_ = at_.position;
-  }
-
-  /// Takes the record at the position and moves behind it. False when there is none.
-  bool takeRecord() {
-    const std::optional<mcap::Record> record = mcap::recordAt(file_, at_.position);
-    if (!record) return takeTornChunk();
-    if (record->opcode != Opcode::message_index) endChunk(record->opcode <= Opcode::data_end);
-    switch (record->opcode) {
-      case Opcode::header:
-        return takeSimple(*record, index_.header);
-      case Opcode::schema:
-        return takeSchema(*record);
-      case Opcode::channel:
-        return takeChannel(*record);
-      case Opcode::message:
-        return takeMessage(*record);
-      case Opcode::chunk:
-        return takeChunk(*record);
-      case Opcode::message_index:
-        return takeMessageIndex(*record);
-      case Opcode::attachment:
-        return takeAttachment(*record);
-      case Opcode::metadata:
-        return takeMetadata(*record);
-      case Opcode::data_end:
-        return takeDataEnd(*record);
-      case Opcode::invalid:
-      case Opcode::footer:
-      case Opcode::chunk_index:
-      case Opcode::attachment_index:
-      case Opcode::statistics:
-      case Opcode::metadata_index:
-      case Opcode::summary_offset:
-        return false;  // not in the data section
-    }
-    at_.position = record->end();  // a private or later opcode
-    return true;
-  }
-
-  template <class T>
-  bool takeSimple(const mcap::Record& record, T& out) {
-    const std::optional<std::size_t> used = mcap::parse(record.content, out);
-    if (!used) return false;
-    moveBehind(record, *used);
-    return true;
-  }
-
-  /// Unknown fields may follow the known ones. Whole records may not: then the length is wrong, and
-  /// trusting it would skip them.
-  void moveBehind(const mcap::Record& record, std::size_t used) {
-    at_.position = record.end();
-    const std::uint64_t known_end = record.offset + mcap::kPrefixBytes + used;
-    if (known_end == at_.position || !probe_.plausibleAt(known_end)) return;
-    damaged(record.offset, known_end, "a record's length reaches over the records after it",
-            std::uint64_t{0});
-    at_.position = known_end;
-  }
-
-  bool takeSchema(const mcap::Record& record) {
-    mcap::Schema schema;
-    if (!takeSimple(record, schema)) return false;
-    addSchema(index_, std::move(schema));
-    return true;
-  }
-
-  bool takeChannel(const mcap::Record& record) {
-    mcap::Channel channel;
-    if (!takeSimple(record, channel)) return false;
-    define(channel, record.offset, record.end());
-    return true;
-  }
-
-  void define(const mcap::Channel& channel, std::uint64_t from, std::uint64_t to) {
-    if (addChannel(index_, channel)) return;
-    damaged(from, to, fmt::format("channel {} is defined again as another", channel.id),
-            std::nullopt);
-  }
-
-  bool takeMessage(const mcap::Record& record) {
-    mcap::Message message;
-    if (!mcap::parse(record.content, message)) return false;
-    // Our recorders write none: it is another record with a broken opcode.
-    if (index_.header.profile == profile::kName) return false;
-    at_.position = record.end();
-    if (!at_.loose && at_.chunks_seen) {
-      damaged(record.offset, record.end(),
-              "messages lie outside the chunks, where no checksum covers them", std::uint64_t{0});
-    }
-    if (at_.loose && record.end() - at_.loose->offset > kLooseRunBytes) endLooseRun();
-    const LogTime time = logTimeOf(message.log_time);
-    if (!at_.loose) {
-      at_.loose.emplace();
-      at_.loose->loose = true;
-      at_.loose->offset = record.offset;
-      at_.loose->start_time = at_.loose->end_time = time;
-    }
-    at_.loose->end = record.end();
-    at_.loose->start_time = std::min(at_.loose->start_time, time);
-    at_.loose->end_time = std::max(at_.loose->end_time, time);
-    ++index_.message_counts[message.channel_id];
-    return true;
-  }
-
-  void endLooseRun() {
-    if (!at_.loose) return;
-    index_.spans.push_back(std::move(*at_.loose));
-    at_.loose.reset();
-  }
-
-  bool takeChunk(const mcap::Record& record) {
-    endLooseRun();
-    mcap::Chunk chunk;
-    const std::optional<std::size_t> used = mcap::parse(record.content, chunk);
-    if (!used || !knownCompression(chunk.compression) ||
-        chunkHeadAt(file_, record.offset)->open()) {
-      return takeTornChunk();
-    }
-    moveBehind(record, *used);
-    startChunk(chunk, record.offset, record.offset + mcap::kPrefixBytes + *used);
-    return true;
-  }
-
-  MessageSpan& startChunk(const mcap::Chunk& chunk, std::uint64_t offset, std::uint64_t end) {
-    at_.chunks_seen = true;
-    at_.chunk.emplace();
-    at_.chunk->offset = offset;
-    at_.chunk->end = at_.chunk->index_end = end;
-    at_.chunk->chunk = chunk;
-    at_.chunk->chunk.compression = compressionName(chunk.compression);
-    at_.chunk->start_time = logTimeOf(chunk.message_start_time);
-    at_.chunk->end_time = logTimeOf(chunk.message_end_time);
-    at_.indexes.clear();
-    return *at_.chunk;
-  }
-
-  bool takeMessageIndex(const mcap::Record& record) {
-    const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record.content);
-    if (!index) return false;
-    moveBehind(record, mcap::IndexEntries::kHeadBytes + index->entries.size());
-    if (!at_.chunk) {
-      damaged(record.offset, record.end(), "a message index does not follow a chunk",
-              index->size());
-      return true;
-    }
-    at_.chunk->index_end = at_.position;
-    if (index->size() > 0) at_.indexes.push_back(*index);
-    return true;
-  }
-
-  /// Uses the chunk's indexes without expanding it if they match its header, name known channels
-  /// only, and a sound record follows (`followed`), so that none is missing; otherwise expands it.
-  void endChunk(bool followed) {
-    if (!at_.chunk) return;
-    MessageSpan span = std::move(*at_.chunk);
-    at_.chunk.reset();
-    if (!span.cut) span.over_budget = !at_.budget.take(span.chunk);
-    bool trusted = followed && !span.cut && indexesSpan(at_.indexes, span.chunk);
-    for (const mcap::IndexEntries& index : at_.indexes) {
-      trusted = trusted && index_.channels.contains(index.channel);
-    }
-    if (!trusted) return expandChunk(std::move(span));
-    std::uint64_t messages = 0;
-    for (const mcap::IndexEntries& index : at_.indexes) {
-      index_.message_counts[index.channel] += index.size();
-      messages += index.size();
-    }
-    span.indexed_messages = messages;
-    addSpan(std::move(span), at_.indexes, &mcap::IndexEntries::channel);
-  }
-
-  template <class Range, class Channel>
-  void addSpan(MessageSpan span, const Range& range, Channel channel) {
-    for (const auto& each : range) span.channels.push_back(std::invoke(channel, each));
-    std::ranges::sort(span.channels);
-    span.channels.erase(std::unique(span.channels.begin(), span.channels.end()),
-                        span.channels.end());
-    index_.spans.push_back(std::move(span));
-  }
-
-  void expandChunk(MessageSpan span) {
-    decoder_.decode(span, scratch_);
-    // A channel defined twice is reported when the chunk is read.
-    for (const ByteView content : scratch_.channels) {
-      mcap::Channel channel;
-      if (mcap::parse(content, channel)) addChannel(index_, channel);
-    }
-    for (const ByteView content : scratch_.schemas) {
-      mcap::Schema schema;
-      if (mcap::parse(content, schema)) addSchema(index_, std::move(schema));
-    }
-    const std::vector<SpanMessages::Place>& places = scratch_.places;
-    // The reader would report the same faults again.
-    if (places.empty()) {
-      std::ranges::copy(scratch_.damage, std::back_inserter(index_.damage));
-      return;
-    }
-    const LogTime start{Nanoseconds(places.front().time_ns)};
-    const LogTime end{Nanoseconds(places.back().time_ns)};
-    // Its contents are known now, and bounded for each chunk.
-    if (span.cut) {
-      span.chunk.uncompressed_size = scratch_.records.size();
-      span.over_budget = !at_.budget.take(span.chunk);
-    }
-    if (!span.cut && (start != span.start_time || end != span.end_time)) {
-      damaged(span.offset, span.offset + kChunkHeadBytes,
-              "the times in the header of a chunk are not those of its messages", std::uint64_t{0});
-    }
-    span.start_time = start;
-    span.end_time = end;
-    std::map<ChannelId, std::uint64_t> counts;
-    for (const SpanMessages::Place& place : places) ++counts[place.channel];
-    std::map<ChannelId, std::uint64_t> indexed;
-    for (const mcap::IndexEntries& index : at_.indexes) indexed[index.channel] += index.size();
-    if (!indexed.empty() && counts != indexed) {
-      damaged(span.offset, span.end, "the message indexes after a chunk do not match its messages",
-              std::uint64_t{0});
-      span.index_end = span.end;
-    }
-    for (const auto& [channel, count] : counts) index_.message_counts[channel] += count;
-    addSpan(std::move(span), counts, [](const auto& each) { return each.first; });
-  }
-
-  bool takeTornChunk() {
-    std::optional<TornChunk> torn = tornChunkAt(file_, at_.position, probe_);
-    if (!torn) return false;
-    endChunk(false);
-    endLooseRun();
-    damaged(at_.position, torn->end, std::move(torn->cause), torn->messages_lost);
-    startChunk(torn->chunk, at_.position, torn->end).cut = torn->cut;
-    at_.position = torn->end;
-    return true;
-  }
-
-  bool takeAttachment(const mcap::Record& record) {
-    mcap::Attachment attachment;
-    return takeSimple(record, attachment) && addAttachment(record, index_);
-  }
-
-  bool takeMetadata(const mcap::Record& record) {
-    mcap::Metadata metadata;
-    return takeSimple(record, metadata) && addMetadata(record, index_);
-  }
-
-  /// The rest is the summary, which is not needed here; but channels without messages are only
-  /// there, so it is searched for them as far as it is sound.
-  bool takeDataEnd(const mcap::Record& record) {
-    mcap::DataEnd data_end;
-    if (!mcap::parse(record.content, data_end)) return false;
-    at_.position = record.end();
-    index_.ended = true;
-    endLooseRun();
-    std::optional<mcap::Statistics> told;
-    mcap::RecordStepper steps(file_, at_.position);
-    while (const std::optional<mcap::Record> next = steps.next()) {
-      mcap::Channel channel;
-      if (next->opcode == Opcode::channel && mcap::parse(next->content, channel)) {
-        addChannel(index_, channel);
-      }
-      mcap::Schema schema;
-      if (next->opcode == Opcode::schema && mcap::parse(next->content, schema)) {
-        addSchema(index_, std::move(schema));
-      }
-      if (next->opcode == Opcode::statistics) mcap::parse(next->content, told.emplace());
-      if (next->opcode != Opcode::footer) continue;
-      if (told && isSound(*next, record.end())) compareCounts(*told, record.offset);
-      index_.closed =
-          next->content.size() == mcap::kFooterContentBytes && magicAt(file_, steps.position());
-      break;
-    }
-    if (index_.closed) takeTrailing(steps.position() + mcap::magic().size());
-    if (!index_.closed) {
-      damaged(record.end(), file_.size(), "the file ends inside its summary", std::uint64_t{0});
-    }
-    at_.position = file_.size();
-    return true;
-  }
-
-  /// The summary's checksum holds from `start`, wherever its footer says that it begins.
-  bool isSound(const mcap::Record& footer_record, std::uint64_t start) const {
-    mcap::Footer footer;
-    if (!mcap::parse(footer_record.content, footer) || footer.summary_crc == 0) return false;
-    const std::uint64_t end = footer_record.end() - sizeof(footer.summary_crc);
-    return crc32(file_.subspan(static_cast<std::size_t>(start),
-                               static_cast<std::size_t>(end - start))) == footer.summary_crc;
-  }
-
-  /// Where a piece of the file is missing from one record's end to another's, nothing looks broken.
-  void compareCounts(const mcap::Statistics& told, std::uint64_t data_end) {
-    std::uint64_t found = 0;
-    for (const auto& [channel, count] : index_.message_counts) found += count;
-    const bool is_known = std::ranges::any_of(index_.damage, [](const DamageSpan& each) {
-      return each.messages_lost != std::uint64_t{0};
-    });
-    if (is_known || found >= told.message_count) return;
-    damaged(mcap::magic().size(), data_end,
-            fmt::format("the statistics count {}, but {} are there: a piece of the file is missing",
-                        countText(told.message_count, "message"), found),
-            told.message_count - found);
-  }
-
-  /// Resumes at the next byte that begins a credible record.
-  void skipDamage() {
-    const std::uint64_t from = at_.position;
-    endChunk(false);
-    endLooseRun();
-    const std::uint64_t next = at_.position = probe_.resumeBehind(from);
-    const bool to_end = next == file_.size();
-    damaged(from, next,
-            to_end ? "the file ends inside a record"
-                   : "bytes that are not a record; reading resumed at the next one",
-            std::nullopt);
-  }
-
-  ByteView file_;
-  const MappedFile* mapped_;
-  SpanDecoder decoder_;
-  RecordProbe probe_;
-  WalkPlace at_;
-  std::uint64_t released_;  ///< the position at the last releasePages()
-  LogIndex& index_;
-  SpanMessages scratch_;
-};
-
 }  // namespace
+
+void IndexWalk::runSettled() {
+  while (at_.position < file_.size() && settledAt(at_.position) && takeRecord()) releasePages();
+}
+
+void IndexWalk::run(bool being_written) {
+  const std::size_t damages = index_.damage.size();
+  while (at_.position < file_.size() && !index_.closed) {
+    if (being_written && cutAt(at_.position)) break;
+    if (!takeRecord()) skipDamage();
+    releasePages();
+  }
+  if (being_written) at_.indexes.clear();  // the others may be still to come
+  endChunk(false);
+  endLooseRun();
+  if (!index_.closed && !index_.ended) {
+    damaged(file_.size(), file_.size(), "the file ends without a summary: it was never closed",
+            std::nullopt);
+  }
+  // What is not written yet is not lost.
+  while (being_written && !index_.closed && index_.damage.size() > damages &&
+         index_.damage.back().to == file_.size()) {
+    index_.damage.pop_back();
+  }
+}
+
+void IndexWalk::damaged(std::uint64_t from, std::uint64_t to, std::string cause,
+                        std::optional<std::uint64_t> lost) {
+  addDamage(index_, {from, to, std::move(cause), lost});
+}
+
+void IndexWalk::takeTrailing(std::uint64_t end) {
+  if (end < file_.size()) damaged(end, file_.size(), trailingText(file_, end), std::nullopt);
+}
+
+bool IndexWalk::settledAt(std::uint64_t position) const {
+  const std::optional<mcap::Record> record = mcap::recordAt(file_, position);
+  if (!record || record->opcode == Opcode::data_end) return false;
+  if (record->opcode != Opcode::chunk) return true;
+  const std::optional<ChunkHead> head = chunkHeadAt(file_, position);
+  return head && !head->open() && mcap::recordAt(file_, record->end());
+}
+
+bool IndexWalk::cutAt(std::uint64_t position) const {
+  if (mcap::recordAt(file_, position)) return false;
+  if (const auto head = chunkHeadAt(file_, position); head && head->open()) return false;
+  mcap::ByteCursor cursor(file_.subspan(static_cast<std::size_t>(position)));
+  if (cursor.number<std::uint8_t>() == 0) return false;
+  const auto length = cursor.number<std::uint64_t>();
+  return !cursor.ok() || length <= kMostAwaitedBytes || length == mcap::kOpenEnded;
+}
+
+void IndexWalk::releasePages() {
+  if (mapped_ == nullptr || at_.position - released_ < kWalkBeforeRelease) return;
+  mapped_->releasePages();
+  released_ = at_.position;
+}
+
+bool IndexWalk::takeRecord() {
+  const std::optional<mcap::Record> record = mcap::recordAt(file_, at_.position);
+  if (!record) return takeTornChunk();
+  if (record->opcode != Opcode::message_index) endChunk(record->opcode <= Opcode::data_end);
+  switch (record->opcode) {
+    case Opcode::header:
+      return takeSimple(*record, index_.header);
+    case Opcode::schema:
+      return takeSchema(*record);
+    case Opcode::channel:
+      return takeChannel(*record);
+    case Opcode::message:
+      return takeMessage(*record);
+    case Opcode::chunk:
+      return takeChunk(*record);
+    case Opcode::message_index:
+      return takeMessageIndex(*record);
+    case Opcode::attachment:
+      return takeAttachment(*record);
+    case Opcode::metadata:
+      return takeMetadata(*record);
+    case Opcode::data_end:
+      return takeDataEnd(*record);
+    case Opcode::invalid:
+    case Opcode::footer:
+    case Opcode::chunk_index:
+    case Opcode::attachment_index:
+    case Opcode::statistics:
+    case Opcode::metadata_index:
+    case Opcode::summary_offset:
+      return false;  // not in the data section
+  }
+  at_.position = record->end();  // a private or later opcode
+  return true;
+}
+
+template <class T>
+bool IndexWalk::takeSimple(const mcap::Record& record, T& out) {
+  const std::optional<std::size_t> used = mcap::parse(record.content, out);
+  if (!used) return false;
+  moveBehind(record, *used);
+  return true;
+}
+
+void IndexWalk::moveBehind(const mcap::Record& record, std::size_t used) {
+  at_.position = record.end();
+  const std::uint64_t known_end = record.offset + mcap::kPrefixBytes + used;
+  if (known_end == at_.position || !probe_.plausibleAt(known_end)) return;
+  damaged(record.offset, known_end, "a record's length reaches over the records after it",
+          std::uint64_t{0});
+  at_.position = known_end;
+}
+
+bool IndexWalk::takeSchema(const mcap::Record& record) {
+  mcap::Schema schema;
+  if (!takeSimple(record, schema)) return false;
+  addSchema(index_, std::move(schema));
+  return true;
+}
+
+bool IndexWalk::takeChannel(const mcap::Record& record) {
+  mcap::Channel channel;
+  if (!takeSimple(record, channel)) return false;
+  define(channel, record.offset, record.end());
+  return true;
+}
+
+void IndexWalk::define(const mcap::Channel& channel, std::uint64_t from, std::uint64_t to) {
+  if (addChannel(index_, channel)) return;
+  damaged(from, to, fmt::format("channel {} is defined again as another", channel.id),
+          std::nullopt);
+}
+
+bool IndexWalk::takeMessage(const mcap::Record& record) {
+  mcap::Message message;
+  if (!mcap::parse(record.content, message)) return false;
+  // Our recorders write none: it is another record with a broken opcode.
+  if (index_.header.profile == profile::kName) return false;
+  at_.position = record.end();
+  if (!at_.loose && at_.chunks_seen) {
+    damaged(record.offset, record.end(),
+            "messages lie outside the chunks, where no checksum covers them", std::uint64_t{0});
+  }
+  if (at_.loose && record.end() - at_.loose->offset > kLooseRunBytes) endLooseRun();
+  const LogTime time = logTimeOf(message.log_time);
+  if (!at_.loose) {
+    at_.loose.emplace();
+    at_.loose->loose = true;
+    at_.loose->offset = record.offset;
+    at_.loose->start_time = at_.loose->end_time = time;
+  }
+  at_.loose->end = record.end();
+  at_.loose->start_time = std::min(at_.loose->start_time, time);
+  at_.loose->end_time = std::max(at_.loose->end_time, time);
+  ++index_.message_counts[message.channel_id];
+  return true;
+}
+
+void IndexWalk::endLooseRun() {
+  if (!at_.loose) return;
+  index_.spans.push_back(std::move(*at_.loose));
+  at_.loose.reset();
+}
+
+bool IndexWalk::takeChunk(const mcap::Record& record) {
+  endLooseRun();
+  mcap::Chunk chunk;
+  const std::optional<std::size_t> used = mcap::parse(record.content, chunk);
+  if (!used || !knownCompression(chunk.compression) || chunkHeadAt(file_, record.offset)->open()) {
+    return takeTornChunk();
+  }
+  moveBehind(record, *used);
+  startChunk(chunk, record.offset, record.offset + mcap::kPrefixBytes + *used);
+  return true;
+}
+
+MessageSpan& IndexWalk::startChunk(const mcap::Chunk& chunk, std::uint64_t offset,
+                                   std::uint64_t end) {
+  at_.chunks_seen = true;
+  at_.chunk.emplace();
+  at_.chunk->offset = offset;
+  at_.chunk->end = at_.chunk->index_end = end;
+  at_.chunk->chunk = chunk;
+  at_.chunk->chunk.compression = compressionName(chunk.compression);
+  at_.chunk->start_time = logTimeOf(chunk.message_start_time);
+  at_.chunk->end_time = logTimeOf(chunk.message_end_time);
+  at_.indexes.clear();
+  return *at_.chunk;
+}
+
+bool IndexWalk::takeMessageIndex(const mcap::Record& record) {
+  const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record.content);
+  if (!index) return false;
+  moveBehind(record, mcap::IndexEntries::kHeadBytes + index->entries.size());
+  if (!at_.chunk) {
+    damaged(record.offset, record.end(), "a message index does not follow a chunk", index->size());
+    return true;
+  }
+  at_.chunk->index_end = at_.position;
+  if (index->size() > 0) at_.indexes.push_back(*index);
+  return true;
+}
+
+void IndexWalk::endChunk(bool followed) {
+  if (!at_.chunk) return;
+  MessageSpan span = std::move(*at_.chunk);
+  at_.chunk.reset();
+  if (!span.cut) span.over_budget = !at_.budget.take(span.chunk);
+  bool trusted = followed && !span.cut && indexesSpan(at_.indexes, span.chunk);
+  for (const mcap::IndexEntries& index : at_.indexes) {
+    trusted = trusted && index_.channels.contains(index.channel);
+  }
+  if (!trusted) return expandChunk(std::move(span));
+  std::uint64_t messages = 0;
+  for (const mcap::IndexEntries& index : at_.indexes) {
+    index_.message_counts[index.channel] += index.size();
+    messages += index.size();
+  }
+  span.indexed_messages = messages;
+  addSpan(std::move(span), at_.indexes, &mcap::IndexEntries::channel);
+}
+
+template <class Range, class Channel>
+void IndexWalk::addSpan(MessageSpan span, const Range& range, Channel channel) {
+  for (const auto& each : range) span.channels.push_back(std::invoke(channel, each));
+  std::ranges::sort(span.channels);
+  span.channels.erase(std::unique(span.channels.begin(), span.channels.end()), span.channels.end());
+  index_.spans.push_back(std::move(span));
+}
+
+void IndexWalk::expandChunk(MessageSpan span) {
+  decoder_.decode(span, scratch_);
+  // A channel defined twice is reported when the chunk is read.
+  for (const ByteView content : scratch_.channels) {
+    mcap::Channel channel;
+    if (mcap::parse(content, channel)) addChannel(index_, channel);
+  }
+  for (const ByteView content : scratch_.schemas) {
+    mcap::Schema schema;
+    if (mcap::parse(content, schema)) addSchema(index_, std::move(schema));
+  }
+  const std::vector<SpanMessages::Place>& places = scratch_.places;
+  // The reader would report the same faults again.
+  if (places.empty()) {
+    std::ranges::copy(scratch_.damage, std::back_inserter(index_.damage));
+    return;
+  }
+  const LogTime start{Nanoseconds(places.front().time_ns)};
+  const LogTime end{Nanoseconds(places.back().time_ns)};
+  // Its contents are known now, and bounded for each chunk.
+  if (span.cut) {
+    span.chunk.uncompressed_size = scratch_.records.size();
+    span.over_budget = !at_.budget.take(span.chunk);
+  }
+  if (!span.cut && (start != span.start_time || end != span.end_time)) {
+    damaged(span.offset, span.offset + kChunkHeadBytes,
+            "the times in the header of a chunk are not those of its messages", std::uint64_t{0});
+  }
+  span.start_time = start;
+  span.end_time = end;
+  std::map<ChannelId, std::uint64_t> counts;
+  for (const SpanMessages::Place& place : places) ++counts[place.channel];
+  std::map<ChannelId, std::uint64_t> indexed;
+  for (const mcap::IndexEntries& index : at_.indexes) indexed[index.channel] += index.size();
+  if (!indexed.empty() && counts != indexed) {
+    damaged(span.offset, span.end, "the message indexes after a chunk do not match its messages",
+            std::uint64_t{0});
+    span.index_end = span.end;
+  }
+  for (const auto& [channel, count] : counts) index_.message_counts[channel] += count;
+  addSpan(std::move(span), counts, [](const auto& each) { return each.first; });
+}
+
+bool IndexWalk::takeTornChunk() {
+  std::optional<TornChunk> torn = tornChunkAt(file_, at_.position, probe_);
+  if (!torn) return false;
+  endChunk(false);
+  endLooseRun();
+  damaged(at_.position, torn->end, std::move(torn->cause), torn->messages_lost);
+  startChunk(torn->chunk, at_.position, torn->end).cut = torn->cut;
+  at_.position = torn->end;
+  return true;
+}
+
+bool IndexWalk::takeAttachment(const mcap::Record& record) {
+  mcap::Attachment attachment;
+  return takeSimple(record, attachment) && addAttachment(record, index_);
+}
+
+bool IndexWalk::takeMetadata(const mcap::Record& record) {
+  mcap::Metadata metadata;
+  return takeSimple(record, metadata) && addMetadata(record, index_);
+}
+
+bool IndexWalk::takeDataEnd(const mcap::Record& record) {
+  mcap::DataEnd data_end;
+  if (!mcap::parse(record.content, data_end)) return false;
+  at_.position = record.end();
+  index_.ended = true;
+  endLooseRun();
+  std::optional<mcap::Statistics> told;
+  mcap::RecordStepper steps(file_, at_.position);
+  while (const std::optional<mcap::Record> next = steps.next()) {
+    mcap::Channel channel;
+    if (next->opcode == Opcode::channel && mcap::parse(next->content, channel)) {
+      addChannel(index_, channel);
+    }
+    mcap::Schema schema;
+    if (next->opcode == Opcode::schema && mcap::parse(next->content, schema)) {
+      addSchema(index_, std::move(schema));
+    }
+    if (next->opcode == Opcode::statistics) mcap::parse(next->content, told.emplace());
+    if (next->opcode != Opcode::footer) continue;
+    if (told && isSound(*next, record.end())) compareCounts(*told, record.offset);
+    index_.closed =
+        next->content.size() == mcap::kFooterContentBytes && magicAt(file_, steps.position());
+    break;
+  }
+  if (index_.closed) takeTrailing(steps.position() + mcap::magic().size());
+  if (!index_.closed) {
+    damaged(record.end(), file_.size(), "the file ends inside its summary", std::uint64_t{0});
+  }
+  at_.position = file_.size();
+  return true;
+}
+
+bool IndexWalk::isSound(const mcap::Record& footer_record, std::uint64_t start) const {
+  mcap::Footer footer;
+  if (!mcap::parse(footer_record.content, footer) || footer.summary_crc == 0) return false;
+  const std::uint64_t end = footer_record.end() - sizeof(footer.summary_crc);
+  return crc32(file_.subspan(static_cast<std::size_t>(start),
+                             static_cast<std::size_t>(end - start))) == footer.summary_crc;
+}
+
+void IndexWalk::compareCounts(const mcap::Statistics& told, std::uint64_t data_end) {
+  std::uint64_t found = 0;
+  for (const auto& [channel, count] : index_.message_counts) found += count;
+  const bool is_known = std::ranges::any_of(
+      index_.damage, [](const DamageSpan& each) { return each.messages_lost != std::uint64_t{0}; });
+  if (is_known || found >= told.message_count) return;
+  damaged(mcap::magic().size(), data_end,
+          fmt::format("the statistics count {}, but {} are there: a piece of the file is missing",
+                      countText(told.message_count, "message"), found),
+          told.message_count - found);
+}
+
+void IndexWalk::skipDamage() {
+  const std::uint64_t from = at_.position;
+  endChunk(false);
+  endLooseRun();
+  const std::uint64_t next = at_.position = probe_.resumeBehind(from);
+  const bool to_end = next == file_.size();
+  damaged(from, next,
+          to_end ? "the file ends inside a record"
+                 : "bytes that are not a record; reading resumed at the next one",
+          std::nullopt);
+}
 
 LogIndex indexByWalking(ByteView file, const MappedFile* mapped) {
   LogIndex index;
   WalkPlace begin;
   begin.budget.grow(file.size());
-  Walk(file, mapped, std::move(begin), index).run(false);
+  IndexWalk(file, mapped, std::move(begin), index).run(false);
   return index;
 }
-
-struct GrowingIndex::Impl {
-  WalkPlace settled;             ///< behind the last record that stays as it is
-  std::uint64_t file_bytes = 0;  ///< of the longest file so far
-  // What the index held there.
-  IndexTables tables;
-  std::size_t spans = 0;
-  std::size_t attachments = 0;
-  std::size_t metadata = 0;
-  std::size_t damages = 0;
-  std::optional<DamageSpan> last_damage;  ///< a later one may lengthen it
-
-  void keep(const LogIndex& index) {
-    tables = index;
-    spans = index.spans.size();
-    attachments = index.attachments.size();
-    metadata = index.metadata.size();
-    damages = index.damage.size();
-    last_damage.reset();
-    if (damages > 0) last_damage = index.damage.back();
-  }
-  void restore(LogIndex& index) const {
-    static_cast<IndexTables&>(index) = tables;
-    index.spans.resize(spans);
-    index.attachments.resize(attachments);
-    index.attachment_offsets.resize(attachments);
-    index.metadata.resize(metadata);
-    index.damage.resize(damages);
-    if (last_damage) index.damage.back() = *last_damage;
-  }
-};
-
-GrowingIndex::GrowingIndex() : impl_(std::make_unique<Impl>()) {}
-GrowingIndex::~GrowingIndex() = default;
-GrowingIndex::GrowingIndex(GrowingIndex&&) noexcept = default;
-GrowingIndex& GrowingIndex::operator=(GrowingIndex&&) noexcept = default;
-
-void GrowingIndex::update(const MappedFile& file, bool being_written, LogIndex& index) {
-  const ByteView bytes = file.bytes();
-  if (bytes.size() > impl_->file_bytes) {
-    impl_->settled.budget.grow(bytes.size() - impl_->file_bytes);
-    impl_->file_bytes = bytes.size();
-  }
-  impl_->restore(index);
-  Walk walk(bytes, &file, impl_->settled, index);
-  walk.runSettled();
-  impl_->settled = walk.place();
-  impl_->keep(index);
-  walk.run(being_written);
-}
-
-std::size_t GrowingIndex::settledSpans() const { return impl_->spans; }
-
-std::uint64_t GrowingIndex::settledBytes() const { return impl_->settled.position; }
 
 }  // namespace rocinante

@@ -10,6 +10,7 @@
 #include "core/log/captured_range.h"
 #include "core/log/file_order.h"
 #include "core/log/foreign_file.h"
+#include "core/log/growing_index.h"
 #include "core/log/last_message.h"
 #include "core/log/log_end.h"
 #include "core/log/log_index_summary.h"
