@@ -92,20 +92,9 @@ void SessionCheck::judge(const Statement& statement, SourceJudge& source,
                          const PacketPlace& place) {
   source.takeStatement(statement, place);
   if (!statement.carrier.first.empty()) judgePath(statement.carrier, place);
-  switch (statement.kind) {
-    case StatementKind::show:
-    case StatementKind::hide:
-    case StatementKind::color:
-      return judgePath(statement.path, place);
-    case StatementKind::line:
-    case StatementKind::points:
-    case StatementKind::label:
-    case StatementKind::erase:
-    case StatementKind::event:
-    case StatementKind::view:
-      return;
-    default:
-      return judgeOfDevice(statement, source, place);
+  if (isOfPath(statement.kind)) return judgePath(statement.path, place);
+  if (isOfDevice(statement.kind) || statement.kind == StatementKind::seen) {
+    judgeOfDevice(statement, source, place);
   }
 }
 

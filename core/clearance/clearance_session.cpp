@@ -3,23 +3,6 @@
 #include "core/math/transform.h"
 
 namespace rocinante {
-namespace {
-
-/// Kinds that can change where something is.
-bool moves(StatementKind kind) {
-  switch (kind) {
-    case StatementKind::joints:
-    case StatementKind::joint:
-    case StatementKind::pose:
-    case StatementKind::add:
-    case StatementKind::remove:
-      return true;
-    default:
-      return false;
-  }
-}
-
-}  // namespace
 
 ClearanceSession::ClearanceSession(const Cell& cell) : cell_(cell), judge_(cell) {}
 
@@ -31,7 +14,7 @@ void ClearanceSession::take(LogTime time, const Packet& packet, const SessionSta
   if (packet.header.restated || packet.header.reset) return gatherAll(time, state);
   changes_.clear();
   for (const Statement& statement : packet.statements) {
-    if (!moves(statement.kind)) continue;
+    if (!movesDevice(statement.kind)) continue;
     const auto found = next_.device_by_name.find(statement.name);
     const DeviceState* const said = state.findDevice(statement.name);
     const bool is_there = found != next_.device_by_name.end() && said != nullptr;

@@ -24,29 +24,9 @@ bool isAboutDevice(const Statement& statement, std::span<const std::string> patt
   const auto named = [&](std::string_view name) {
     return !name.empty() && anyPatternMatches(patterns, name);
   };
-  switch (statement.kind) {
-    case StatementKind::joints:
-    case StatementKind::order:
-    case StatementKind::joint:
-    case StatementKind::pose:
-    case StatementKind::add:
-    case StatementKind::remove:
-    case StatementKind::seen:
-      return named(statement.name) || named(statement.carrier.first);
-    case StatementKind::show:
-    case StatementKind::hide:
-    case StatementKind::color:
-      return !statement.path.is_layer && named(statement.path.first);
-    case StatementKind::line:
-    case StatementKind::points:
-    case StatementKind::label:
-    case StatementKind::view:
-      return named(statement.carrier.first);
-    case StatementKind::erase:
-    case StatementKind::event:
-      return false;
-  }
-  return false;
+  if (isOfPath(statement.kind)) return !statement.path.is_layer && named(statement.path.first);
+  const bool is_of_device = isOfDevice(statement.kind) || statement.kind == StatementKind::seen;
+  return (is_of_device && named(statement.name)) || named(statement.carrier.first);
 }
 
 std::string statementText(const PresenceItem& item) {

@@ -55,6 +55,27 @@ enum class StatementKind : std::uint8_t {
   seen,    ///< device; seen_ns
 };
 
+/// The values of a device: where it is and how it stands.
+constexpr bool isDeviceValue(StatementKind kind) {
+  return kind == StatementKind::joints || kind == StatementKind::joint ||
+         kind == StatementKind::pose;
+}
+/// What can change where something is.
+constexpr bool movesDevice(StatementKind kind) {
+  return isDeviceValue(kind) || kind == StatementKind::add || kind == StatementKind::remove;
+}
+/// What a source states of the device that it names first.
+constexpr bool isOfDevice(StatementKind kind) {
+  return movesDevice(kind) || kind == StatementKind::order;
+}
+constexpr bool isOfPath(StatementKind kind) {
+  return kind == StatementKind::show || kind == StatementKind::hide || kind == StatementKind::color;
+}
+constexpr bool isDrawing(StatementKind kind) {
+  return kind == StatementKind::line || kind == StatementKind::points ||
+         kind == StatementKind::label;
+}
+
 /// Two names that address a thing: DEVICE, DEVICE/LINK, or layer/NAME (then `first` is "layer"
 /// and `is_layer` is true). Names are decoded, so a link's name may itself hold a slash.
 struct PathView {

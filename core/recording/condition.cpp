@@ -16,20 +16,6 @@ constexpr std::array<std::pair<std::string_view, Condition::Kind>, 4> kKinds{
      {"device", Condition::Kind::device},
      {"silence", Condition::Kind::silence}}};
 
-bool isOfDevice(StatementKind kind) {
-  switch (kind) {
-    case StatementKind::joints:
-    case StatementKind::order:
-    case StatementKind::joint:
-    case StatementKind::pose:
-    case StatementKind::add:
-    case StatementKind::remove:
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool meets(const Condition& condition, const Packet& packet) {
   switch (condition.kind) {
     case Condition::Kind::source:

@@ -140,17 +140,7 @@ void SeriesScan::take(const Packet& packet, LogTime time) {
 }
 
 void SeriesScan::takeStatement(const Statement& statement, std::string_view source, LogTime time) {
-  switch (statement.kind) {
-    case StatementKind::joints:
-    case StatementKind::joint:
-    case StatementKind::pose:
-    case StatementKind::order:
-    case StatementKind::add:
-    case StatementKind::remove:
-      break;
-    default:
-      return;
-  }
+  if (!isOfDevice(statement.kind)) return;
   Device& device = deviceNamed(statement.name);
   if (device.last_writer != source) {
     device.last_writer = source;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "core/base/atomic_file.h"
@@ -36,20 +37,9 @@ class Rows {
   bool isAbout(const Packet& packet) const {
     // A restatement may forget what it does not name.
     if (packet.header.restated) return true;
-    for (const Statement& statement : packet.statements) {
-      switch (statement.kind) {
-        case StatementKind::joints:
-        case StatementKind::joint:
-        case StatementKind::pose:
-        case StatementKind::add:
-        case StatementKind::remove:
-          if (devices_.contains(statement.name)) return true;
-          break;
-        default:
-          break;
-      }
-    }
-    return false;
+    return std::ranges::any_of(packet.statements, [this](const Statement& statement) {
+      return movesDevice(statement.kind) && devices_.contains(statement.name);
+    });
   }
 
   /// Adds a row, unless no value is stated.

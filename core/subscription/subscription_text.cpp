@@ -6,7 +6,6 @@
 #include <array>
 #include <utility>
 
-#include "core/packet/packet_limits.h"
 #include "core/packet/packet_text.h"
 #include "core/packet/text_lines.h"
 #include "core/packet/text_name.h"

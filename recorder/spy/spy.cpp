@@ -193,25 +193,10 @@ Spy::Device* Spy::deviceNamed(std::string_view name) {
 }
 
 void Spy::readPresence(const Statement& statement, const PacketPlace& place) {
-  std::string_view name = statement.name;
-  switch (statement.kind) {
-    case StatementKind::show:
-    case StatementKind::hide:
-    case StatementKind::color:
-      if (statement.path.is_layer) return;
-      name = statement.path.first;
-      break;
-    case StatementKind::line:
-    case StatementKind::points:
-    case StatementKind::label:
-    case StatementKind::erase:
-    case StatementKind::event:
-    case StatementKind::view:
-      return;
-    default:
-      break;
-  }
-  Device* const device = deviceNamed(name);
+  const bool is_of_path = isOfPath(statement.kind) && !statement.path.is_layer;
+  const bool is_of_device = isOfDevice(statement.kind) || statement.kind == StatementKind::seen;
+  if (!is_of_path && !is_of_device) return;
+  Device* const device = deviceNamed(is_of_path ? statement.path.first : statement.name);
   if (device == nullptr) return;
   if (statement.kind == StatementKind::add) return device->presence.add(place);
   if (statement.kind == StatementKind::remove) return device->presence.remove(place);
@@ -220,11 +205,8 @@ void Spy::readPresence(const Statement& statement, const PacketPlace& place) {
 
 void Spy::readStatement(const Statement& statement, std::string_view source,
                         const PacketPlace& place) {
+  if (!isDeviceValue(statement.kind)) return;
   const bool is_pose = statement.kind == StatementKind::pose;
-  if (!is_pose && statement.kind != StatementKind::joints &&
-      statement.kind != StatementKind::joint) {
-    return;
-  }
   Device* const device = deviceNamed(statement.name);
   if (device == nullptr) return;
   keepName(device->sources, source);

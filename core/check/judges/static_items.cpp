@@ -9,15 +9,6 @@ namespace {
 
 std::size_t hashOf(std::string_view text) { return std::hash<std::string_view>{}(text); }
 
-bool isOfPath(StatementKind kind) {
-  return kind == StatementKind::show || kind == StatementKind::hide || kind == StatementKind::color;
-}
-
-bool isDrawing(StatementKind kind) {
-  return kind == StatementKind::line || kind == StatementKind::points ||
-         kind == StatementKind::label;
-}
-
 std::size_t deviceOf(const Statement& statement) {
   if (isOfPath(statement.kind)) return statement.path.is_layer ? 0 : hashOf(statement.path.first);
   return hashOf(statement.name);
@@ -39,16 +30,7 @@ std::size_t keyOf(const Statement& statement) {
 }  // namespace
 
 bool StaticItems::isStatic(StatementKind kind) {
-  switch (kind) {
-    case StatementKind::joints:
-    case StatementKind::joint:
-    case StatementKind::pose:
-    case StatementKind::event:
-    case StatementKind::seen:
-      return false;
-    default:
-      return true;
-  }
+  return !isDeviceValue(kind) && kind != StatementKind::event && kind != StatementKind::seen;
 }
 
 void StaticItems::take(const Statement& statement, LogTime time) {
