@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/net/datagram_source.h"
-#include "core/recording/capture_time.h"
+#include "core/recording/capture_blocks.h"
 #include "core/recording/hand_over.h"
 #include "recorder/capture/input_loop.h"
 
@@ -16,7 +16,7 @@ class CaptureFileLoop : public InputLoop {
  public:
   /// `source` and `out` must outlive the loop; `begins`: see firstMoment().
   CaptureFileLoop(DatagramSource& source, HandOver& out, LogTime begins)
-      : source_(source), out_(out), begins_(begins) {}
+      : source_(source), blocks_(out), out_(out), begins_(begins) {}
 
   LogTime begins() const override { return begins_; }
   bool isLive() const override { return false; }
@@ -27,27 +27,20 @@ class CaptureFileLoop : public InputLoop {
   Nanoseconds deliveryDelay() const override { return Nanoseconds(0); }
   Status finish() override;
   ReceiveRate busiest(std::uint32_t) const override { return {}; }
-  Account leftOut() const override { return time_.leftOut(); }
+  Account leftOut() const override { return blocks_.leftOut(); }
 
  protected:
   /// An empty batch; returns what pass() returns. A file has more behind it, or ends.
   virtual bool passEmpty() { return true; }
-  void noteLoss(const LossCounts& counts);
-  void handOverBlock();
+  void noteLoss(const LossCounts& counts) { blocks_.noteLoss(counts, begins_); }
 
   DatagramSource& source_;
+  CaptureBlocks blocks_;
 
  private:
-  bool keep(const ReceivedDatagram& datagram);
-
   HandOver& out_;
   LogTime begins_;
-  CaptureTime time_;
-  std::optional<LogTime> reached_;          ///< empty before the first datagram
   std::span<const ReceivedDatagram> left_;  ///< rest of the last batch, for which there was no room
-  std::unique_ptr<DatagramBlock> block_;
-  std::vector<EndpointLoss> losses_;
-  std::vector<ClockStep> steps_;
 };
 
 /// When the first datagram of a capture file was seen; empty when it holds none.

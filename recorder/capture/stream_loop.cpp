@@ -14,7 +14,7 @@ Result<bool> StreamLoop::pass() {
 
 bool StreamLoop::passEmpty() {
   // The writer gets what has come: a stream may stay quiet for hours.
-  handOverBlock();
+  blocks_.handOver();
   return false;
 }
 

@@ -8,7 +8,7 @@
 #include "core/log/import_record.h"
 #include "core/packet/decoder.h"
 #include "core/pcap/pcap_source.h"
-#include "core/recording/capture_time.h"
+#include "core/recording/capture_blocks.h"
 #include "core/recording/capture_writer.h"
 #include "core/recording/piece_log.h"
 
@@ -123,9 +123,9 @@ class CapturePump {
         if (Status goes_on = options.progress(0); !goes_on) return goes_on;
       }
     }
-    handOver();
+    blocks_.handOver();
     queue_.finish();
-    writer_.write(queue_.take(Nanoseconds(0)), queue_);
+    writeTaken();
     writer_.close(std::string(kImportedEnd), queue_);
     if (writer_.trouble()) return *writer_.trouble();
     return {};
@@ -133,45 +133,22 @@ class CapturePump {
 
   std::uint64_t read() const { return read_; }
   std::uint64_t truncated() const { return truncated_; }
-  const CaptureTime& time() const { return time_; }
+  Account leftOut() const { return blocks_.leftOut(); }
   const std::string& cut() const { return cut_; }  ///< why the file ended early; else empty
 
  private:
   void keep(const ReceivedDatagram& datagram) {
-    const std::size_t most =
-        datagram.payload.size() + datagram.subject.size() + sizeof(SocketAddress);
-    if (block_ && !block_->hasRoom(most)) handOver();
-    while (!block_) {
-      block_ = queue_.freeBlock();
-      if (!block_) handOver();
-    }
-    reached_ = time_.at(datagram.kernel_time);
-    if (const auto step = time_.takeStep()) steps_.push_back(*step);
-    block_->add(0, *reached_, datagram.sender, datagram.payload, datagram.destination,
-                datagram.subject);
+    while (!blocks_.keep(datagram)) writeTaken();
     ++read_;
-    if (!datagram.truncated) return;
-    ++truncated_;
-    LossCounts counts;
-    counts.truncated = 1;
-    addLoss(losses_, {0, *reached_, *reached_, counts});
+    truncated_ += datagram.truncated ? 1 : 0;
   }
 
-  void handOver() {
-    // Nothing earlier follows, so that no datagram is held back.
-    const auto drained = reached_ ? std::optional(*reached_ + ReorderWindow::kWidth) : std::nullopt;
-    queue_.give(std::move(block_), losses_, steps_, drained);
-    writer_.write(queue_.take(Nanoseconds(0)), queue_);
-  }
+  void writeTaken() { writer_.write(queue_.take(Nanoseconds(0)), queue_); }
 
   DatagramSource& source_;
   HandOver queue_{kBlocks};
   CaptureWriter writer_;
-  CaptureTime time_;
-  std::unique_ptr<DatagramBlock> block_;
-  std::optional<LogTime> reached_;
-  std::vector<EndpointLoss> losses_;
-  std::vector<ClockStep> steps_;
+  CaptureBlocks blocks_{queue_};
   std::uint64_t read_ = 0, told_ = 0, truncated_ = 0;
   std::string cut_;
 };
@@ -201,7 +178,7 @@ ros::ImportReport reportOf(const CaptureTally& tally, const CapturePump& pump,
   const InputCounts counts = source.counts();
   report.lost = counts.malformed + counts.incomplete;
   report.account = source.leftOut();
-  report.account.add(pump.time().leftOut());
+  report.account.add(pump.leftOut());
   return report;
 }
 

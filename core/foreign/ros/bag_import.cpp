@@ -219,34 +219,12 @@ class Import {
     ++report_.messages;
     ImportedTopic& told = report_.topics[out.place];
     ++told.messages;
-    if (out.decoded) return takePacket(message, out, told);
-    return out.translation ? translate(message, out, told) : Status{};
-  }
-
-  Status takePacket(const BagMessage& message, const Outlet& out, ImportedTopic& told) {
-    if (!message.fault.empty()) {
-      if (told.malformed++ == 0) told.fault = message.fault;
+    const Made made = packetOf(message, out);
+    if (made.malformed) {
+      if (told.malformed++ == 0) told.fault = made.fault;
       ++report_.malformed;
     }
-    if (message.packet.empty()) return {};
-    ++told.packets;
-    ++report_.packets;
-    return session_.write(out.decoded_channel, message.sequence, message.log_time,
-                          message.publish_time_ns, bytesOf(message.packet));
-  }
-
-  Status translate(const BagMessage& message, const Outlet& out, ImportedTopic& told) {
-    Translated made;
-    switch (translator_.translate(*out.translation, message.log_time, message.payload, made)) {
-      case RosTranslator::Outcome::packet:
-        break;
-      case RosTranslator::Outcome::nothing:
-        return {};
-      case RosTranslator::Outcome::malformed:
-        ++told.malformed;
-        ++report_.malformed;
-        return {};
-    }
+    if (made.text.empty()) return {};
     ++told.packets;
     ++report_.packets;
     if (made.packet == nullptr) {
@@ -255,6 +233,22 @@ class Import {
     }
     return session_.write(out.decoded_channel, message.sequence, message.log_time,
                           message.publish_time_ns, bytesOf(made.text), made.packet);
+  }
+
+  /// What becomes of a message besides its bytes; borrowed until the next one.
+  struct Made : Translated {
+    bool malformed = false;
+    std::string_view fault{};  ///< why, where the reader says it
+  };
+  Made packetOf(const BagMessage& message, const Outlet& out) {
+    if (out.decoded) return {{message.packet, nullptr}, !message.fault.empty(), message.fault};
+    Made made;
+    if (out.translation) {
+      const auto outcome =
+          translator_.translate(*out.translation, message.log_time, message.payload, made);
+      made.malformed = outcome == RosTranslator::Outcome::malformed;
+    }
+    return made;
   }
 
   /// Holds what was read against what something beside the inputs says.
