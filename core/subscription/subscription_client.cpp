@@ -73,9 +73,7 @@ SubscriptionMessage SubscriptionClient::request(SubscriptionVerb verb) {
   message.cookie = cookie_;
   if (verb != SubscriptionVerb::subscribe) return message;
   message.lease_s = lease_s_;
-  message.source = relay_.selection.source;
-  message.device = relay_.selection.device;
-  message.rate_hz = relay_.selection.rate_hz;
+  message.wish = relay_.selection;
   return message;
 }
 

@@ -183,7 +183,7 @@ SubscriptionDesk::Outcome SubscriptionDesk::subscribe(const SubscriptionMessage&
     return refuse(request, "this host has as many subscriptions as one host gets");
   }
   Outcome outcome;
-  outcome.wish = {request.source, request.device, request.rate_hz};
+  outcome.wish = request.wish;
   if (is_new) {
     outcome.change = Change::begun;
   } else {

@@ -17,14 +17,6 @@
 
 namespace rocinante {
 
-/// What a subscriber asked for.
-struct SubscriptionWish {
-  std::string source;             ///< pattern; empty: all
-  std::string device;             ///< pattern; empty: all
-  std::optional<double> rate_hz;  ///< values of a device, a second at most
-  bool operator==(const SubscriptionWish&) const = default;
-};
-
 /// The relay's half of docs/subscriptions.md: answers requests and keeps the leases. Opens no
 /// socket and reads no clock. Memory is bounded: nothing is kept of an address without a valid
 /// cookie, and at most Options::subscribers + Options::departed addresses with one. One thread.

@@ -70,9 +70,10 @@ class WordReader {
     if (word == "id") return once(id_) && readId(value);
     if (word == "lease") return once(lease_) && readLease(value);
     if (word == "cookie") return once(cookie_) && readCookie(value);
-    if (word == "source") return readPattern(value, message_.source);
-    if (word == "device") return readPattern(value, message_.device);
-    if (word == "rate") return !message_.rate_hz && (message_.rate_hz = readPositive(value));
+    if (word == "source") return readPattern(value, message_.wish.source);
+    if (word == "device") return readPattern(value, message_.wish.device);
+    if (word == "rate")
+      return !message_.wish.rate_hz && (message_.wish.rate_hz = readPositive(value));
     if (word == "restate") return once(restate_) && readRestate(value);
     if (word == "relay") return once(relay_) && readRelay(value);
     return true;
@@ -213,15 +214,15 @@ std::string subscriptionText(const SubscriptionMessage& message, std::size_t lea
     appendName(text, message.run);
   }
   for (const auto& [word, pattern] :
-       {std::pair<std::string_view, const std::string&>{"source", message.source},
-        {"device", message.device}}) {
+       {std::pair<std::string_view, const std::string&>{"source", message.wish.source},
+        {"device", message.wish.device}}) {
     if (pattern.empty()) continue;
     text += fmt::format(" {}=", word);
     appendPattern(text, pattern);
   }
-  if (message.rate_hz) {
+  if (message.wish.rate_hz) {
     text += " rate=";
-    appendNumber(text, *message.rate_hz);
+    appendNumber(text, *message.wish.rate_hz);
   }
   if (!message.cookie.empty()) text += " cookie=" + message.cookie;
   if (message.verb == SubscriptionVerb::refused && !message.sentence.empty()) {

@@ -8,6 +8,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/net/endpoint.h"
 
 namespace rocinante {
 
@@ -28,6 +29,9 @@ inline constexpr std::uint32_t kMaxLeaseSeconds = 30;
 /// A `subscribe` shorter than this is ignored, so that no answer is longer than its request.
 inline constexpr std::size_t kSubscribeBytes = 256;
 
+/// What a subscriber asks for.
+using SubscriptionWish = Endpoint::Selection;
+
 /// One such line, decoded. The verb decides which fields have a meaning; the others keep their
 /// defaults and are not written.
 struct SubscriptionMessage {
@@ -35,13 +39,11 @@ struct SubscriptionMessage {
   std::uint64_t id = 0;       ///< random for each request; its answer repeats it
   std::uint32_t lease_s = 0;  ///< subscribe, accepted, kept: 1 to kMaxLeaseSeconds
   std::string cookie;         ///< subscribe, keep, leave (empty: none yet), challenge, kept
-  std::string source;         ///< subscribe: pattern of SOURCEs (core/base/pattern.h); empty: all
-  std::string device;         ///< subscribe: pattern of devices; empty: all
-  std::optional<double> rate_hz;  ///< subscribe: values of a device, a second at most; > 0
-  double restate_s = 0;           ///< accepted: seconds between restatements; > 0
-  std::string relay;              ///< accepted: the relay's NAME
-  std::string run;                ///< accepted: its RUN
-  std::string sentence;           ///< refused: why
+  SubscriptionWish wish;      ///< subscribe
+  double restate_s = 0;       ///< accepted: seconds between restatements; > 0
+  std::string relay;          ///< accepted: the relay's NAME
+  std::string run;            ///< accepted: its RUN
+  std::string sentence;       ///< refused: why
   bool operator==(const SubscriptionMessage&) const = default;
 };
 

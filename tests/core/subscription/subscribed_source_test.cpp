@@ -73,8 +73,8 @@ TEST(SubscribedSource, ReceivesWhatTheRelaySends) {
     EXPECT_EQ(listener.source().droppedByNow().value(), 0U);
     EXPECT_GT(listener.source().receiveBufferBytes(), 0U);
     relay.with([](const FakeRelay& each) {
-      EXPECT_EQ(each.wanted.device, "arm*");
-      EXPECT_EQ(each.wanted.rate_hz, 5);
+      EXPECT_EQ(each.wanted.wish.device, "arm*");
+      EXPECT_EQ(each.wanted.wish.rate_hz, 5);
     });
   }
 }

@@ -73,9 +73,9 @@ TEST(SubscriptionClient, SubscribesWithTheCookieOfTheChallenge) {
   EXPECT_EQ(talk.request(0).cookie, "");
   EXPECT_EQ(talk.request(1).cookie, "r1");
   EXPECT_NE(talk.request(0).id, talk.request(1).id);
-  EXPECT_EQ(talk.relay.wanted.device, "arm*");
-  EXPECT_EQ(talk.relay.wanted.source, "cell ?");
-  EXPECT_EQ(talk.relay.wanted.rate_hz, 2.5);
+  EXPECT_EQ(talk.relay.wanted.wish.device, "arm*");
+  EXPECT_EQ(talk.relay.wanted.wish.source, "cell ?");
+  EXPECT_EQ(talk.relay.wanted.wish.rate_hz, 2.5);
   EXPECT_EQ(talk.relay.wanted.lease_s, kMaxLeaseSeconds);
   EXPECT_TRUE(talk.client().isSubscribed());
   EXPECT_EQ(talk.news, (std::vector<std::string>{

@@ -40,9 +40,7 @@ struct Client {
     request.cookie = cookie;
     if (verb == SubscriptionVerb::subscribe) {
       request.lease_s = 9;
-      request.source = wish.source;
-      request.device = wish.device;
-      request.rate_hz = wish.rate_hz;
+      request.wish = std::move(wish);
     }
     const std::string text = subscriptionText(request, kSubscribeBytes);
     SubscriptionDesk::Outcome outcome = desk.handle(bytesOf(text), address, at(seconds));
