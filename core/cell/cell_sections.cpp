@@ -126,11 +126,7 @@ std::optional<CellCamera> readCamera(TomlTable& table, CellNames& names) {
       table.error("cell.bad-number", "fov_deg", "`fov_deg` must be between 0 and 180");
     }
   }
-  camera.ortho_height_m = table.number("ortho_height_m");
-  if (camera.ortho_height_m && *camera.ortho_height_m <= 0.0) {
-    table.error("cell.bad-number", "ortho_height_m", "`ortho_height_m` must be above 0");
-    camera.ortho_height_m.reset();
-  }
+  camera.ortho_height_m = readPositive(table, "ortho_height_m");
   if (table.has("fov_deg") && table.has("ortho_height_m")) {
     table.error("cell.two-projections", "ortho_height_m",
                 "the camera has both fov_deg and ortho_height_m");
@@ -288,13 +284,7 @@ void readScene(TomlTable& root, Cell& cell) {
   };
   for (const Length& length : {Length{"grid_size_m", cell.scene.grid_size_m},
                                Length{"grid_step_m", cell.scene.grid_step_m}}) {
-    const auto given = table->number(length.key);
-    if (!given) continue;
-    if (*given > 0.0) {
-      length.value = *given;
-    } else {
-      table->error("cell.bad-number", length.key, fmt::format("`{}` must be above 0", length.key));
-    }
+    if (const auto given = readPositive(*table, length.key)) length.value = *given;
   }
   if (cell.scene.grid_size_m > 1000.0 * cell.scene.grid_step_m) {
     table->error("cell.bad-number", "grid_step_m",

@@ -106,20 +106,19 @@ void readRules(TomlTable& root, Cell& cell) {
   readFamily(*root.node("rules"), "", root.faults(), cell.rules);
 }
 
+std::optional<double> readPositive(TomlTable& table, std::string_view key) {
+  const std::optional<double> value = table.number(key);
+  if (!value || *value > 0.0) return value;
+  table.error("cell.bad-number", key, fmt::format("`{}` must be above 0", key));
+  return std::nullopt;
+}
+
 SourceLimits readSourceLimits(TomlTable& table) {
-  const auto positive = [&](std::string_view key) {
-    std::optional<double> value = table.number(key);
-    if (value && !(*value > 0.0)) {
-      table.error("cell.bad-number", key, fmt::format("`{}` must be above 0", key));
-      value.reset();
-    }
-    return value;
-  };
   SourceLimits limits;
-  limits.silence_s = positive("silence_s");
-  limits.restate_s = positive("restate_s");
-  limits.clock_skew_s = positive("clock_skew_s");
-  limits.jitter_ms = positive("jitter_ms");
+  limits.silence_s = readPositive(table, "silence_s");
+  limits.restate_s = readPositive(table, "restate_s");
+  limits.clock_skew_s = readPositive(table, "clock_skew_s");
+  limits.jitter_ms = readPositive(table, "jitter_ms");
   return limits;
 }
 
