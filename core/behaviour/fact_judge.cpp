@@ -43,6 +43,16 @@ class FactHistory {
   /// Before that it is not known.
   std::int64_t knownFrom() const { return known_from_; }
   const FactChange& at(std::int64_t time) const { return get(placeOf(time)); }
+  std::int64_t begin() const { return begin_; }
+  /// Nothing was stated yet, so soon after the session's beginning that it may have been before.
+  bool isUnsaid(std::int64_t time) const {
+    return placeOf(time) == 0 && time < begin_ + kBeginning.count();
+  }
+  /// What holds at a time was stated before another one.
+  bool wasSaidBefore(std::int64_t other, std::int64_t time) const {
+    const std::size_t place = placeOf(time);
+    return place > 0 && changes_[place - 1].at < other;
+  }
   /// True when something in [from, until] is `wanted`, or is not known there.
   template <class Wanted>
   bool mayIn(std::int64_t from, std::int64_t until, Wanted wanted) const {
@@ -156,8 +166,16 @@ class FactJudge {
     return moments;
   }
 
+  /// One side stated what holds before the other's log began, and there it was not restated yet.
+  bool isBeforeALog(std::int64_t time) const {
+    return std::ranges::any_of(accepted_, [&](const FactHistory& its) {
+      return (run_.isUnsaid(time) && its.wasSaidBefore(run_.begin() + slack_, time)) ||
+             (its.isUnsaid(time) && run_.wasSaidBefore(its.begin() + slack_, time));
+    });
+  }
+
   bool isAsAccepted(std::int64_t time) const {
-    if (time < run_.knownFrom()) return true;
+    if (time < run_.knownFrom() || isBeforeALog(time)) return true;
     const FactChange& now = run_.at(time);
     const auto isNow = [&](const FactChange& other) { return isSame(now, other); };
     bool was_accepted = false;

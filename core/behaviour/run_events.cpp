@@ -231,8 +231,10 @@ class EventJudge {
               return other.text == event.text && other.source == event.source;
             });
           });
-      if (is_accepted) continue;
-      RunFinding finding = findingAt(event, found_.run_map.inAccepted(event.time), event.time);
+      const LogTime in_accepted = found_.run_map.inAccepted(event.time);
+      // Before the accepted log begins nothing is known.
+      if (is_accepted || in_accepted < first_.start) continue;
+      RunFinding finding = findingAt(event, in_accepted, event.time);
       finding.what =
           fmt::format("event \"{}\" of {} was never accepted: at {} (accepted {})", event.text,
                       event.source, timeText(finding.first_run), timeText(finding.first_accepted));

@@ -34,6 +34,11 @@ void addNotes(const RunTimes& times, RunJudgement& judged) {
         fmt::format("the log ends {:.1f} s before the accepted one; its last state was held",
                     secondsOf(-after_end)));
   }
+  if (-late > kTellsOfMore) {
+    judged.notes.push_back(fmt::format(
+        "the log begins {:.1f} s before the accepted one; what is before that was not judged",
+        secondsOf(-late)));
+  }
   if (late > kTellsOfMore) {
     judged.notes.push_back(
         fmt::format("the log begins {:.1f} s after the accepted one; what was before was not "

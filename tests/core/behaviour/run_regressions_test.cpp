@@ -150,6 +150,38 @@ TEST_F(RunRegressions, AnotherStartIsSilentWhenAlignedByEvents) {
   expectSilent("an earlier start", judgeRun({}, {&*accepted}, *run));
 }
 
+/// What was carried, drawn or hidden before a recorder began, and ends before its source restates
+/// it, is unknown to it.
+TEST_F(RunRegressions, ARecorderThatBeginsLateKnowsNothingOfWhatEndsSoon) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  session.say("planner", 9, "hide arm/link3\ncolor gantry #00ff00");
+  session.say("planner", 11, "show arm/link3 default\ncolor gantry default");
+  const auto accepted = trackOf(cell, session);
+  // The canister is let go at 11.1 s, and what was drawn for it erased.
+  for (const double from_s : {10.05, 10.4, 10.9, 11.05}) {
+    SaidSession later = session;
+    std::erase_if(later.packets, [&](const auto& said) { return said.at_s < from_s; });
+    const auto run = trackOf(cell, later);
+    ASSERT_TRUE(accepted.ok() && run.ok());
+    // Half of the accepted time is missing, and is named by itself.
+    RunJudgement judged = judgeRun({}, {&*accepted}, *run);
+    std::erase_if(judged.findings, [](const auto& found) { return found.item == "session"; });
+    expectSilent("a late beginning", judged);
+    expectSilent("an early beginning", judgeRun({}, {&*run}, *accepted));
+  }
+  // What is stated once the log has begun counts at once.
+  SaidSession hidden = session;
+  hidden.say("planner", 9.5, "hide gantry/hook");
+  hidden.say("planner", 10.5, "show gantry/hook default");
+  std::erase_if(session.packets, [](const auto& said) { return said.at_s < 9.2; });
+  const auto with = trackOf(cell, hidden), without = trackOf(cell, session);
+  ASSERT_TRUE(with.ok() && without.ok());
+  const RunJudgement judged = judgeRun({}, {&*with}, *without);
+  EXPECT_NE(textOfFindings(judged).find("visibility of gantry/hook"), std::string::npos)
+      << textOfFindings(judged);
+}
+
 TEST_F(RunRegressions, AWarpForgivesAPaceAndNotAJoint) {
   const Cell cell = cellAt(kDemo / "demo.cell.toml");
   const SaidSession session = SaidSession::read(kDemo / "session.mcap");
