@@ -49,7 +49,7 @@ AcceptedCells::Rebuilt AcceptedCells::rebuilt(const AcceptedRun& accepted) {
   if (hashesOf(*today_) == *before) return {};
   has_changed = has_changed || haveTextsChanged(*before, hashesOf(*today_));
   const GoldenTexts put_back(*today_, *before, session_.manifest().texts);
-  if (!put_back.any()) return cannot("its files have other names");
+  if (!put_back.any()) return cannot("its texts were not kept");
   CellOptions options;
   options.geometry = false;
   auto cell = loadBundle(*today_, "", options);

@@ -88,6 +88,14 @@ FileTexts toldTexts(const CellBundle& bundle) {
 
 std::vector<FileChange> fileChanges(const FileHashes& golden, const FileHashes& frame,
                                     const FileTexts& texts) {
+  // A file that only has another name now has not changed.
+  const auto isElsewhere = [](const FileHashes& there, const FileHashes& here,
+                              const FileHashes::value_type& its) {
+    return std::ranges::any_of(there, [&](const auto& file) {
+      return file.second == its.second && roleOf(file.first) == roleOf(its.first) &&
+             !here.contains(file.first);
+    });
+  };
   FileHashes all = golden;
   all.insert(frame.begin(), frame.end());
   std::vector<FileChange> changes;
@@ -102,9 +110,9 @@ std::vector<FileChange> fileChanges(const FileHashes& golden, const FileHashes& 
       changes.push_back({name + ": the " + role + what, is_told});
     };
     if (before == golden.end()) {
-      add(" is new");
+      if (!isElsewhere(golden, frame, *now)) add(" is new");
     } else if (now == frame.end()) {
-      add(" is no longer part of the cell");
+      if (!isElsewhere(frame, golden, *before)) add(" is no longer part of the cell");
     } else if (before->second != now->second &&
                !haveSameMeaning(file, before->second, now->second, texts)) {
       add(role.ends_with('s') ? " have changed" : " has changed");

@@ -23,7 +23,7 @@ struct FileChange {
   bool is_told = false;  ///< isToldText(): what changed in it is known where its text is
 };
 /// One per file, sorted by name. `texts` by hash; a text that differs only in comments and white
-/// space has not changed.
+/// space has not changed, nor has a file that only has another name.
 std::vector<FileChange> fileChanges(const FileHashes& golden, const FileHashes& frame,
                                     const FileTexts& texts = {});
 

@@ -1,5 +1,7 @@
 #include "golden/why/golden_texts.h"
 
+#include <filesystem>
+#include <set>
 #include <utility>
 
 #include "golden/why/file_change.h"
@@ -16,8 +18,9 @@ FileContents contentsOf(const CellBundle& bundle) {
 
 GoldenTexts::GoldenTexts(CellBundle& bundle, const FileHashes& golden, const FileTexts& texts,
                          const FileContents& at_hand)
-    : bundle_(bundle) {
-  for (std::size_t i = 0; i < bundle.contents.size(); ++i) {
+    : bundle_(bundle), files_(bundle.contents.size()), names_(bundle.manifest.names.size()) {
+  addGone(golden, texts, at_hand);
+  for (std::size_t i = 0; i < files_; ++i) {
     BundleManifest::File& file = bundle.manifest.files[i];
     const auto before = golden.find(file.name);
     if (before == golden.end() || before->second == file.sha256) continue;
@@ -34,7 +37,35 @@ GoldenTexts::GoldenTexts(CellBundle& bundle, const FileHashes& golden, const Fil
   }
 }
 
+/// Files that the golden had by names that are no file's now. Who named them is not known: whoever
+/// lies in a folder and gives the way from there.
+void GoldenTexts::addGone(const FileHashes& golden, const FileTexts& texts,
+                          const FileContents& at_hand) {
+  const FileHashes today = hashesOf(bundle_);
+  FileContents contents = contentsOf(bundle_);
+  contents.insert(at_hand.begin(), at_hand.end());
+  for (const auto& [sha256, text] : texts) contents.try_emplace(sha256, bytesOf(text));
+  std::set<std::string> folders;
+  for (const auto& [name, sha256] : golden) {
+    folders.insert(std::filesystem::path(name).parent_path().generic_string());
+  }
+  for (const auto& [name, sha256] : golden) {
+    const auto content = contents.find(sha256);
+    if (today.contains(name) || content == contents.end()) continue;
+    bundle_.manifest.files.push_back({name, content->second.size(), sha256});
+    bundle_.contents.emplace_back(content->second.begin(), content->second.end());
+    for (const std::string& folder : folders) {
+      const std::string says =
+          std::filesystem::path(name).lexically_relative(folder.empty() ? "." : folder).string();
+      bundle_.manifest.names.push_back({folder, says.empty() ? name : says, name});
+    }
+  }
+}
+
 GoldenTexts::~GoldenTexts() {
+  bundle_.manifest.files.resize(files_);
+  bundle_.contents.resize(files_);
+  bundle_.manifest.names.resize(names_);
   for (auto& [place, file, content] : kept_) {
     bundle_.manifest.files[place] = std::move(file);
     bundle_.contents[place] = std::move(content);

@@ -22,6 +22,22 @@ TEST(FileChanges, NameWhatAFileIs) {
                   "b.urdf: the model is new", "t.PNG: the texture is no longer part of the cell"));
 }
 
+TEST(FileChanges, AnotherNameIsNoChange) {
+  const auto lines = [](const FileHashes& golden, const FileHashes& frame) {
+    return linesOf(fileChanges(golden, frame));
+  };
+  EXPECT_THAT(lines({{"a.urdf", "1"}, {"b.stl", "2"}}, {{"arm.urdf", "1"}, {"b.stl", "2"}}),
+              ElementsAre());
+  EXPECT_THAT(lines({{"a.urdf", "1"}}, {{"arm.urdf", "2"}}),
+              ElementsAre("a.urdf: the model is no longer part of the cell",
+                          "arm.urdf: the model is new"));
+  EXPECT_THAT(lines({{"a.urdf", "1"}}, {{"a.urdf", "1"}, {"copy.urdf", "1"}}),
+              ElementsAre("copy.urdf: the model is new"));
+  EXPECT_THAT(lines({{"a.urdf", "1"}}, {{"a.png", "1"}}),
+              ElementsAre("a.png: the texture is new",
+                          "a.urdf: the model is no longer part of the cell"));
+}
+
 TEST(FileChanges, ACommentIsNoChange) {
   const FileTexts texts = {{"1", "<robot name=\"a\"><link name=\"x\"/></robot>"},
                            {"2", "<robot name=\"a\"><!-- of 2026 --><link name=\"x\"/></robot>\n"},
