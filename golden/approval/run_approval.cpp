@@ -81,7 +81,9 @@ Result<RunApproved> approveRun(const GoldenFolder& folder, const RunCandidate& c
     return one.session == accepted.session && one.decoded == accepted.decoded;
   };
   const auto same = std::ranges::find_if(runs, isIt);
-  if (same != runs.end() && folder.verify(*same) && (!candidate.replace || runs.size() == 1)) {
+  // With another model the same log means another motion.
+  const bool is_there = same != runs.end() && same->kinematics == accepted.kinematics;
+  if (is_there && folder.verify(*same) && (!candidate.replace || runs.size() == 1)) {
     return RunApproved::already;
   }
   if (candidate.replace) runs.clear();

@@ -120,12 +120,19 @@ Status refuseFor(const std::vector<std::string>& objections, const OpenedRecordi
 
 /// `listed` is the hash of its log in a list; empty without one.
 Result<cli::Exit> approveOneRun(const ApproveArguments& arguments, const std::string& listed) {
-  const auto options = suiteOptions(arguments.suite);
+  auto options = suiteOptions(arguments.suite);
   if (!options.ok()) return options.error();
-  const auto session = SuiteSession::open(arguments.suite.suite, *options);
+  auto session = SuiteSession::open(arguments.suite.suite, *options);
   if (!session.ok()) return session.error();
-  const auto named = runNamed(*session, arguments.run);
+  auto named = runNamed(*session, arguments.run);
   if (!named.ok()) return named.error();
+  if (auto own = session->optionsOf(**named, *options)) {
+    *options = std::move(*own);
+    session = SuiteSession::open(arguments.suite.suite, *options);
+    if (!session.ok()) return session.error();
+    named = runNamed(*session, arguments.run);
+    if (!named.ok()) return named.error();
+  }
   const SuiteRun* const run = *named;
   const OpenedRecording* const log = session->logOf(*run);
   if (log == nullptr) {

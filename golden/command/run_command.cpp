@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <thread>
 #include <tuple>
 
@@ -169,6 +170,49 @@ Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bo
   return judged;
 }
 
+/// With their findings explained, and with pictures where they are wanted.
+Result<std::vector<JudgedRun>> explainedRuns(const SuiteSession& session,
+                                             const std::vector<const SuiteRun*>& runs,
+                                             const SuiteOptions& options) {
+  AcceptedCells cells(session, options);
+  auto judged =
+      judgeRuns(session, runs,
+                {cli::stopRequested, steadyMs, TrackCache::ofUser(),
+                 [&](const AcceptedRun& accepted) { return cells.of(accepted); },
+                 cli::workerThreads()});
+  if (!judged.ok()) return judged;
+  explainRuns(session, options, *judged);
+  if (options.run_pictures) {
+    for (JudgedRun& run : *judged) drawRunPictures(session, run);
+  }
+  return judged;
+}
+
+/// All that are selected, in suite order.
+Result<std::vector<JudgedRun>> explainedRuns(const SuiteSession& session,
+                                             const std::filesystem::path& suite_file,
+                                             const SuiteOptions& options) {
+  std::vector<const SuiteRun*> here;
+  std::vector<JudgedRun> all;
+  for (const SuiteRun* run : session.runs()) {
+    const auto its_options = session.optionsOf(*run, options);
+    if (!its_options) {
+      here.push_back(run);
+      continue;
+    }
+    const auto own = SuiteSession::open(suite_file, *its_options);
+    if (!own.ok()) return own.error();
+    auto judged = explainedRuns(*own, own->runs(), *its_options);
+    if (!judged.ok()) return judged;
+    std::ranges::move(*judged, std::back_inserter(all));
+  }
+  auto judged = explainedRuns(session, here, options);
+  if (!judged.ok()) return judged;
+  std::ranges::move(*judged, std::back_inserter(all));
+  std::ranges::sort(all, {}, &JudgedRun::place);
+  return all;
+}
+
 }  // namespace
 
 cli::CommandLine addRunCommand(cli::CommandLine app, RunArguments& arguments) {
@@ -215,16 +259,9 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   if (!quiet) printFailures(report.frames);
   if (!explained) return explained.error();
   if (!quiet && arguments.verbose) printWhy(report.frames);
-  AcceptedCells cells(*session, *options);
-  auto runs = judgeRuns(*session, {cli::stopRequested, steadyMs, TrackCache::ofUser(),
-                                   [&](const AcceptedRun& accepted) { return cells.of(accepted); },
-                                   cli::workerThreads()});
+  auto runs = explainedRuns(*session, arguments.suite.suite, *options);
   if (!runs.ok()) return runs.error();
   report.runs = std::move(*runs);
-  explainRuns(*session, *options, report.runs);
-  if (!arguments.files.folder.empty()) {
-    for (JudgedRun& run : report.runs) drawRunPictures(*session, run);
-  }
   if (!quiet) {
     for (const JudgedRun& run : report.runs) fmt::print("{}", runText(run));
   }

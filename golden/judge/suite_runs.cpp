@@ -141,10 +141,12 @@ Result<std::string> judgeAlone(const SuiteSession& session, const SuiteRun& run)
   return judged.comparable ? std::string() : judged.rule;
 }
 
-Result<std::vector<JudgedRun>> judgeRuns(const SuiteSession& session, const RunOptions& options) {
+Result<std::vector<JudgedRun>> judgeRuns(const SuiteSession& session,
+                                         const std::vector<const SuiteRun*>& runs,
+                                         const RunOptions& options) {
   std::vector<JudgedRun> judged;
   SuiteRunJudge judge(session, options);
-  for (const SuiteRun* run : session.runs()) {
+  for (const SuiteRun* run : runs) {
     auto one = judge.judge(*run);
     if (!one.ok()) return one.error();
     judged.push_back(std::move(*one));

@@ -34,8 +34,10 @@ Result<JudgedRun> judgeOneRun(const SuiteSession& session, const SuiteRun& run,
 /// sentence; empty when it can.
 Result<std::string> judgeAlone(const SuiteSession& session, const SuiteRun& run);
 
-/// Judges the selected runs of a session in suite order: each log is read once. Errors only when
-/// stopped: a log that cannot be judged makes its run incomparable.
-Result<std::vector<JudgedRun>> judgeRuns(const SuiteSession& session, const RunOptions& options);
+/// Judges some of the session's runs: each log is read once. Errors only when stopped: a log that
+/// cannot be judged makes its run incomparable.
+Result<std::vector<JudgedRun>> judgeRuns(const SuiteSession& session,
+                                         const std::vector<const SuiteRun*>& runs,
+                                         const RunOptions& options);
 
 }  // namespace rocinante

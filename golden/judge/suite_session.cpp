@@ -65,6 +65,19 @@ const OpenedRecording* SuiteSession::logOf(const SuiteRun& run) const {
   return log_ ? &*log_ : nullptr;
 }
 
+std::optional<SuiteOptions> SuiteSession::optionsOf(const SuiteRun& run,
+                                                    const SuiteOptions& options) const {
+  const auto own = run_logs_.find(run.name);
+  if (has_own_cell_ || own == run_logs_.end()) return std::nullopt;
+  const auto reader = LogReader::open(own->second.log);
+  if (!reader.ok() || !carriesCell(*reader)) return std::nullopt;
+  SuiteOptions its = options;
+  its.logs = {own->second.recording.string()};
+  its.selection = {};
+  its.selection.only = {run.name};
+  return its;
+}
+
 Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
                                         const SuiteOptions& options) {
   auto suite = readSuite(suite_file);
@@ -86,6 +99,7 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
     recording = std::move(*opened);
     const bool is_alone = the_suite.cell.empty() || the_suite.cell == *the_suite.log;
     if (is_alone) the_suite.cell = recording.log;
+    made.has_own_cell_ = !is_alone;
     // The meshes of its own robot were looked for when it was imported.
     if (is_alone && recording.imported) search = {};
   }
@@ -118,7 +132,11 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   }
   made.cell_ = std::move(*cell);
   if (the_suite.log) tellAccount(recording, made.cell_);
-  for (const auto& [run, log] : made.run_logs_) tellAccount(log, made.cell_);
+  for (const SuiteRun& run : the_suite.runs) {
+    const auto log = made.run_logs_.find(run.name);
+    const bool is_here = log != made.run_logs_.end() && !made.optionsOf(run, options);
+    if (is_here) tellAccount(log->second, made.cell_);
+  }
   if (draws && !options.incomplete) made.incomplete_ = incompleteText(made.cell_);
 
   std::optional<Timeline> session;

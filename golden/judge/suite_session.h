@@ -59,6 +59,9 @@ class SuiteSession {
   const std::vector<const SuiteRun*>& runs() const { return runs_; }
   /// The log under test of a run: its own of --log, else the suite's; null when there is none.
   const OpenedRecording* logOf(const SuiteRun& run) const;
+  /// Options that open a session for this run alone: where the suite names no cell, a log of --log
+  /// NAME=FILE that carries one is judged with that. Empty: this session is the run's.
+  std::optional<SuiteOptions> optionsOf(const SuiteRun& run, const SuiteOptions& options) const;
   /// The selected frames in suite order; empty only when runs are selected.
   const std::vector<SuiteFrame>& frames() const { return frames_; }
   const std::vector<SuiteFrame>& allFrames() const { return all_frames_; }
@@ -90,6 +93,7 @@ class SuiteSession {
   Manifest manifest_;
   GoldenFolder folder_;
   Cell cell_;
+  bool has_own_cell_ = true;  ///< false: it is the one that the suite's log carries
   std::string incomplete_;
   SessionHashes session_hashes_;
   std::optional<LogTime> origin_;
