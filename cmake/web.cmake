@@ -33,6 +33,7 @@ rocinante_web_sources(core/base reader_notice hash duration_text plain_text name
   version json_parse)
 rocinante_web_sources(core/math angle_reduction srgb trigonometry transform)
 rocinante_web_sources(core/packet packet text_name text_number header_reader statement_reader
+  signal_reader fold_signal
   packet_text_decoder packet_text_writer state_folder fold_statement state_forgetting session_state
   item_text joint_order restatement)
 rocinante_web_sources(core/mcap append_record byte_sink chunk_expander chunk_head no_lz4_frame open_chunk

@@ -72,6 +72,19 @@ std::vector<double> drawingShape(const Drawing& drawing) {
   return shape;
 }
 
+void leaveOutNumbers(const SessionState& state, Account& account) {
+  const ByKind leave_out{
+      [&](const SignalItem& item) {
+        if (item.item.value.kind != SignalKind::number) return;
+        account.leaveOut({.kind = "signal",
+                          .name = signalNameText(item.device, item.name),
+                          .reason = "numbers of signals are not judged"});
+      },
+      [](const auto&) {},
+  };
+  eachItem(state, leave_out);
+}
+
 void FactRecorder::set(const std::string& name, LogTime time, std::string text,
                        std::vector<double> shape) {
   auto& changes = facts_[name];
@@ -110,6 +123,13 @@ void FactRecorder::note(const SessionState& state, LogTime time, bool is_restate
       [](const OrderItem&) {},
       [](const JointItem&) {},
       [](const ViewItem&) {},
+      [&](const SignalItem& item) {
+        // Numbers are no facts.
+        if (item.item.value.kind == SignalKind::number) return;
+        const std::string text = statementText(item);
+        const std::string name = signalNameText(item.device, item.name);
+        set(name, time, text.substr(name.size() + 1));
+      },
   };
   eachItem(state, set_fact);
   for (auto& [name, changes] : facts_) {

@@ -17,6 +17,11 @@ constexpr Nanoseconds kBurst = std::chrono::milliseconds(10);
 constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kJoints = 0, kPose = 1;  // series
 
+bool saysFact(const Statement& statement) {
+  return saysState(statement) || statement.is_default || isOfPath(statement.kind) ||
+         isDrawing(statement.kind) || statement.kind == StatementKind::erase;
+}
+
 bool isAbsent(const DeviceState* said) {
   return said == nullptr || (said->presence && said->presence->value.presence == Presence::removed);
 }
@@ -88,6 +93,7 @@ void TrackRecorder::leaveOutUnread() {
 Status TrackRecorder::finish() {
   if (facts_due_) noteFacts(*facts_due_);
   leaveOutUnread();
+  leaveOutNumbers(state_, track_.left_out);
   for (auto& [name, device] : recordings_) {
     for (const std::size_t series : {kJoints, kPose}) store(device, series);
     keepStated(device);
@@ -130,18 +136,13 @@ void TrackRecorder::read(const Statement& statement) {
     case StatementKind::add:
     case StatementKind::remove:
       if (Recording* device = touched(statement.name)) {
-        device->says_presence = true;
-        device->says_joints = device->says_pose = device->says_all_joints = true;
+        device->says_presence = device->says_pose = true;
+        device->says_joints = device->says_all_joints = true;
       }
       says_facts_ = true;
       break;
-    case StatementKind::event:
-    case StatementKind::view:
-    case StatementKind::seen:
-      break;
     default:
-      says_facts_ = true;
-      break;
+      says_facts_ = says_facts_ || saysFact(statement);
   }
 }
 

@@ -45,6 +45,9 @@ void StateFolder::foldStatement(const Statement& statement) {
       return foldEvent(statement);
     case StatementKind::view:
       return foldView(statement);
+    case StatementKind::signal:
+    case StatementKind::signals:
+      return foldSignals(statement);
     case StatementKind::seen:
       return foldSeen(statement);
   }
@@ -74,17 +77,6 @@ StateFolder::Device* StateFolder::deviceFor(std::string_view name) {
   }
   state_.device_cache_.remember(found->first, &*found, state_.devices_.size());
   return &*found;
-}
-
-template <class T>
-Item<T> StateFolder::itemOf(T value) const {
-  return {std::move(value), std::string(header_.source), {state_.packets_}};
-}
-
-template <class T>
-void StateFolder::claim(Item<T>& item) const {
-  if (!sameName(item.owner, header_.source)) item.owner = header_.source;
-  item.said.packet = state_.packets_;
 }
 
 template <class T>

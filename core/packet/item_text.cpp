@@ -24,7 +24,9 @@ bool isAboutDevice(const Statement& statement, std::span<const std::string> patt
   const auto named = [&](std::string_view name) {
     return !name.empty() && anyPatternMatches(patterns, name);
   };
-  if (isOfPath(statement.kind)) return !statement.path.is_layer && named(statement.path.first);
+  if (isOfPath(statement.kind) || isSignal(statement.kind)) {
+    return !statement.path.is_layer && named(statement.path.first);
+  }
   const bool is_of_device = isOfDevice(statement.kind) || statement.kind == StatementKind::seen;
   return (is_of_device && named(statement.name)) || named(statement.carrier.first);
 }
@@ -99,6 +101,26 @@ std::string statementText(const DrawingItem& item) {
       drawing.kind == StatementKind::points ? limits::kDefaultPointPx : limits::kDefaultLinePx;
   if (drawing.size_px != default_px) statement.size_px = drawing.size_px;
   return statementText(statement);
+}
+
+std::string statementText(const SignalItem& item) {
+  const SignalValue& value = item.item.value;
+  const std::string_view name = item.name.name;
+  Statement statement = about(StatementKind::signal, {});
+  statement.path = {item.device, item.name.link, false};
+  statement.names = std::span(&name, 1);
+  statement.numbers = std::span(&value.number, 1);
+  statement.signal_kinds = std::span(&value.kind, 1);
+  statement.text = value.text;
+  statement.unit = value.unit;
+  return statementText(statement);
+}
+
+std::string signalNameText(std::string_view device, const SignalName& name) {
+  const std::string of(device);
+  std::string text = statementText(SignalItem{of, name, Item<SignalValue>()});
+  text.resize(text.rfind(' '));
+  return text;
 }
 
 std::string statementText(const ViewItem& item) {

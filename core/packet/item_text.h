@@ -41,6 +41,9 @@ std::string statementText(const VisibilityItem& item);
 std::string statementText(const ColorItem& item);
 std::string statementText(const DrawingItem& item);
 std::string statementText(const ViewItem& item);
+std::string statementText(const SignalItem& item);
+/// "signal PATH NAME": what a signal of `device`, or of none when that is empty, is called.
+std::string signalNameText(std::string_view device, const SignalName& name);
 
 /// `SOURCE[@RUN] SEQUENCE TIME`, a header's text after its "RK1": what the state knows of a source.
 std::string sourceText(std::string_view name, const SourceState& source);

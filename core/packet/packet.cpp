@@ -70,8 +70,24 @@ std::string_view nameOf(StatementKind kind) {
       return "event";
     case StatementKind::view:
       return "view";
+    case StatementKind::signal:
+      return "signal";
+    case StatementKind::signals:
+      return "signals";
     case StatementKind::seen:
       return "seen";
+  }
+  return "?";
+}
+
+std::string_view nameOf(SignalKind kind) {
+  switch (kind) {
+    case SignalKind::number:
+      return "number";
+    case SignalKind::boolean:
+      return "boolean";
+    case SignalKind::text:
+      return "text";
   }
   return "?";
 }

@@ -52,6 +52,8 @@ enum class StatementKind : std::uint8_t {
   erase,   ///< id, or all of the source's drawings when the id is empty
   event,   ///< text
   view,    ///< id; numbers = ex ey ez tx ty tz fov_deg ux uy uz; ortho_height_m; carrier
+  signal,  ///< path; names, numbers and signal_kinds of one; text; unit; or is_default
+  signals,  ///< path; names, numbers and signal_kinds, as many of each; no text
   seen,    ///< device; seen_ns
 };
 
@@ -71,6 +73,9 @@ constexpr bool isOfDevice(StatementKind kind) {
 constexpr bool isOfPath(StatementKind kind) {
   return kind == StatementKind::show || kind == StatementKind::hide || kind == StatementKind::color;
 }
+constexpr bool isSignal(StatementKind kind) {
+  return kind == StatementKind::signal || kind == StatementKind::signals;
+}
 constexpr bool isDrawing(StatementKind kind) {
   return kind == StatementKind::line || kind == StatementKind::points ||
          kind == StatementKind::label;
@@ -84,16 +89,26 @@ struct PathView {
   bool is_layer = false;
 };
 
+/// What the value of a signal is.
+enum class SignalKind : std::uint8_t {
+  number,
+  boolean,  ///< its number is 1 or 0
+  text,     ///< its number is 0
+};
+inline constexpr std::size_t kSignalKindCount = 3;
+
 /// A statement. The kind decides which fields have a meaning; the rest keep their defaults.
 struct Statement {
   StatementKind kind = StatementKind::event;
   std::uint32_t line = 0;           ///< in the datagram, from 1 (the header's line)
   std::string_view name;            ///< DEVICE, or the ID of a drawing, or the NAME of a view
-  PathView path;                    ///< show, hide, color
+  PathView path;                    ///< show, hide, color; signal, signals: empty for `-`
   PathView carrier;                 ///< `in DEVICE/LINK`; empty `first` means the world
-  std::string_view text;            ///< MODEL, or the unescaped string of label and event
-  std::span<const double> numbers;  ///< metres and radians
-  std::span<const std::string_view> names;  ///< joint names
+  std::string_view text;            ///< MODEL, or the unescaped string of label, event and signal
+  std::span<const double> numbers;  ///< metres and radians; of signals in their units
+  std::span<const std::string_view> names;  ///< of joints or signals
+  std::span<const SignalKind> signal_kinds;
+  std::string_view unit;  ///< of the number of a `signal`; empty: it has none
   std::optional<std::uint64_t> kinematics;  ///< kin=HEX16
   std::optional<std::uint32_t> order_tag;   ///< @TAG of joints: the order that the values need
   std::uint32_t rgba = 0;                   ///< 0xRRGGBBAA
@@ -104,6 +119,14 @@ struct Statement {
   std::uint32_t part_count = 1;
   std::int64_t seen_ns = 0;  ///< log time, nanoseconds since the epoch
 };
+
+/// True when a signal of the statement is no number, and so a state.
+inline bool saysState(const Statement& statement) {
+  for (const SignalKind kind : statement.signal_kinds) {
+    if (kind != SignalKind::number) return true;
+  }
+  return false;
+}
 
 /// Faults of a datagram or one of its lines. A fault is counted; it is not an error.
 enum class PacketFault : std::uint8_t {
@@ -128,6 +151,8 @@ inline constexpr std::size_t kPacketFaultCount = 15;
 /// "bad_number" and so on: the names that reports use.
 std::string_view nameOf(PacketFault fault);
 std::string_view nameOf(StatementKind kind);
+/// "number", "boolean", "text"
+std::string_view nameOf(SignalKind kind);
 
 /// A fault in a datagram. `column` counts bytes from 1.
 struct FaultAt {

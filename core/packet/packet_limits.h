@@ -14,6 +14,8 @@ namespace rocinante::limits {
 inline constexpr std::size_t kNameBytes = 255;     ///< decoded
 inline constexpr std::size_t kStringBytes = 4096;  ///< unescaped
 inline constexpr std::size_t kJointValues = 4096;  ///< of one joints, order or joint statement
+inline constexpr std::size_t kSignalValues = 4096;  ///< of one signals statement
+inline constexpr std::size_t kUnitBytes = 32;       ///< of a signal's unit
 inline constexpr std::uint32_t kRestatementParts = 65536;
 inline constexpr std::uint32_t kDrawingParts = 4096;
 
@@ -22,6 +24,7 @@ inline constexpr std::size_t kRelays = 256;
 inline constexpr std::size_t kDevices = 65536;
 inline constexpr std::size_t kPaths = 262144;  ///< of visibility, and as many of colour
 inline constexpr std::size_t kDrawings = 65536;
+inline constexpr std::size_t kSignals = 65536;
 inline constexpr std::size_t kViews = 4096;
 inline constexpr std::size_t kEvents = 65536;  ///< not taken yet
 /// Limit of the whole state, as the table counts it: one sum for any mix of the items above.

@@ -83,6 +83,45 @@ void appendSpaceAndString(std::string& text, std::string_view string) {
   appendString(text, string);
 }
 
+void appendSignal(std::string& text, const Statement& statement, std::size_t index) {
+  switch (statement.signal_kinds[index]) {
+    case SignalKind::number:
+      return appendNumber(text, statement.numbers[index]);
+    case SignalKind::boolean:
+      text += statement.numbers[index] != 0 ? "true" : "false";
+      return;
+    case SignalKind::text:
+      return appendString(text, statement.text);
+  }
+}
+
+void appendSignals(std::string& text, const Statement& statement) {
+  const PathView& path = statement.path;
+  if (path.first.empty()) {
+    text += " -";
+  } else if (path.first == "-" && path.second.empty()) {
+    text += " %2D";
+  } else {
+    appendPath(text, path);
+  }
+  if (statement.kind == StatementKind::signals) {
+    for (std::size_t i = 0; i < statement.names.size(); ++i) {
+      appendField(text, statement.names[i]);
+      text += '=';
+      appendSignal(text, statement, i);
+    }
+    return;
+  }
+  appendField(text, statement.names.front());
+  text += ' ';
+  if (statement.is_default) {
+    text += "default";
+    return;
+  }
+  appendSignal(text, statement, 0);
+  if (!statement.unit.empty()) (text += ' ') += statement.unit;
+}
+
 void appendStatement(std::string& text, const Statement& statement) {
   text += nameOf(statement.kind);
   switch (statement.kind) {
@@ -159,6 +198,10 @@ void appendStatement(std::string& text, const Statement& statement) {
       break;
     case StatementKind::view:
       appendView(text, statement);
+      break;
+    case StatementKind::signal:
+    case StatementKind::signals:
+      appendSignals(text, statement);
       break;
     case StatementKind::seen:
       appendField(text, statement.name);

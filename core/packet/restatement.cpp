@@ -132,6 +132,7 @@ class OwnedTexts {
   void add(const ColorItem& item) { addTo(Stage::items, item); }
   void add(const DrawingItem& item) { addTo(Stage::items, item); }
   void add(const ViewItem& item) { addTo(Stage::items, item); }
+  void add(const SignalItem& item) { addTo(Stage::items, item); }
 
   /// Of the device whose items have been added.
   void addNamedJoints(const std::string& device) {

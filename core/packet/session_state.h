@@ -58,6 +58,34 @@ struct PoseValue {
   bool operator==(const PoseValue&) const = default;
 };
 
+/// One named value: a number with its unit, true or false, or a text.
+struct SignalValue {
+  SignalKind kind = SignalKind::number;
+  double number = 0;  ///< of booleans 1 or 0
+  std::string text;   ///< of texts
+  std::string unit;   ///< of numbers; empty while nobody has said one
+  bool operator==(const SignalValue&) const = default;
+};
+
+/// What a signal is called within its device, or among those of no device.
+struct SignalName {
+  std::string link;  ///< empty: of the device itself
+  std::string name;
+  bool operator==(const SignalName&) const = default;
+};
+struct SignalNameView {
+  SignalNameView(std::string_view of_link, std::string_view of_name)
+      : link(of_link), name(of_name) {}
+  SignalNameView(const SignalName& of) : link(of.link), name(of.name) {}
+  std::string_view link, name;
+  auto operator<=>(const SignalNameView&) const = default;
+};
+struct SignalOrder {
+  using is_transparent = void;
+  bool operator()(const SignalNameView& a, const SignalNameView& b) const { return a < b; }
+};
+using Signals = std::map<SignalName, Item<SignalValue>, SignalOrder>;
+
 /// Everything stated about one device. Nothing stated (an empty optional, a missing key) means the
 /// cell's own value.
 struct DeviceState {
@@ -72,11 +100,12 @@ struct DeviceState {
   NamedJoints named_joints;
   /// The joints that a SOURCE's `joints DEVICE` means, by SOURCE (which is also the owner).
   Orders orders;
+  Signals signals;       ///< of it and of its links
   LogTime last_write{};  ///< of any statement about this device
 
   /// Its items by kind, in the order in which they are sent.
-  auto slots() { return std::tie(presence, joints, orders, named_joints, pose); }
-  auto slots() const { return std::tie(presence, joints, orders, named_joints, pose); }
+  auto slots() { return std::tie(presence, joints, orders, named_joints, pose, signals); }
+  auto slots() const { return std::tie(presence, joints, orders, named_joints, pose, signals); }
 
   bool operator==(const DeviceState&) const = default;
 };
@@ -191,11 +220,21 @@ class SessionState {
   const std::map<Path, Item<ColorValue>>& colors() const { return colors_; }
   const Drawings& drawings() const { return drawings_; }
   const std::map<std::string, Item<ViewValue>, std::less<>>& views() const { return views_; }
+  /// Those that belong to no device; their `link` is empty.
+  const Signals& signals() const { return signals_; }
   /// All items, by map; whoever walks over them uses core/packet/state_items.h.
-  auto maps() const { return std::tie(devices_, visibility_, colors_, drawings_, views_); }
-  static constexpr std::array<std::string_view, 5> kMapNames = {"devices", "visibility", "colors",
-                                                                "drawings", "views"};
+  auto maps() const { return std::tie(devices_, visibility_, colors_, drawings_, views_, signals_); }
+  static constexpr std::array<std::string_view, 6> kMapNames = {"devices", "visibility", "colors",
+                                                                "drawings", "views",   "signals"};
 
+  /// A signal of `device`, or of none when that is empty; null when it is not stated.
+  const Item<SignalValue>* findSignal(std::string_view device, const SignalNameView& name) const {
+    const DeviceState* const of_device = device.empty() ? nullptr : findDevice(device);
+    if (of_device == nullptr && !device.empty()) return nullptr;
+    const Signals& signals = of_device == nullptr ? signals_ : of_device->signals;
+    const auto found = signals.find(name);
+    return found == signals.end() ? nullptr : &found->second;
+  }
   const std::map<std::string, SourceState, std::less<>>& sources() const { return sources_; }
 
   /// Counters and faults since the state was made; never part of the identity.
@@ -235,15 +274,17 @@ class SessionState {
     bool nothing_before = false;     ///< it begins with the source's first packet: none to remove
   };
 
-  auto ownMaps() { return std::tie(devices_, visibility_, colors_, drawings_, views_); }
+  auto ownMaps() { return std::tie(devices_, visibility_, colors_, drawings_, views_, signals_); }
 
   Devices devices_;
   std::map<Path, Item<Visibility>> visibility_;
   std::map<Path, Item<ColorValue>> colors_;
   Drawings drawings_;
   std::map<std::string, Item<ViewValue>, std::less<>> views_;
+  Signals signals_;
   std::map<std::string, SourceState, std::less<>> sources_;
   std::uint64_t weight_ = 0;
+  std::size_t signal_count_ = 0;  ///< of all devices and of none
 
   std::map<std::string, OpenRestatement, std::less<>> open_;  ///< by SOURCE
   LogTime open_until_{};       ///< when the first of `open_` times out

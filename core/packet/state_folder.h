@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 #include "core/packet/packet.h"
 #include "core/packet/packet_limits.h"
@@ -64,6 +65,11 @@ class StateFolder {
   void foldErase(const Statement& statement);
   void foldEvent(const Statement& statement);
   void foldView(const Statement& statement);
+  void foldSignals(const Statement& statement);
+  void cancelSignal(const Statement& statement);
+  /// The value `index` of a statement, as `found` among `signals` or as a new one.
+  bool setSignal(Signals& signals, Signals::iterator found, const Statement& statement,
+                 std::size_t index);
   void foldSeen(const Statement& statement);
   /// `found`: the position of `name` among the device's joints, or their end.
   bool setNamedJoint(DeviceState& device, NamedJoints::iterator found, std::string_view name,
@@ -115,9 +121,21 @@ class StateFolder {
   SourceCounts* counts_ = nullptr;
 };
 
+template <class T>
+Item<T> StateFolder::itemOf(T value) const {
+  return {std::move(value), std::string(header_.source), {state_.packets_}};
+}
+
+template <class T>
+void StateFolder::claim(Item<T>& item) const {
+  if (!sameName(item.owner, header_.source)) item.owner = header_.source;
+  item.said.packet = state_.packets_;
+}
+
 template <class Map>
 typename Map::iterator StateFolder::eraseFrom(Map& items, typename Map::iterator item) {
   state_.weight_ -= weightOf(item->first) + weightOf(item->second);
+  if constexpr (std::is_same_v<Map, Signals>) --state_.signal_count_;
   return items.erase(item);
 }
 

@@ -61,6 +61,15 @@ struct ViewItem {
   const std::string* ofDevice() const { return nullptr; }
 };
 
+/// Of a device or one of its links; of none when `device` is empty.
+struct SignalItem {
+  const std::string& device;
+  const SignalName& name;
+  const Item<SignalValue>& item;
+  const std::string& owner() const { return item.owner; }
+  const std::string* ofDevice() const { return device.empty() ? nullptr : &device; }
+};
+
 /// A visitor made of one function a kind.
 template <class... Kinds>
 struct ByKind : Kinds... {
@@ -81,6 +90,10 @@ template <class Visit>
 void eachItemIn(const std::string& device, const DeviceState::NamedJoints& joints, Visit& visit) {
   for (const auto& [joint, item] : joints) visit(JointItem{{device, item}, joint});
 }
+template <class Visit>
+void eachItemIn(const std::string& device, const Signals& signals, Visit& visit) {
+  for (const auto& [name, item] : signals) visit(SignalItem{device, name, item});
+}
 
 /// The items of an element of one of a state's maps; of a device in the order of its slots.
 template <class Visit>
@@ -100,6 +113,11 @@ void eachItemOf(const SessionState::Drawings::key_type& id, const Drawing& drawi
 template <class Visit>
 void eachItemOf(const std::string& name, const Item<ViewValue>& item, Visit&& visit) {
   visit(ViewItem{name, item});
+}
+template <class Visit>
+void eachItemOf(const SignalName& name, const Item<SignalValue>& item, Visit&& visit) {
+  static const std::string of_none;
+  visit(SignalItem{of_none, name, item});
 }
 
 /// Calls `visit` with each of the state's maps of items and its name, which listings use.

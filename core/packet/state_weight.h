@@ -13,6 +13,7 @@ inline constexpr std::uint64_t kDeviceWeight = 512;
 inline constexpr std::uint64_t kItemWeight = 128;
 inline constexpr std::uint64_t kDrawingWeight = 256;
 inline constexpr std::uint64_t kDrawingPartWeight = 40;
+inline constexpr std::uint64_t kSignalWeight = 256;
 inline constexpr std::uint64_t kOrderNameWeight = 32;
 
 inline std::uint64_t weightOf(const Path& path) { return path.first.size() + path.second.size(); }
@@ -41,6 +42,12 @@ inline std::uint64_t weightOf(const Item<ColorValue>& item) {
 }
 inline std::uint64_t weightOf(const Item<ViewValue>& item) {
   return kItemWeight + item.owner.size() + weightOf(item.value.carrier);
+}
+inline std::uint64_t weightOf(const SignalName& name) {
+  return name.link.size() + name.name.size();
+}
+inline std::uint64_t weightOf(const Item<SignalValue>& item) {
+  return kSignalWeight + item.owner.size() + item.value.text.size() + item.value.unit.size();
 }
 inline std::uint64_t weightOf(const Drawing& drawing) {
   std::uint64_t weight = kDrawingWeight + weightOf(drawing.carrier) + drawing.text.size();

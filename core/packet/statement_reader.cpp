@@ -21,6 +21,8 @@ const StatementReader::Row StatementReader::kTable[] = {
     {"joints", StatementKind::joints, &StatementReader::readJoints},
     {"joint", StatementKind::joint, &StatementReader::readJoint},
     {"pose", StatementKind::pose, &StatementReader::readPose},
+    {"signals", StatementKind::signals, &StatementReader::readSignals},
+    {"signal", StatementKind::signal, &StatementReader::readSignal},
     {"order", StatementKind::order, &StatementReader::readOrder},
     {"line", StatementKind::line, &StatementReader::readLine},
     {"points", StatementKind::points, &StatementReader::readPoints},
@@ -41,10 +43,12 @@ void StatementScratch::begin(std::size_t datagram_bytes) {
   faults.clear();
   numbers.clear();
   names.clear();
+  kinds.clear();
   // Every number and every name takes at least one byte and a separator.
   const std::size_t most_fields = datagram_bytes / 2 + 1;
   if (numbers.capacity() < most_fields) numbers.reserve(most_fields);
   if (names.capacity() < most_fields) names.reserve(most_fields);
+  if (kinds.capacity() < most_fields) kinds.reserve(most_fields);
   arena.begin(datagram_bytes);
 }
 
@@ -71,14 +75,17 @@ void StatementReader::read(std::string_view line, std::uint32_t number) {
   const std::size_t faults_before = scratch_.faults.size();
   const std::size_t numbers_before = scratch_.numbers.size();
   const std::size_t names_before = scratch_.names.size();
+  const std::size_t kinds_before = scratch_.kinds.size();
   if ((this->*row->reader)() && takeEnd()) {
     statement_->numbers = std::span(scratch_.numbers).subspan(numbers_before);
     statement_->names = std::span(scratch_.names).subspan(names_before);
+    statement_->signal_kinds = std::span(scratch_.kinds).subspan(kinds_before);
   } else {
     // Only this line is discarded, with the values it has added so far.
     scratch_.statements.pop_back();
     scratch_.numbers.resize(numbers_before);
     scratch_.names.resize(names_before);
+    scratch_.kinds.resize(kinds_before);
     scratch_.faults.resize(faults_before);
     scratch_.faults.push_back(fault_);
   }
@@ -111,13 +118,7 @@ bool StatementReader::readJoint() {
   std::size_t count = 0;
   do {
     if (count++ == limits::kJointValues) return failHere(PacketFault::too_many);
-    const std::string_view field = fields_.peek();
-    const std::size_t equals = field.find('=');
-    if (equals == std::string_view::npos) return failHere(PacketFault::bad_name);
-    const auto joint = decodeName(field.substr(0, equals), scratch_.arena);
-    if (!joint) return failHere(PacketFault::bad_name);
-    scratch_.names.push_back(*joint);
-    fields_.at() += equals + 1;
+    if (!takeNameOfValue()) return false;
     double value = 0;
     const char* const place = fields_.at();
     if (!readNumber(fields_.at(), fields_.end(), value) || !fields_.atSeparator()) {

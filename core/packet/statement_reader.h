@@ -17,6 +17,7 @@ struct StatementScratch {
   std::vector<FaultAt> faults;
   std::vector<double> numbers;
   std::vector<std::string_view> names;
+  std::vector<SignalKind> kinds;
   TextArena arena;
 
   void begin(std::size_t datagram_bytes);
@@ -55,14 +56,22 @@ class StatementReader {
   bool readErase();
   bool readEvent();
   bool readView();
+  bool readSignal();
+  bool readSignals();
   bool readSeen();
 
   bool readDrawing(std::string_view size_word);
 
   // Each takes the next field, or sets fault_.
   bool takeName(std::string_view& name);
+  /// NAME= of a joint's or signal's value, up to the value.
+  bool takeNameOfValue();
   bool takeDrawingId();
   bool takePath(PathView& path, bool with_layers);
+  bool takeSignalPath();
+  /// The value of a signal at the reader's place, in the middle of a field.
+  bool takeSignalValue(bool with_text);
+  bool takeUnit();
   bool takeCarrier();
   bool takeColor();
   bool takeText();

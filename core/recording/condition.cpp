@@ -27,7 +27,10 @@ bool meets(const Condition& condition, const Packet& packet) {
       });
     case Condition::Kind::device:
       return std::ranges::any_of(packet.statements, [&](const Statement& statement) {
-        return isOfDevice(statement.kind) && patternMatches(condition.pattern, statement.name);
+        const std::string_view device = isSignal(statement.kind)     ? statement.path.first
+                                        : isOfDevice(statement.kind) ? statement.name
+                                                                     : std::string_view();
+        return !device.empty() && patternMatches(condition.pattern, device);
       });
     case Condition::Kind::silence:
       break;

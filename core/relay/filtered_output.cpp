@@ -42,9 +42,12 @@ std::size_t FilteredOutput::roomFor(const Step& step, std::string_view source) c
 bool FilteredOutput::passesImmediate(std::string_view source, const Statement& statement) const {
   const bool of_device =
       statement.kind == StatementKind::order || statement.kind == StatementKind::remove;
+  const std::string_view device = of_device                  ? statement.name
+                                  : isSignal(statement.kind) ? statement.path.first
+                                                             : std::string_view();
   return std::all_of(options_.filters.begin(), options_.filters.end(), [&](const auto& filter) {
     return filter.passesKind(statement.kind) && filter.passesSource(source) &&
-           (!of_device || filter.passesDevice(statement.name));
+           (device.empty() || filter.passesDevice(device));
   });
 }
 
@@ -61,6 +64,7 @@ bool FilteredOutput::isStopped(const Step& step, std::string_view source,
     return !passesImmediate(source, statement);
   }
   bool any_written = false, any_passes = false;
+  if (isSignal(statement.kind)) return !passesImmediate(source, statement);
   forEachWritten(step.state, source, statement, [&](ItemKey&& key) {
     if (ownerOf(step.state, key) == nullptr) return;
     any_written = true;
@@ -102,6 +106,20 @@ void FilteredOutput::takeImmediate(const Step& step, const Packet& packet,
   draft.text += line;
 }
 
+void FilteredOutput::takeStates(const Step& step, const Packet& packet, const Statement& signals,
+                                RelayDraft& draft) {
+  if (signals.is_default) return takeImmediate(step, packet, signals, draft);
+  Statement state = signals;
+  state.kind = StatementKind::signal;
+  for (std::size_t i = 0; i < signals.names.size(); ++i) {
+    if (signals.signal_kinds[i] == SignalKind::number) continue;
+    state.names = signals.names.subspan(i, 1);
+    state.numbers = signals.numbers.subspan(i, 1);
+    state.signal_kinds = signals.signal_kinds.subspan(i, 1);
+    takeImmediate(step, packet, state, draft);
+  }
+}
+
 void FilteredOutput::applied(const SessionState& state, const ThroughBySource& through,
                              const Packet& packet, LogTime now, std::vector<std::string>& out) {
   const Step step{state, through, now, out};
@@ -121,6 +139,7 @@ void FilteredOutput::applied(const SessionState& state, const ThroughBySource& t
   if (!packet.header.part) {
     for (const Statement& each : packet.statements) {
       if (isImmediate(each.kind)) takeImmediate(step, packet, each, draft);
+      if (isSignal(each.kind)) takeStates(step, packet, each, draft);
       forEachWritten(state, packet.header.source, each, [&](ItemKey&& key) {
         if (ownerOf(state, key) == nullptr || !passes(options_.filters, state, key)) return;
         pending_.written(state, std::move(key), now);

@@ -85,6 +85,9 @@ class FilteredOutput {
   bool passesImmediate(std::string_view source, const Statement& statement) const;
   void takeImmediate(const Step& step, const Packet& packet, const Statement& statement,
                      RelayDraft& draft);
+  /// Of signals what is no number: each state arrives, however short.
+  void takeStates(const Step& step, const Packet& packet, const Statement& signals,
+                  RelayDraft& draft);
   void send(const Step& step, RelayDraft& draft, bool restating);
   void sendReady(const Step& step, RelayDraft& draft);
   void sendUnit(const Step& step, RelayDraft& draft);

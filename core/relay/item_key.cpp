@@ -63,6 +63,14 @@ ItemKey keyOf(const DrawingItem& item) {
   return key;
 }
 ItemKey keyOf(const ViewItem& item) { return keyOf(ItemKind::view, item.name); }
+ItemKey keyOf(std::string_view device, std::string_view link, std::string_view signal) {
+  ItemKey key = keyOf(ItemKind::signal, device, link);
+  key.signal = signal;
+  return key;
+}
+ItemKey keyOf(const SignalItem& item) {
+  return keyOf(item.device, item.name.link, item.name.name);
+}
 
 /// The kind of statement by which filters judge an item.
 constexpr ByKind kStatementOf{
@@ -75,6 +83,7 @@ constexpr ByKind kStatementOf{
     [](const ColorItem&) { return StatementKind::color; },
     [](const DrawingItem& item) { return item.drawing.kind; },
     [](const ViewItem&) { return StatementKind::view; },
+    [](const SignalItem&) { return StatementKind::signal; },
 };
 
 /// Calls `visit` with the item that has this key, if the state has one.
@@ -84,7 +93,7 @@ void visitItem(const SessionState& state, const ItemKey& key, Visit visit) {
     const auto found = items.find(name);
     if (found != items.end()) eachItemOf(found->first, found->second, visit);
   };
-  const bool is_slot = key.kind < ItemKind::visibility;
+  const bool is_slot = key.kind < ItemKind::visibility && !key.name.empty();
   const DeviceState* const device = is_slot ? state.findDevice(key.name) : nullptr;
   if (device == nullptr && is_slot) return;
   switch (key.kind) {
@@ -106,6 +115,12 @@ void visitItem(const SessionState& state, const ItemKey& key, Visit visit) {
     }
     case ItemKind::pose:
       return eachItemIn(key.name, device->pose, visit);
+    case ItemKind::signal: {
+      const Signals& signals = device == nullptr ? state.signals() : device->signals;
+      const auto found = signals.find(SignalNameView(key.second, key.signal));
+      if (found != signals.end()) visit(SignalItem{key.name, found->first, found->second});
+      return;
+    }
     case ItemKind::visibility:
       return visitIn(state.visibility(), pathOf(key));
     case ItemKind::color:
@@ -133,7 +148,7 @@ bool isDeviceValue(const ItemKey& key) {
 
 bool isOfDevice(const ItemKey& key) {
   if (key.kind == ItemKind::visibility || key.kind == ItemKind::color) return !key.is_layer;
-  return key.kind < ItemKind::visibility;
+  return key.kind < ItemKind::visibility && !key.name.empty();
 }
 
 const std::string* ownerOf(const SessionState& state, const ItemKey& key) {
@@ -226,6 +241,13 @@ void forEachWritten(const SessionState& state, std::string_view source, const St
     }
     case StatementKind::view:
       return visit(keyOf(ItemKind::view, statement.name));
+    case StatementKind::signal:
+    case StatementKind::signals:
+      for (std::size_t i = 0; i < statement.signal_kinds.size(); ++i) {
+        if (statement.signal_kinds[i] != SignalKind::number) continue;
+        visit(keyOf(statement.path.first, statement.path.second, statement.names[i]));
+      }
+      return;
     default:
       return;
   }

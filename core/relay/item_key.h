@@ -19,6 +19,7 @@ enum class ItemKind : std::uint8_t {
   order,       ///< name: device; second: SOURCE
   joint,       ///< name: device; second: joint
   pose,        ///< name: device
+  signal,      ///< name: device, empty: none; second: link; signal
   visibility,  ///< name, second, is_layer: the PATH
   color,       ///< likewise
   drawing,     ///< name: ID; second: SOURCE; part
@@ -32,6 +33,7 @@ struct ItemKey {
   std::uint32_t part = 0;  ///< of a drawing, from 0
   std::string name;
   std::string second;
+  std::string signal{};  ///< NAME
   auto operator<=>(const ItemKey&) const = default;
 };
 
@@ -70,7 +72,7 @@ bool passes(const std::vector<RelayFilter>& filters, const SessionState& state, 
 void forEachItem(const SessionState& state, const std::function<void(ItemKey&&)>& visit);
 
 /// The items that the statement wrote for `source`, after it was folded; nothing for statements
-/// that remove, for orders and for events.
+/// that remove, for orders, for events, and for signals that are no numbers.
 void forEachWritten(const SessionState& state, std::string_view source, const Statement& statement,
                     const std::function<void(ItemKey&&)>& visit);
 

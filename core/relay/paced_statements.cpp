@@ -37,23 +37,44 @@ void PacedStatements::add(std::string_view source, const Statement& statement) {
     noteMost();
     return;
   }
-  // A device is removed whoever asks; drawings and orders are a SOURCE's own.
-  const bool of_source = statement.kind != StatementKind::remove;
-  Subject subject(statement.kind, of_source ? source : std::string_view(), statement.name);
-  if (const auto older = newest_.find(subject); older != newest_.end()) {
-    const auto change = changes_.find(older->second);
-    bytes_ -= bytesOf(change->second.first);
-    changes_.erase(change);
-    newest_.erase(older);
+  Subject subject = subjectOf(source, statement);
+  const bool is_state = isSignal(statement.kind);
+  const auto older = about_.find(subject);
+  if (older != about_.end() && older->second.size() >= (is_state ? kMaxStates : 1)) {
+    dropped_ += is_state ? 1 : 0;
+    erase(older->second.back());
   }
   if (!hasRoom(bytes)) {
     ++dropped_;
     return;
   }
   bytes_ += bytes;
-  newest_.emplace(subject, ++came_);
+  about_[subject].push_back(++came_);
   changes_.emplace(came_, std::pair(std::move(waiting), std::move(subject)));
   noteMost();
+}
+
+/// A device is removed and a signal set whoever says so; drawings and orders are a SOURCE's own.
+PacedStatements::Subject PacedStatements::subjectOf(std::string_view source,
+                                                    const Statement& statement) {
+  if (isSignal(statement.kind)) {
+    const PathView& path = statement.path;
+    std::string item = encodeName(path.first) + '/' + encodeName(path.second) + ' ';
+    item += statement.names.front();
+    return {StatementKind::signal, {}, std::move(item)};
+  }
+  const bool of_source = statement.kind != StatementKind::remove;
+  return {statement.kind, std::string(of_source ? source : std::string_view()),
+          std::string(statement.name)};
+}
+
+void PacedStatements::erase(std::uint64_t change) {
+  const auto waiting = changes_.find(change);
+  bytes_ -= bytesOf(waiting->second.first);
+  const auto about = about_.find(waiting->second.second);
+  std::erase(about->second, change);
+  if (about->second.empty()) about_.erase(about);
+  changes_.erase(waiting);
 }
 
 RelayDraft PacedStatements::takeEvents(const RoomFor& room) {
@@ -72,11 +93,8 @@ RelayDraft PacedStatements::takeChanges(const RoomFor& room) {
   RelayDraft draft{changes_.begin()->second.first.source, {}, {}};
   const std::size_t most = room(draft.source);
   do {
-    const auto& [waiting, subject] = changes_.begin()->second;
-    bytes_ -= bytesOf(waiting);
-    draft.text += waiting.text;
-    newest_.erase(subject);
-    changes_.erase(changes_.begin());
+    draft.text += changes_.begin()->second.first.text;
+    erase(changes_.begin()->first);
   } while (!changes_.empty() && changes_.begin()->second.first.source == draft.source &&
            draft.text.size() + changes_.begin()->second.first.text.size() <= most);
   return draft;

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 #include "core/base/time.h"
 #include "core/packet/packet.h"
@@ -45,19 +46,22 @@ class TokenBucket {
 struct PacedCounts {
   std::uint64_t waiting = 0;  ///< now
   std::uint64_t most = 0;     ///< at any time
-  std::uint64_t dropped = 0;  ///< beyond PacedStatements::kMaxBytes; the link never gets these
+  /// Beyond PacedStatements::kMaxBytes or kMaxStates; the link never gets these.
+  std::uint64_t dropped = 0;
 
   /// Of several outputs: `most` is then the sum of each one's.
   PacedCounts& operator+=(const PacedCounts& others);
 };
 
 /// What a slow output sends statement by statement instead of by item, in the order in which it
-/// came: every event, and each change that an item cannot hold (`remove`, `erase`, `order`), of
-/// which only the newest about one thing waits. Memory is bounded. One thread.
+/// came: every event, each change that an item cannot hold (`remove`, `erase`, `order`), of which
+/// only the newest about one thing waits, and each state of a signal. Memory is bounded. One thread.
 class PacedStatements {
  public:
   /// Of both together; 5 minutes of 28.8 kbit/s.
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
+  /// Of one signal: the newest state then takes the place of the one before it.
+  static constexpr std::size_t kMaxStates = 64;
   /// Bytes that a datagram has for statements of this SOURCE.
   using RoomFor = std::function<std::size_t(const std::string&)>;
 
@@ -79,13 +83,16 @@ class PacedStatements {
   /// What a change is about: kind, SOURCE ("" for all), name.
   using Subject = std::tuple<StatementKind, std::string, std::string>;
 
+  static Subject subjectOf(std::string_view source, const Statement& statement);
+  void erase(std::uint64_t change);
   bool hasRoom(std::size_t bytes) const { return bytes_ + bytes <= kMaxBytes; }
   static std::size_t bytesOf(const Waiting& waiting);
   void noteMost();
 
   std::deque<Waiting> events_;
   std::map<std::uint64_t, std::pair<Waiting, Subject>> changes_;  ///< by when they came
-  std::map<Subject, std::uint64_t> newest_;                       ///< the change about each
+  /// The changes about each that wait, oldest first: of anything but a signal one at most.
+  std::map<Subject, std::vector<std::uint64_t>> about_;
   std::uint64_t came_ = 0;
   std::size_t bytes_ = 0;
   std::uint64_t most_ = 0;

@@ -22,6 +22,10 @@ ItemKey PendingItems::unitOf(const ItemKey& key) {
   return isDeviceValue(key) ? ItemKey{ItemKind::pose, false, 0, key.name, {}} : key;
 }
 
+bool PendingItems::isPaced(const ItemKey& key) {
+  return isDeviceValue(key) || key.kind == ItemKind::signal;
+}
+
 bool PendingItems::isLargeChange(const SessionState& state, const ItemKey& key,
                                  const Unit& unit) const {
   if (!options_.min_change.any() || !isDeviceValue(key)) return true;
@@ -65,7 +69,7 @@ void PendingItems::written(const SessionState& state, ItemKey&& key, LogTime now
   const auto found = units_.try_emplace(unitOf(key)).first;
   Unit& unit = found->second;
   unit.matters = unit.matters || isLargeChange(state, key, unit);
-  const bool is_paced = isDeviceValue(key);
+  const bool is_paced = isPaced(key);
   if (!unit.items.insert(std::move(key)).second) ++conflated_;
   if (unit.place == Unit::Place::ready) return;
   LogTime due = now;
@@ -92,6 +96,14 @@ void PendingItems::said(const ItemKey& key) {
 }
 
 void PendingItems::removed(std::string_view device) {
+  // What became ready or waits finds its signal gone when its turn comes.
+  ItemKey signal{ItemKind::signal, false, 0, std::string(device), {}};
+  auto of_device = units_.lower_bound(signal);
+  while (of_device != units_.end() && of_device->first.kind == ItemKind::signal &&
+         of_device->first.name == device) {
+    const bool is_idle = of_device->second.place == Unit::Place::nowhere;
+    of_device = is_idle ? units_.erase(of_device) : std::next(of_device);
+  }
   const ItemKey values{ItemKind::pose, false, 0, std::string(device), {}};
   const auto found = units_.find(values);
   if (found == units_.end()) return;
@@ -127,9 +139,11 @@ std::vector<ItemKey> PendingItems::takeReady(const SessionState& state, LogTime 
   unit.matters = false;
   if (!items.empty()) unit.sent = now;
   // Only a device whose next send depends on this one is remembered.
-  const bool is_remembered = isDeviceValue(front->first) &&
-                             (options_.interval || options_.min_change.any()) &&
-                             state.findDevice(front->first.name) != nullptr;
+  const ItemKey& key = front->first;
+  const bool is_remembered =
+      (options_.interval || options_.min_change.any()) &&
+      (isDeviceValue(key) ? state.findDevice(key.name) != nullptr
+                          : isPaced(key) && ownerOf(state, key) != nullptr);
   if (!is_remembered) units_.erase(front);
   return items;
 }

@@ -78,6 +78,8 @@ class PendingItems {
   };
 
   static ItemKey unitOf(const ItemKey& key);
+  /// True for what goes out as often as the limits allow: values of a device, numbers of signals.
+  static bool isPaced(const ItemKey& key);
   bool isLargeChange(const SessionState& state, const ItemKey& key, const Unit& unit) const;
   static void remember(const SessionState& state, const ItemKey& key, Unit& unit);
 

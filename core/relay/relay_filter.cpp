@@ -12,7 +12,7 @@ using Kind = StatementKind;
 constexpr std::uint32_t bitOf(Kind kind) { return std::uint32_t{1} << static_cast<unsigned>(kind); }
 
 /// Kinds that are one thing to a listener.
-constexpr std::array<std::uint32_t, 9> kGroups = {
+constexpr std::array<std::uint32_t, 10> kGroups = {
     bitOf(Kind::joints) | bitOf(Kind::order) | bitOf(Kind::joint),
     bitOf(Kind::pose),
     bitOf(Kind::add) | bitOf(Kind::remove),
@@ -22,6 +22,7 @@ constexpr std::array<std::uint32_t, 9> kGroups = {
     bitOf(Kind::points) | bitOf(Kind::erase),
     bitOf(Kind::label) | bitOf(Kind::erase),
     bitOf(Kind::view),
+    bitOf(Kind::signal) | bitOf(Kind::signals),
 };
 
 }  // namespace

@@ -177,6 +177,28 @@ SourceResult Source::setColor(PathView path, std::optional<std::uint32_t> rgba) 
                        : rk_source_color_default(state_->source, CPath(path)));
 }
 
+SourceResult Source::setSignal(PathView path, std::string_view name, double value,
+                               std::string_view unit, double deadband) {
+  const CText<RK_UNIT_BYTES> said(unit);
+  if (said.get() == nullptr) return SourceResult::bad_text;
+  return resultOf(rk_source_signal(state_->source, CPath(path), CName(name).name(), value,
+                                   unit.empty() ? nullptr : said.get(), deadband));
+}
+
+SourceResult Source::setSignal(PathView path, std::string_view name, bool value) {
+  return resultOf(
+      rk_source_signal_bool(state_->source, CPath(path), CName(name).name(), value ? 1 : 0));
+}
+
+SourceResult Source::setSignal(PathView path, std::string_view name, std::string_view text) {
+  return resultOf(rk_source_signal_text(state_->source, CPath(path), CName(name).name(),
+                                        CString(text).get()));
+}
+
+SourceResult Source::cancelSignal(PathView path, std::string_view name) {
+  return resultOf(rk_source_signal_default(state_->source, CPath(path), CName(name).name()));
+}
+
 SourceResult Source::drawLine(std::string_view id, std::uint32_t rgba, std::span<const Vec3> points,
                               double width_px, PathView carrier) {
   return resultOf(rk_source_line(state_->source, CName(id).name(), rgba, width_px, CPath(carrier),

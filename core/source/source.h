@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -20,7 +21,7 @@ enum class [[nodiscard]] SourceResult : std::int32_t{
     done = 0,
     bad_name = -1,      ///< not 1 to 255 bytes of UTF-8 without control characters
     bad_number = -2,    ///< not finite, or not below 2^53 in magnitude
-    bad_text = -3,      ///< over 4,096 bytes, not UTF-8, or with control characters
+    bad_text = -3,      ///< over 4,096 bytes, not UTF-8, or with control characters; a bad unit
     bad_pose = -4,      ///< the quaternion's length differs from 1 by more than 0.001
     bad_argument = -5,  ///< missing or out of range
     no_device = -6,     ///< forgotten, or never declared
@@ -104,6 +105,27 @@ class Source {
   SourceResult setVisibility(PathView path, Visibility visibility);
   /// 0xRRGGBBAA; empty: the cell's own.
   SourceResult setColor(PathView path, std::optional<std::uint32_t> rgba);
+
+  /// What the machine says beside where it is, of a device, a link, or (an empty path) of neither.
+  /// A number goes out when it differs by more than `deadband` from the one sent last, and is
+  /// restated as it is; `unit` is 1 to 32 printable ASCII bytes without spaces and quotes, or empty
+  /// for the one that the signal has.
+  SourceResult setSignal(PathView path, std::string_view name, double value,
+                         std::string_view unit = {}, double deadband = 0);
+  SourceResult setSignal(PathView path, std::string_view name, bool value);
+  SourceResult setSignal(PathView path, std::string_view name, std::string_view text);
+  SourceResult setSignal(PathView path, std::string_view name, const char* text) {
+    return setSignal(path, name, std::string_view(text));
+  }
+  /// An integer is a number, not a truth.
+  template <std::integral Number>
+    requires(!std::same_as<Number, bool>)
+  SourceResult setSignal(PathView path, std::string_view name, Number value,
+                         std::string_view unit = {}, double deadband = 0) {
+    return setSignal(path, name, static_cast<double>(value), unit, deadband);
+  }
+  /// Says nothing about the signal any more; receivers may have one of an earlier run.
+  SourceResult cancelSignal(PathView path, std::string_view name);
 
   /// Drawings share their ids; drawing one again replaces it. Long ones are sent in parts, at most
   /// 4,096. At least one point; pixels above 0.

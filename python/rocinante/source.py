@@ -32,6 +32,14 @@ def _string(text: str) -> str:
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
 
 
+def _signal_path(path: str | None) -> str:
+    if path is None:
+        return "-"
+    if path.startswith("layer/"):
+        raise ValueError(f"a signal has a device or a link, not a layer: {path}")
+    return "%2D" if path == "-" else _name(path, b"/")
+
+
 class Source:
     """A source of state: what changed goes out at each `flush`, and everything again every `restate` s,
     so that who joins late sees it too. Call `flush` in each cycle, at least ten times a second.
@@ -54,6 +62,7 @@ class Source:
         self._state: dict[tuple[str, ...], str] = {}    # what each line is about: the line
         self._changed: dict[tuple[str, ...], str] = {}
         self._once: list[str] = []                      # lines that are no state
+        self._sent_numbers: dict[tuple[str, ...], tuple[float, str | None]] = {}    # of signals
         self._parts: list[tuple[float, str, list[tuple[str, ...]]]] = []
         self._sequence = self._restatements = 0
         self._next_restatement: float | None = None
@@ -110,6 +119,38 @@ class Source:
             raise ValueError(f"not a colour: {color!r} (#rrggbb or #rrggbbaa)")
         self._say(("color", path), f"color {_name(path, b'/')} {color}")
 
+    def signal(self, path: str | None, name: str, value: float | bool | str | None, unit: str | None = None,
+               *, deadband: float = 0.0) -> None:
+        """A value that is no joint: of "DEVICE", "DEVICE/LINK", or None for neither. A number goes out when
+        it differs by more than `deadband` from the one sent last, and is restated as it is; its unit is
+        1 to 32 printable ASCII characters without spaces and quotes, by default the one it has. A value of
+        None: nothing is said of it any more."""
+        key = ("signal", path or "", name)
+        words = f"signal {_signal_path(path)} {_name(name)}"
+        if value is None:
+            self._forget(lambda other: other == key)
+            self._once.append(f"{words} default")
+            return
+        if isinstance(value, (bool, str)):
+            if unit is not None:
+                raise ValueError(f"{name}: only a number has a unit")
+            self._sent_numbers.pop(key, None)
+            self._say(key, f"{words} {_string(value) if isinstance(value, str) else str(value).lower()}")
+            return
+        if unit is not None and not (1 <= len(unit) <= 32 and all("!" <= c <= "~" and c != '"' for c in unit)):
+            raise ValueError(f"not a unit: {unit!r} (1 to 32 printable ASCII characters, no spaces, no quotes)")
+        was = self._sent_numbers.get(key)
+        if unit is None and was is not None:
+            unit = was[1]
+        line = f"{words} {_number(value)}" + (f" {unit}" if unit else "")
+        if was is not None and was[1] == unit and abs(value - was[0]) <= deadband:
+            self._state[key] = line     # restated, and sent only if it was to be sent anyway
+            if key in self._changed:
+                self._changed[key] = line
+            return
+        self._sent_numbers[key] = (value, unit)
+        self._say(key, line)
+
     def label(self, id: str, position: Sequence[float], text: str) -> None:
         """Text at a point of the world."""
         x, y, z = position
@@ -158,7 +199,8 @@ class Source:
             self._state[key] = self._changed[key] = line
 
     def _forget(self, is_gone: Any) -> None:
-        for store in (self._state, self._changed):
+        stores: tuple[dict[tuple[str, ...], Any], ...] = (self._state, self._changed, self._sent_numbers)
+        for store in stores:
             for key in [key for key in store if is_gone(key)]:
                 del store[key]
 

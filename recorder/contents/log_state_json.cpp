@@ -41,10 +41,32 @@ Json jsonOf(const Item<PoseValue>& item) {
           {"owner", item.owner}};
 }
 
+/// A value of its kind's own type; the unit is null where none was said.
+Json jsonOf(const SignalName& name, const Item<SignalValue>& item) {
+  const SignalValue& said = item.value;
+  Json out = {{"name", name.name}, {"link", orNull(name.link)}};
+  switch (said.kind) {
+    case SignalKind::number:
+      out["value"] = said.number;
+      break;
+    case SignalKind::boolean:
+      out["value"] = said.number != 0;
+      break;
+    case SignalKind::text:
+      out["value"] = said.text;
+      break;
+  }
+  out["unit"] = orNull(said.unit);
+  out["owner"] = item.owner;
+  return out;
+}
+
 Json jsonOf(const std::string& name, const DeviceState& device) {
   Json out = {{"name", name}, {"last_write_ns", nanosecondsOf(device.last_write)}};
   for (const char* const one : {"presence", "pose", "joints"}) out[one] = nullptr;
-  for (const char* const several : {"named_joints", "orders"}) out[several] = Json::array();
+  for (const char* const several : {"named_joints", "orders", "signals"}) {
+    out[several] = Json::array();
+  }
   const ByKind add{
       [&](const PresenceItem& said) { out["presence"] = jsonOf(said.item); },
       [&](const PoseItem& said) { out["pose"] = jsonOf(said.item); },
@@ -58,6 +80,7 @@ Json jsonOf(const std::string& name, const DeviceState& device) {
       [&](const OrderItem& said) {
         out["orders"].push_back({{"joints", said.item.value}, {"owner", said.owner()}});
       },
+      [&](const SignalItem& said) { out["signals"].push_back(jsonOf(said.name, said.item)); },
   };
   eachItemOf(name, device, add);
   return out;

@@ -35,17 +35,18 @@ class StateLines {
   void add(const std::string& name, const DeviceState& device) {
     const Nanoseconds written = device.last_write - shown_.origin;
     text_ += fmt::format("  {}, last written at {} s\n", encodeName(name), secondsText(written, 3));
-    // The orders stand behind the joints, and the pose before them.
-    std::string joints, orders;
+    // The orders stand behind the joints, and the pose before them; then signals.
+    std::string joints, orders, signals;
     const ByKind add_line{
         [&](const PresenceItem& item) { text_ += lineOf(item); },
         [&](const PoseItem& item) { text_ += lineOf(item); },
         [&](const PositionsItem& item) { joints += lineOf(item); },
         [&](const JointItem& item) { joints += lineOf(item); },
         [&](const OrderItem& item) { orders += lineOf(item); },
+        [&](const SignalItem& item) { signals += lineOf(item); },
     };
     eachItemOf(name, device, add_line);
-    text_ += joints + orders;
+    text_ += joints + orders + signals;
   }
   template <class Key, class Value>
   void add(const Key& key, const Value& value) {

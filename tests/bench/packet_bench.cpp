@@ -21,7 +21,10 @@ using namespace rocinante;
 constexpr std::size_t kPackets = 200'000;
 constexpr std::size_t kJoints = 6;
 
-std::vector<std::string> makePackets(std::size_t sources) {
+/// Velocity and effort of each joint.
+constexpr std::size_t kSignals = 2 * kJoints;
+
+std::vector<std::string> makePackets(std::size_t sources, bool with_signals) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> angle_rad(-3.14, 3.14);
   std::vector<std::string> packets;
@@ -35,7 +38,16 @@ std::vector<std::string> makePackets(std::size_t sources) {
       bytes += std::snprintf(line.data() + bytes, line.size() - static_cast<std::size_t>(bytes),
                              " %.6f", angle_rad(random));
     }
-    packets.push_back(std::string(line.data(), static_cast<std::size_t>(bytes)) + '\n');
+    std::string& packet = packets.emplace_back(line.data(), static_cast<std::size_t>(bytes));
+    packet += '\n';
+    if (!with_signals) continue;
+    packet += "signals " + name;
+    for (std::size_t signal = 0; signal < kSignals; ++signal) {
+      std::snprintf(line.data(), line.size(), " joint_%zu.%s=%.6f", signal % kJoints + 1,
+                    signal < kJoints ? "effort" : "velocity", angle_rad(random));
+      packet += line.data();
+    }
+    packet += '\n';
   }
   return packets;
 }
@@ -77,12 +89,17 @@ double floorSum(const std::vector<std::string>& packets) {
       at = std::from_chars(at, end, value).ptr + 1;
       sum += value;
     }
+    while ((at = std::find(at, end, '=')) != end) {
+      double value = 0;
+      at = std::from_chars(at + 1, end, value).ptr;
+      sum += value;
+    }
   }
   return sum;
 }
 
-void measure(std::size_t sources) {
-  const std::vector<std::string> packets = makePackets(sources);
+void measure(std::size_t sources, bool with_signals) {
+  const std::vector<std::string> packets = makePackets(sources, with_signals);
   double sum = 0;
   const double floor_ns = nanosecondsEach([&] { sum += floorSum(packets); });
   PacketTextDecoder decoder;
@@ -108,9 +125,9 @@ void measure(std::size_t sources) {
     }
   });
   std::printf(
-      "%4zu sources: from_chars alone %.0f ns, decodeHeader %.0f (%.2fx), decode %.0f "
+      "%4zu sources%s: from_chars alone %.0f ns, decodeHeader %.0f (%.2fx), decode %.0f "
       "(%.2fx), decode + fold + publish %.0f (%.2fx) = %.1f M packets/s  [%g]\n",
-      sources, floor_ns, header_ns, header_ns / floor_ns, decode_ns, decode_ns / floor_ns, all_ns,
+      sources, with_signals ? ", twelve signals" : "", floor_ns, header_ns, header_ns / floor_ns, decode_ns, decode_ns / floor_ns, all_ns,
       all_ns / floor_ns, 1000 / all_ns, sum);
 }
 
@@ -118,5 +135,6 @@ void measure(std::size_t sources) {
 
 int main() {
   std::printf("six-joint packets, ns a packet, best of 7\n");
-  for (const std::size_t sources : {1U, 8U, 100U}) measure(sources);
+  for (const std::size_t sources : {1U, 8U, 100U}) measure(sources, false);
+  for (const std::size_t sources : {1U, 8U, 100U}) measure(sources, true);
 }

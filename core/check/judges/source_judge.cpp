@@ -108,8 +108,8 @@ void SourceJudge::watchNumbers(const SourceCounts& counts, const PacketPlace& pl
 }
 
 void SourceJudge::takeStatement(const Statement& statement, const PacketPlace& place) {
-  if (!StaticItems::isStatic(statement.kind)) return;
   statics_.take(statement, place.time);
+  if (!StaticItems::isStatic(statement)) return;
   if (!has_statics_ && !place.is_restated) said_again_ = place.time;
   has_statics_ = true;
 }

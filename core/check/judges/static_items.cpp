@@ -10,26 +10,33 @@ namespace {
 std::size_t hashOf(std::string_view text) { return std::hash<std::string_view>{}(text); }
 
 std::size_t deviceOf(const Statement& statement) {
-  if (isOfPath(statement.kind)) return statement.path.is_layer ? 0 : hashOf(statement.path.first);
+  if (isOfPath(statement.kind) || isSignal(statement.kind)) {
+    return statement.path.is_layer ? 0 : hashOf(statement.path.first);
+  }
   return hashOf(statement.name);
 }
 
-/// What the statement sets: `hide` and `show` set the same.
-std::size_t keyOf(const Statement& statement) {
-  const StatementKind kind =
-      statement.kind == StatementKind::hide ? StatementKind::show : statement.kind;
+/// What the statement sets, of signals the one of this name: `hide` and `show` set the same, and so
+/// do `signal` and `signals`.
+std::size_t keyOf(const Statement& statement, std::string_view signal) {
+  const StatementKind kind = statement.kind == StatementKind::hide      ? StatementKind::show
+                             : statement.kind == StatementKind::signals ? StatementKind::signal
+                                                                        : statement.kind;
   std::size_t key = static_cast<std::size_t>(kind) + 1;
   const auto mix = [&](std::size_t part) { key = key * 0x9E3779B97F4A7C15U + part; };
   mix(deviceOf(statement));
   mix(statement.path.is_layer ? 1 : 0);
   mix(hashOf(statement.path.second));
   mix(statement.part_index);
+  mix(hashOf(signal));
   return key;
 }
 
 }  // namespace
 
-bool StaticItems::isStatic(StatementKind kind) {
+bool StaticItems::isStatic(const Statement& statement) {
+  const StatementKind kind = statement.kind;
+  if (isSignal(kind)) return saysState(statement);
   return !isDeviceValue(kind) && kind != StatementKind::event && kind != StatementKind::seen;
 }
 
@@ -37,7 +44,18 @@ void StaticItems::take(const Statement& statement, LogTime time) {
   if (statement.kind == StatementKind::remove || statement.kind == StatementKind::erase) {
     return forget(statement);
   }
-  const std::size_t key = keyOf(statement);
+  if (!isStatic(statement)) {
+    if (statement.is_default) items_.erase(keyOf(statement, statement.names.front()));
+    return;
+  }
+  if (!isSignal(statement.kind)) return take(statement, {}, time);
+  for (std::size_t i = 0; i < statement.signal_kinds.size(); ++i) {
+    if (statement.signal_kinds[i] != SignalKind::number) take(statement, statement.names[i], time);
+  }
+}
+
+void StaticItems::take(const Statement& statement, std::string_view signal, LogTime time) {
+  const std::size_t key = keyOf(statement, signal);
   const auto known = items_.find(key);
   if (known != items_.end()) {
     known->second.said = time;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <unordered_map>
 
 #include "core/check/judges/tally.h"
@@ -12,9 +13,11 @@ namespace rocinante {
 /// said again, whether or not a packet is marked `restated`.
 class StaticItems {
  public:
-  /// False for joint values, poses and events, which are no state to be restated.
-  static bool isStatic(StatementKind kind);
+  /// False for joint values, poses, numbers of signals and events, which are no state to be
+  /// restated.
+  static bool isStatic(const Statement& statement);
 
+  /// Of what is not static only that a signal is cancelled counts.
   void take(const Statement& statement, LogTime time);
   /// When the item that was not said for longest was last said; empty without items, and when there
   /// are more than are followed.
@@ -27,6 +30,7 @@ class StaticItems {
     LogTime said{};
   };
 
+  void take(const Statement& statement, std::string_view signal, LogTime time);
   void forget(const Statement& statement);
 
   std::unordered_map<std::size_t, Item> items_;  ///< by the hash of what the statement sets

@@ -147,6 +147,19 @@ RK_SOURCE_API int rk_source_show(rk_source *source, rk_path path, rk_shown shown
 RK_SOURCE_API int rk_source_color(rk_source *source, rk_path path, uint32_t rgba);
 RK_SOURCE_API int rk_source_color_default(rk_source *source, rk_path path);
 
+/* What the machine says beside where it is (docs/packet-format.md, "Signals"), of a device, a link,
+ * or rk_world() for neither. A number goes out when it differs by more than `deadband` from the one
+ * sent last, and is restated as it is; `unit` (1 to 32 printable ASCII bytes without spaces and
+ * quotes) may be NULL: the one it has, or none. */
+RK_SOURCE_API int rk_source_signal(rk_source *source, rk_path path, const char *name, double value,
+                                   const char *unit, double deadband);
+RK_SOURCE_API int rk_source_signal_bool(rk_source *source, rk_path path, const char *name,
+                                        int value);
+RK_SOURCE_API int rk_source_signal_text(rk_source *source, rk_path path, const char *name,
+                                        const char *text);
+/* Says nothing about the signal any more; receivers may have one of an earlier run. */
+RK_SOURCE_API int rk_source_signal_default(rk_source *source, rk_path path, const char *name);
+
 /* Drawings share their ids; setting one again replaces it. `xyz` has three numbers a point, at
  * least one point. Long ones are sent in parts, at most 4,096. `size_px`: width of a line, size of
  * points. */
@@ -212,6 +225,8 @@ enum {
   RK_NUMBER_BYTES = 28,   /* the longest number with the space before it */
   RK_ENCODED_BYTES = 765, /* the longest name, percent-encoded */
   RK_KEY_BYTES = 2 * RK_ENCODED_BYTES + 8,
+  RK_SIGNAL_KEY_BYTES = 3 * RK_ENCODED_BYTES + 8,
+  RK_UNIT_BYTES = 32,
   RK_HEADER_BYTES = 84, /* the longest header after SOURCE@RUN */
   RK_LEAST_LINE = 24,
   RK_CLASSES = 26 /* blocks of 32 << class bytes: up to 1 GiB */
@@ -429,16 +444,20 @@ typedef enum rk_kind {
   RK_POSE,
   RK_VISIBILITY,
   RK_COLOR,
+  RK_SIGNAL,
   RK_DRAWING,
   RK_VIEW,
   RK_EVENT, /* sent once, then freed, like the next */
-  RK_ERASURE
+  RK_ERASURE,
+  RK_CANCELLATION /* of a signal */
 } rk_kind;
 
 /* The form of an item: what kind of value it has. */
 enum { RK_NOTHING, RK_ADDED, RK_REMOVED }; /* of a device */
 enum { RK_COLORED, RK_COLOR_OF_CELL };     /* of a colour */
 enum { RK_LINE, RK_POINTS, RK_LABEL };     /* of a drawing */
+enum { RK_NUMBER, RK_BOOL, RK_TEXT };      /* of a signal */
+enum { RK_WHOLE = 2 };
 
 typedef struct rk_item rk_item;
 typedef struct rk_slot rk_slot;
@@ -458,8 +477,8 @@ struct rk_item {
   uint32_t text_size, carrier_size;
   rk_item *before, *after; /* in the order of restatements; a device's items follow it */
   rk_item *next_in_bucket;
-  uint32_t rgba;
-  uint32_t part_index, part_count; /* of a drawing */
+  uint32_t rgba;                   /* of a number: the restatement since which its unit was said */
+  uint32_t part_index, part_count; /* of a drawing; RK_WHOLE: a number's next line has its unit */
   uint32_t part;                   /* of the restatement under way; 0: none */
   uint32_t hash;
   uint8_t item_class, value_class, text_class; /* sizes of its blocks */
@@ -664,6 +683,21 @@ static inline char *rk_put_drawing(char *at, const rk_item *item) {
   return rk_put_numbers(at, item->values + 1, item->value_count - 1);
 }
 
+/* The second value is the number that was sent last. */
+static inline char *rk_put_signal(char *at, const rk_item *item) {
+  if (item->form == RK_NUMBER && item->part_count != RK_WHOLE) {
+    at = rk_put_key(at, "signals", item);
+    *at++ = '=';
+    return rk_put_number(at, item->values[0]);
+  }
+  at = rk_put_key(at, "signal", item);
+  if (item->form == RK_BOOL) return rk_put_word(at, item->values[0] != 0 ? " true" : " false");
+  if (item->form == RK_NUMBER) at = rk_put_numbers(at, item->values, 1);
+  if (item->text_size == 0) return at;
+  *at++ = ' ';
+  return rk_put_bytes(at, item->text, item->text_size);
+}
+
 static inline char *rk_put_view(char *at, const rk_item *item) {
   const double *up = item->values + 7;
   at = rk_put_numbers(rk_put_key(at, "view", item), item->values, 7);
@@ -701,6 +735,12 @@ static inline char *rk_put_line(char *at, const rk_item *item) {
     case RK_COLOR:
       at = rk_put_key(at, "color", item);
       at = item->form == RK_COLORED ? rk_put_color(at, item->rgba) : rk_put_word(at, " default");
+      break;
+    case RK_SIGNAL:
+      at = rk_put_signal(at, item);
+      break;
+    case RK_CANCELLATION:
+      at = rk_put_word(rk_put_key(at, "signal", item), " default");
       break;
     case RK_DRAWING:
       at = rk_put_drawing(at, item);
@@ -740,6 +780,21 @@ static inline rk_draft rk_draft_of(int form) {
   memset(&draft, 0, sizeof draft);
   draft.form = (uint8_t)form;
   return draft;
+}
+
+/* The draft's text is this one, quoted where datagrams are written. */
+static inline int rk_draft_string(rk_source *s, rk_draft *draft, const char *text) {
+  char *const begin = s->buffer;
+  const char *const end = rk_put_string(begin, begin + s->line_most, text);
+  if (end == NULL) {
+    /* Too long for a datagram, or no text at all. */
+    return text != NULL && strlen(text) <= RK_STRING_BYTES && strlen(text) > s->line_most / 2
+               ? RK_TOO_LONG
+               : RK_BAD_TEXT;
+  }
+  draft->text = begin;
+  draft->text_size = (size_t)(end - begin);
+  return RK_OK;
 }
 
 static inline int rk_check(const rk_source *s, size_t key_size, const rk_draft *draft) {
@@ -861,7 +916,8 @@ RK_SOURCE_API const char *rk_result_text(int result) {
       "done",
       "a name is not 1 to 255 bytes of UTF-8 without control characters",
       "a number is not finite or not below 2^53",
-      "a text is longer than 4096 bytes, not UTF-8, or has control characters",
+      "a text is longer than 4096 bytes, not UTF-8, or has control characters; or a unit is not 1 "
+      "to 32 printable ASCII bytes without spaces and quotes",
       "the length of a quaternion differs from 1 by more than 0.001",
       "an argument is missing or out of range",
       "no such device: its handle was forgotten or never given",
@@ -1178,27 +1234,32 @@ RK_SOURCE_API int rk_source_repeat(rk_source *source, rk_device device) {
   return RK_OK;
 }
 
+/* A new item of the device of this name, or of none when that is NULL. */
+static inline int rk_say_new_of(rk_source *s, rk_kind kind, const char *key, size_t size,
+                                const char *device_name, const rk_draft *draft) {
+  rk_item *device = NULL;
+  int result = RK_OK;
+  if (device_name != NULL) {
+    /* `remove` concerns it, whether the device was declared or not. */
+    char name[RK_ENCODED_BYTES];
+    const char *end = rk_put_name(name, device_name);
+    device = rk_declare(s, name, (size_t)(end - name), &result);
+    if (device == NULL) return result;
+    if (device->form == RK_REMOVED) return RK_GONE;
+  }
+  return rk_say_new(s, kind, key, size, device != NULL ? device->slot : NULL, device, draft, NULL);
+}
+
 static inline int rk_say_of_path(rk_source *s, rk_kind kind, rk_path path, const rk_draft *draft) {
   char key[RK_KEY_BYTES];
   size_t device_size, size;
-  rk_item *item, *device = NULL;
-  rk_slot *slot = NULL;
-  int result = RK_OK;
+  rk_item *item;
   const char *end = rk_put_path(key, path, &device_size);
   if (end == NULL) return RK_BAD_NAME;
   size = (size_t)(end - key);
   item = rk_find(s, kind, 1, key, size);
   if (item != NULL) return rk_say(s, item, draft);
-  if (device_size > 0) {
-    /* `remove` concerns it, whether the device was declared or not. */
-    char name[RK_ENCODED_BYTES];
-    end = rk_put_name(name, path.device);
-    device = rk_declare(s, name, (size_t)(end - name), &result);
-    if (device == NULL) return result;
-    if (device->form == RK_REMOVED) return RK_GONE;
-    slot = device->slot;
-  }
-  return rk_say_new(s, kind, key, size, slot, device, draft, NULL);
+  return rk_say_new_of(s, kind, key, size, device_size > 0 ? path.device : NULL, draft);
 }
 
 RK_SOURCE_API int rk_source_show(rk_source *source, rk_path path, rk_shown shown) {
@@ -1234,6 +1295,106 @@ static inline int rk_say_once(rk_source *s, rk_kind kind, const char *key, size_
   } else {
     rk_free_item(s, item);
   }
+  return result;
+}
+
+/* ---- Signals ---- */
+
+/* "PATH NAME"; NULL when one of them is no name. */
+static inline char *rk_put_signal_key(char *at, rk_path path, const char *name) {
+  char *const begin = at;
+  size_t device_size;
+  if (path.layer != NULL) return NULL;
+  if (path.device == NULL && path.link == NULL) {
+    at = rk_put_word(at, "-");
+  } else {
+    at = rk_put_path(at, path, &device_size);
+    if (at == begin + 1 && *begin == '-') at = rk_put_word(begin, "%2D");
+  }
+  if (at != NULL) *at++ = ' ';
+  return rk_put_name(at, name);
+}
+
+static inline int rk_say_signal(rk_source *s, rk_path path, const char *name, double deadband,
+                                rk_draft *draft) {
+  char key[RK_SIGNAL_KEY_BYTES];
+  const char *const end = rk_put_signal_key(key, path, name);
+  double values[2];
+  rk_item *item;
+  int result;
+  if (end == NULL) return RK_BAD_NAME;
+  values[0] = values[1] = draft->values[0];
+  draft->values = values;
+  draft->value_count = 2;
+  item = rk_find(s, RK_SIGNAL, 1, key, (size_t)(end - key));
+  if (item == NULL) {
+    return rk_say_new_of(s, RK_SIGNAL, key, (size_t)(end - key), path.device, draft);
+  }
+  if (draft->form == RK_NUMBER && item->form == RK_NUMBER) {
+    const double change = values[0] - item->values[1];
+    const int is_unit_new =
+        draft->text_size > 0 && (draft->text_size != item->text_size ||
+                                 memcmp(draft->text, item->text, draft->text_size) != 0);
+    if (!is_unit_new) {
+      if (!rk_is_number(values[0])) return RK_BAD_NUMBER;
+      item->values[0] = values[0];
+      if (change > deadband || change < -deadband) rk_queue(s, item);
+      return RK_OK;
+    }
+  } else if (rk_is_same(item, draft)) {
+    return RK_OK;
+  }
+  result = rk_say(s, item, draft);
+  if (result == RK_OK) rk_queue(s, item);
+  return result;
+}
+
+RK_SOURCE_API int rk_source_signal(rk_source *source, rk_path path, const char *name, double value,
+                                   const char *unit, double deadband) {
+  rk_draft draft = rk_draft_of(RK_NUMBER);
+  if (!(deadband >= 0)) return RK_BAD_ARGUMENT;
+  draft.values = &value;
+  if (unit != NULL) {
+    size_t size = 0;
+    for (; unit[size] != '\0'; ++size) {
+      if (size == RK_UNIT_BYTES || unit[size] <= ' ' || unit[size] > '~' || unit[size] == '"') {
+        return RK_BAD_TEXT;
+      }
+    }
+    draft.text = unit;
+    draft.text_size = size;
+  }
+  return rk_say_signal(source, path, name, deadband, &draft);
+}
+
+RK_SOURCE_API int rk_source_signal_bool(rk_source *source, rk_path path, const char *name,
+                                        int value) {
+  const double number = value != 0 ? 1 : 0;
+  rk_draft draft = rk_draft_of(RK_BOOL);
+  draft.values = &number;
+  return rk_say_signal(source, path, name, 0, &draft);
+}
+
+RK_SOURCE_API int rk_source_signal_text(rk_source *source, rk_path path, const char *name,
+                                        const char *text) {
+  const double nothing = 0;
+  rk_draft draft = rk_draft_of(RK_TEXT);
+  const int result = rk_draft_string(source, &draft, text);
+  if (result != RK_OK) return result;
+  draft.values = &nothing;
+  return rk_say_signal(source, path, name, 0, &draft);
+}
+
+RK_SOURCE_API int rk_source_signal_default(rk_source *source, rk_path path, const char *name) {
+  char key[RK_SIGNAL_KEY_BYTES];
+  const char *const end = rk_put_signal_key(key, path, name);
+  const rk_draft draft = rk_draft_of(RK_NOTHING);
+  rk_item *item;
+  int result;
+  if (end == NULL) return RK_BAD_NAME;
+  result = rk_say_once(source, RK_CANCELLATION, key, (size_t)(end - key), &draft);
+  item = rk_find(source, RK_SIGNAL, 1, key, (size_t)(end - key));
+  if (result == RK_OK && item != NULL) rk_kill(source, item);
   return result;
 }
 
@@ -1455,16 +1616,8 @@ RK_SOURCE_API int rk_source_view(rk_source *source, const char *name, const rk_v
 
 RK_SOURCE_API int rk_source_event(rk_source *source, const char *text) {
   rk_draft draft = rk_draft_of(RK_NOTHING);
-  char *const begin = source->buffer;
-  const char *end = rk_put_string(begin, begin + source->line_most, text);
-  if (end == NULL) {
-    return text != NULL && strlen(text) <= RK_STRING_BYTES && strlen(text) > source->line_most / 2
-               ? RK_TOO_LONG
-               : RK_BAD_TEXT;
-  }
-  draft.text = begin;
-  draft.text_size = (size_t)(end - begin);
-  return rk_say_once(source, RK_EVENT, "", 0, &draft);
+  const int result = rk_draft_string(source, &draft, text);
+  return result == RK_OK ? rk_say_once(source, RK_EVENT, "", 0, &draft) : result;
 }
 
 /* ---- Sending ---- */
@@ -1529,6 +1682,20 @@ static inline void rk_send_order(rk_source *s, rk_slot *slot) {
   rk_send_change(s, slot->order);
 }
 
+/* The unit once a restatement round. */
+static inline void rk_send_signal(rk_source *s, rk_item *item) {
+  if (item->form != RK_NUMBER) {
+    rk_send_change(s, item);
+    return;
+  }
+  item->part_count = item->rgba != s->round + 1 ? RK_WHOLE : 1;
+  item->rgba = s->round + 1;
+  item->values[1] = item->values[0];
+  rk_send_change(s, item);
+  /* A restatement has it. */
+  if (item->part_count != RK_WHOLE) item->line_bytes += item->text_size + 1;
+}
+
 static inline void rk_send_item(rk_source *s, rk_item *item) {
   if (item->kind == RK_DEVICE && item->was_removed) {
     const uint8_t form = item->form;
@@ -1544,6 +1711,8 @@ static inline void rk_send_item(rk_source *s, rk_item *item) {
   }
   if (item->kind == RK_ORDER) {
     rk_send_order(s, item->slot);
+  } else if (item->kind == RK_SIGNAL) {
+    rk_send_signal(s, item);
   } else {
     if (item->kind == RK_JOINTS) rk_send_order(s, item->slot);
     rk_send_change(s, item);
@@ -1553,7 +1722,8 @@ static inline void rk_send_item(rk_source *s, rk_item *item) {
 static inline void rk_send_changes(rk_source *s) {
   while (s->queue_first != NULL) {
     rk_item *const item = s->queue_first;
-    const int is_gone = item->is_dead || item->kind == RK_EVENT || item->kind == RK_ERASURE;
+    const int is_gone = item->is_dead || item->kind == RK_EVENT || item->kind == RK_ERASURE ||
+                        item->kind == RK_CANCELLATION;
     s->queue_first = item->next_queued;
     item->is_queued = 0;
     /* A device forgotten after it was removed is removed first. */
@@ -1600,6 +1770,11 @@ static inline int rk_send_part(rk_source *s) {
   for (; item != NULL && item->part <= part; item = item->after) {
     char *const begin = s->buffer + s->used;
     if (item->part == 0) continue; /* newer than the restatement */
+    if (item->kind == RK_SIGNAL && item->form == RK_NUMBER) {
+      item->part_count = RK_WHOLE;
+      item->rgba = s->round + 1;
+      item->values[1] = item->values[0];
+    }
     item->line_bytes = (uint32_t)(rk_put_line(begin, item) - begin);
     s->used += item->line_bytes;
     if (s->used > s->config.max_datagram) return 0;

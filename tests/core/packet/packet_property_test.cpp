@@ -55,6 +55,7 @@ struct OwnedStatement {
   std::vector<std::string> strings;
   std::vector<std::string_view> names;
   std::vector<double> numbers;
+  std::vector<SignalKind> kinds;
   Statement statement;
 
   std::string_view keep(std::string string) {
@@ -72,14 +73,38 @@ std::vector<double> numbersOf(std::size_t count) {
   return *rc::gen::container<std::vector<double>>(count, number());
 }
 
+void makeSignals(OwnedStatement& owned) {
+  Statement& s = owned.statement;
+  const bool is_one = s.kind == StatementKind::signal;
+  if (*rc::gen::inRange(0, 4) > 0) s.path.first = owned.keep(*name());
+  if (!s.path.first.empty() && *rc::gen::arbitrary<bool>()) s.path.second = owned.keep(*name());
+  owned.names.push_back(owned.keep(*name()));
+  s.is_default = is_one && *rc::gen::inRange(0, 6) == 0;
+  if (s.is_default) return;
+  while (!is_one && owned.names.size() < 6 && *rc::gen::arbitrary<bool>()) {
+    owned.names.push_back(owned.keep(*name()));
+  }
+  for (std::size_t i = 0; i < owned.names.size(); ++i) {
+    const auto kind = static_cast<SignalKind>(*rc::gen::inRange(0, is_one ? 3 : 2));
+    owned.kinds.push_back(kind);
+    owned.numbers.push_back(kind == SignalKind::number ? *number()
+                            : kind == SignalKind::boolean ? *rc::gen::inRange(0, 2)
+                                                          : 0);
+  }
+  if (owned.kinds[0] == SignalKind::text) s.text = owned.keep(*text());
+  const bool has_unit = is_one && owned.kinds[0] == SignalKind::number;
+  if (has_unit && *rc::gen::arbitrary<bool>()) s.unit = owned.keep(*rc::gen::element<std::string>("kg", "N.m", "%", "m/s"));
+  s.signal_kinds = owned.kinds;
+}
+
 void makeStatement(OwnedStatement& owned) {
   owned.strings.reserve(64);
   Statement& s = owned.statement;
-  s.kind = static_cast<StatementKind>(*rc::gen::inRange(0, 16));
+  s.kind = static_cast<StatementKind>(*rc::gen::inRange(0, 18));
   s.line = 2;
   const auto some = [] { return static_cast<std::size_t>(*rc::gen::inRange(1, 9)); };
   if (s.kind != StatementKind::event && s.kind != StatementKind::show &&
-      s.kind != StatementKind::hide && s.kind != StatementKind::color) {
+      s.kind != StatementKind::hide && s.kind != StatementKind::color && !isSignal(s.kind)) {
     s.name = owned.keep(*name());
   }
   switch (s.kind) {
@@ -142,6 +167,10 @@ void makeStatement(OwnedStatement& owned) {
       if (*rc::gen::arbitrary<bool>()) s.ortho_height_m = *positive();
       s.carrier = makeCarrier(owned);
       break;
+    case StatementKind::signal:
+    case StatementKind::signals:
+      makeSignals(owned);
+      break;
     case StatementKind::remove:
       break;
     case StatementKind::seen:
@@ -179,6 +208,9 @@ RC_GTEST_PROP(AnyStatement, WrittenAndReadIsTheSame, ()) {
   RC_ASSERT(
       std::equal(read.numbers.begin(), read.numbers.end(), s.numbers.begin(), s.numbers.end()));
   RC_ASSERT(std::equal(read.names.begin(), read.names.end(), s.names.begin(), s.names.end()));
+  RC_ASSERT(std::equal(read.signal_kinds.begin(), read.signal_kinds.end(), s.signal_kinds.begin(),
+                       s.signal_kinds.end()));
+  RC_ASSERT(read.unit == s.unit);
   RC_ASSERT(read.kinematics == s.kinematics);
   RC_ASSERT(read.order_tag == s.order_tag);
   RC_ASSERT(read.rgba == s.rgba);

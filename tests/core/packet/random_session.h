@@ -81,6 +81,9 @@ class RandomSession {
   std::string path() {
     return pick({"arm", "arm/l1", "arm/l2", "tank", "%6Cayer/l1", "layer/x", "layer/y", "layer"});
   }
+  std::string signalPath() {
+    return pick({"-", "arm", "arm/l1", "tank", "%6Cayer/l1", "layer", "%2D", "-/l1"});
+  }
   std::string carrier() { return below(3) == 0 ? " in " + device() + "/l1" : ""; }
   /// The elements of a list in braces are made from left to right, as the operands of + need not
   /// be: every compiler draws the same session.
@@ -94,7 +97,7 @@ class RandomSession {
   std::string part() { return pick({"", "", ":1/2", ":2/2", ":1/3", ":3/3"}); }
 
   std::string statement() {
-    switch (below(17)) {
+    switch (below(20)) {
       case 0:
       case 1:
         return joined({"joints ", device(), numbers(1 + below(3))});
@@ -129,6 +132,14 @@ class RandomSession {
                        pick({"", " up 0 1 0", " ortho 3"}), carrier()});
       case 15:
         return "event \"e\"";
+      case 16:
+        return joined({"signal ", signalPath(), " ", joint(), " ",
+                       pick({"1.5", "-2 kg", "7 N.m", "true", "false", "\"auto\"", "\"\"",
+                             "default"})});
+      case 17:
+      case 18:
+        return joined({"signals ", signalPath(), " ", joint(), "=", number(), " ", joint(), "=",
+                       pick({"true", "0", "3"})});
       default:
         return pick({"wave", "joints arm nan", "seen arm 5", "# nothing"});
     }

@@ -62,6 +62,21 @@ TEST(StateLimits, DrawingsViewsAndNamedJointsAreBounded) {
   EXPECT_EQ(tooMany(fold, "a"), 3U);
 }
 
+TEST(StateLimits, SignalsAreBoundedOverAllDevices) {
+  TextFold fold;
+  const std::size_t half = limits::kSignals / 2;
+  fold.fold(1, "RK1 a - -\n" + numbered("signal arm s", half, " 1\n"));
+  fold.fold(1, "RK1 a - -\n" + numbered("signal - s", half + 1, " true\n"));
+  EXPECT_EQ(fold.state.signals().size(), half);
+  EXPECT_EQ(tooMany(fold, "a"), 1U);
+  // One that goes makes room for another, and one that is there can change.
+  fold.fold(2, "RK1 a - -\nsignal arm s1 default\nsignal - another \"text\"\nsignal - s1 2 V\n");
+  EXPECT_EQ(fold.state.signals().size(), half + 1);
+  EXPECT_EQ(tooMany(fold, "a"), 1U);
+  fold.fold(3, "RK1 a - -\nremove arm\nsignal tray x 1\n");
+  EXPECT_EQ(tooMany(fold, "a"), 1U);
+}
+
 TEST(StateLimits, EventsNobodyTakesAreBounded) {
   TextFold fold;
   fold.fold(1, "RK1 a - -\n" + numbered("event \"", limits::kEvents + 1, "\"\n"));
@@ -96,7 +111,9 @@ TEST(StateLimits, TheWeightIsGoneWhenEverythingIs) {
       "order arm2\npose arm 0 0 0 0 0 0 1\npose arm 0 0 0 0 0 0 1 in a/b\nshow arm/l\n"
       "hide arm/l\nshow layer/l\ncolor arm #ffffff\ncolor arm default\nline l:1/3 #ffffff 0 0 0\n"
       "line l:2/3 #ffffff in a/b 0 0 0 1 1 1\nline l:2/4 #ffffff 0 0 0\nlabel t 0 0 0 \"x\"\n"
-      "view v 0 0 0 1 1 1 45\nview v 0 0 0 1 1 1 45 in a/b\nerase t\n");
+      "view v 0 0 0 1 1 1 45\nview v 0 0 0 1 1 1 45 in a/b\nerase t\nsignal arm s 1 kg\n"
+      "signals arm s=2\nsignal arm s \"text\"\nsignal arm/l s true\nsignal - s 3 N.m\n"
+      "signal - t \"longer\"\nsignal - t default\n");
   EXPECT_GT(fold.state.weight(), empty + 1000);
   fold.fold(1, "RK1 a@run 3 - part=r:1/1\n");
   EXPECT_EQ(fold.state.weight(), empty);

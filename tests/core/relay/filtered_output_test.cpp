@@ -17,6 +17,7 @@ using test::RelayedListeners;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 RelayOutputOptions filteredBy(RelayFilter filter) {
   RelayOutputOptions options;
@@ -53,6 +54,44 @@ TEST(FilteredOutput, PassesSourcesAndKindsOfStatement) {
   EXPECT_THAT(net.listeners[kinds].heard,
               ElementsAre("RK1 a 1 - via=site:2:0\norder d j\njoint d j=1\n",
                           "RK1 b 1 - via=site:2:1\njoints d 2\n"));
+}
+
+TEST(FilteredOutput, ConflatesNumbersOfSignalsAndPassesEachState) {
+  RelayedListeners net;
+  const auto id = net.open(atMost(1));
+  for (int i = 0; i < 10; ++i) {
+    const std::string n = std::to_string(i);
+    const std::string mode = i == 4 ? "\"fault\"" : "\"auto\"";
+    net.receive(1 + i * 0.01, "RK1 s@a " + n + " -\nsignal arm mode " + mode +
+                                  "\nsignals arm load=" + n + " busy=" +
+                                  (i % 2 == 0 ? "true" : "false") + "\n");
+  }
+  net.passTime(1.9);
+  std::string heard;
+  for (const std::string& each : net.listeners[id].heard) heard += each;
+  EXPECT_THAT(heard, HasSubstr("signal arm mode \"fault\""));
+  EXPECT_THAT(heard, HasSubstr("signal arm busy false"));
+  EXPECT_THAT(heard, HasSubstr("signal arm load 0\n"));
+  EXPECT_THAT(heard, Not(HasSubstr("load 5")));
+  net.passTime(2.5);
+  EXPECT_EQ(net.listeners[id].fold.state.findSignal("arm", {"", "load"})->value.number, 9);
+  net.receive(2.6, "RK1 s@a 10 -\nsignal arm load default\nsignal arm mode default\n");
+  EXPECT_EQ(net.listeners[id].fold.state.findSignal("arm", {"", "load"}), nullptr);
+  EXPECT_EQ(net.listeners[id].fold.state.findSignal("arm", {"", "mode"}), nullptr);
+}
+
+TEST(FilteredOutput, SignalsGoWithTheirDevice) {
+  RelayedListeners net;
+  const auto id = net.open(filteredBy({{}, {"arm"}, ~0U}));
+  const auto kinds = net.open(filteredBy({{}, {}, statementKindsOf("signal").value()}));
+  net.receive(1, "RK1 s@a 1 -\nsignal leg mode \"x\"\nsignals leg load=1\nsignals arm load=2 a=true\n"
+                 "joints arm 1\nsignal - estop true\n");
+  EXPECT_THAT(net.listeners[id].heard,
+              ElementsAre("RK1 s@a 1 - via=site:1:0\nsignal arm a true\nsignal - estop true\n"
+                          "signal arm load 2\njoints arm 1\n"));
+  EXPECT_THAT(net.listeners[kinds].heard,
+              ElementsAre(testing::AllOf(HasSubstr("signal leg load 1"), HasSubstr("leg mode \"x\""),
+                                         Not(HasSubstr("joints")))));
 }
 
 TEST(FilteredOutput, ForwardsNoPartAndRestatesByItself) {

@@ -41,6 +41,23 @@ std::size_t atMost(double bits_per_second, double seconds) {
   return static_cast<std::size_t>(bits_per_second / 8 * (seconds + 0.01)) + 300;
 }
 
+TEST(PacedLink, StatesOfASignalWaitInOrderAndTheNewestIsKept) {
+  RelayedListeners net;
+  const auto id = net.open(slow(2'400));
+  for (int i = 0; i < 200; ++i) {
+    const std::string n = std::to_string(i);
+    net.receive(1 + i * 0.0005, "RK1 s@r " + n + " -\nsignal arm step \"" + n + "\"\n");
+  }
+  EXPECT_LE(net.relay.paced(id).waiting, 64U);
+  EXPECT_GT(net.relay.paced(id).dropped, 100U);
+  net.passTime(60);
+  std::string heard;
+  for (const std::string& each : net.listeners[id].heard) heard += each;
+  EXPECT_THAT(heard, HasSubstr("signal arm step \"1\""));
+  EXPECT_LT(heard.find("step \"10\""), heard.find("step \"20\""));
+  EXPECT_EQ(net.listeners[id].fold.state.findSignal("arm", {"", "step"})->value.text, "199");
+}
+
 TEST(PacedLink, EventsWaitForTheLinkAndAllArriveInOrder) {
   RelayedListeners net;
   const auto id = net.open(slow(28'800));

@@ -55,6 +55,15 @@ static int follow(rk_source *s, size_t count) {
     if (word(4) == NULL) return rk_source_color_default(s, path);
     return rk_source_color(s, path, (uint32_t)strtoul(words[4], NULL, 16));
   }
+  if (strcmp(verb, "signal") == 0) {
+    const rk_path path = rk_path_of(word(1), word(2), NULL);
+    if (strcmp(words[4], "bool") == 0) {
+      return rk_source_signal_bool(s, path, words[3], words[5][0] == '1');
+    }
+    if (strcmp(words[4], "text") == 0) return rk_source_signal_text(s, path, words[3], words[5]);
+    if (strcmp(words[4], "default") == 0) return rk_source_signal_default(s, path, words[3]);
+    return rk_source_signal(s, path, words[3], strtod(words[5], NULL), word(6), 0);
+  }
   if (strcmp(verb, "line") == 0 || strcmp(verb, "points") == 0) {
     const rk_path carrier = rk_path_of(word(4), word(5), NULL);
     const uint32_t rgba = (uint32_t)strtoul(words[2], NULL, 16);

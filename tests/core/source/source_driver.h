@@ -78,6 +78,13 @@ inline SourceResult follow(Source& source, const std::vector<std::string>& words
     if (words[4] != "-") rgba = rgbaOf(words[4]);
     return source.setColor(pathOf(words, 1), rgba);
   }
+  if (verb == "signal") {
+    const PathView path = carrierOf(words, 1);
+    if (words[4] == "bool") return source.setSignal(path, words[3], words[5] == "1");
+    if (words[4] == "text") return source.setSignal(path, words[3], std::string_view(words[5]));
+    if (words[4] == "default") return source.cancelSignal(path, words[3]);
+    return source.setSignal(path, words[3], numbersOf(words, 5, 6)[0], viewOf(words[6]));
+  }
   if (verb == "line" || verb == "points") {
     const auto points = pointsOf(numbersOf(words, 6, count));
     const double size = std::strtod(words[3].c_str(), nullptr);
@@ -111,6 +118,7 @@ class ExpectedState {
     Statement s;
     std::vector<double> numbers;
     std::vector<std::string_view> names;
+    SignalKind kind{};
     const std::string& verb = words[0];
     const std::size_t count = words.size();
     s.name = words[1];
@@ -139,6 +147,21 @@ class ExpectedState {
       s.path = pathOf(words, 1);
       s.is_default = words[4] == "-";
       s.rgba = rgbaOf(words[4]);
+    } else if (verb == "signal") {
+      s.kind = StatementKind::signal;
+      s.name = {};
+      s.path = carrierOf(words, 1);
+      s.is_default = words[4] == "default";
+      names = {words[3]};
+      numbers = {0};
+      kind = SignalKind::text;
+      if (words[4] == "text") s.text = words[5];
+      if (words[4] == "bool") kind = SignalKind::boolean;
+      if (words[4] == "bool") numbers[0] = words[5] == "1" ? 1 : 0;
+      if (words[4] == "number") kind = SignalKind::number;
+      if (words[4] == "number") numbers[0] = std::strtod(words[5].c_str(), nullptr);
+      if (words[4] == "number") s.unit = viewOf(words[6]);
+      s.signal_kinds = std::span(&kind, 1);
     } else if (verb == "line" || verb == "points") {
       s.kind = verb == "line" ? StatementKind::line : StatementKind::points;
       s.rgba = rgbaOf(words[2]);

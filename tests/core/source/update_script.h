@@ -20,7 +20,7 @@ class UpdateScript {
   explicit UpdateScript(std::uint64_t seed) : random_(seed) {}
 
   std::string next() {
-    switch (below(16)) {
+    switch (below(18)) {
       case 0:
         return "add " + device() + " " + pick("puma", "box", "m\xC3\xA9") + (coin() ? " 1f" : " -");
       case 1:
@@ -49,6 +49,9 @@ class UpdateScript {
       case 14:
         return "view " + pick("top", "side") + numbers(3) + " 0x1p+20 0 0 0x1.68p+5" + up() + " " +
                carrier();
+      case 15:
+      case 16:
+        return signal();
       default:
         return "event " + pick("picked", "done");
     }
@@ -77,6 +80,14 @@ class UpdateScript {
     const std::uint32_t count = below(8) == 0 ? 1 + below(150) : 1 + below(3);
     return pick("line ", "points ") + id() + " " + pick("ff0000ff", "0000ff40") + " " +
            pick("0x1p+0", "0x1p+1") + " " + carrier() + numbers(3 * count);
+  }
+  std::string signal() {
+    const std::string begin = "signal " + (coin() ? device() + " " + pick("-", "tip") : "- -") +
+                              " " + pick("load", "mode", "x/y");
+    if (below(4) == 0) return begin + " bool" + pick(" 0", " 1") + " -";
+    if (below(4) == 0) return begin + " text " + pick("auto", "\"\\", "\xC3\xA9") + " -";
+    if (below(8) == 0) return begin + " default - -";
+    return begin + " number" + numbers(1) + " " + pick("-", "-", "kg", "N.m");
   }
   std::string numbers(std::uint32_t count) {
     std::string text;
