@@ -18,7 +18,7 @@ using BakedKey = std::array<std::byte, 16>;
 /// behind them.
 class BakedFile {
  public:
-  static constexpr std::uint32_t kFormat = 3;
+  static constexpr std::uint32_t kFormat = 4;
   static constexpr std::size_t kMaxSections = 64;
 
   struct Section {

@@ -231,6 +231,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
   for (const CellFile* file : files.inOrder()) {
     readInsets(*file->root, cell);
     readClearances(*file->root, file->folder, names, meshes, cell);
+    readSignals(*file->root, cell);
   }
   CellMaterials materials;
   // Later files override earlier ones.

@@ -126,6 +126,22 @@ struct CellClearance {
   std::vector<ClearancePatterns> except;  ///< may touch, whichever way round
 };
 
+/// What `check` expects of signals (docs/cell-format.md, "Signals").
+struct CellSignal {
+  std::string device;  ///< empty: those of no device
+  std::string link;    ///< empty: those of the device itself
+  std::string name;    ///< a pattern (docs/patterns.md)
+  std::string unit;    ///< of numbers; empty: any
+  std::string label;   ///< what people call it; empty: its name
+  std::optional<std::pair<double, double>> range;    ///< in the unit, like the next
+  std::optional<double> jump;                        ///< largest change from one value to the next
+  std::optional<double> stuck_s;                     ///< longest time without a change in motion
+  std::optional<std::pair<double, double>> rate_hz;  ///< of statements that are not restated
+  std::vector<std::string> values;                   ///< allowed texts, "true", "false"; empty: any
+  std::vector<std::pair<std::string, std::string>> transitions;  ///< allowed; empty: any
+  bool optional = false;                                         ///< a session may lack it
+};
+
 /// A light at infinity: it has only a direction.
 struct CellLight {
   Vec3 direction{0, 0, 1};            ///< towards it, of any length but zero; world space
@@ -161,6 +177,7 @@ struct Cell {
   std::vector<CellSource> sources;
   std::vector<CellRule> rules;            ///< as the file has them
   std::vector<CellClearance> clearances;  ///< as the files have them
+  std::vector<CellSignal> signals;        ///< as the files have them
   CellScene scene;
   /// The file that declares decoders of what its machines send (docs/decoders.md); empty: none.
   std::filesystem::path decoders;

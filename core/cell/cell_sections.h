@@ -47,6 +47,10 @@ void readScene(TomlTable& root, Cell& cell);
 void readClearances(TomlTable& root, const std::filesystem::path& folder, CellNames& names,
                     MeshStore& files, Cell& cell);
 
+/// Reads the `[[signal]]`s of one file of a cell into `cell`, after the devices of all files were
+/// read.
+void readSignals(TomlTable& root, Cell& cell);
+
 /// Reads `decoders` of one file of a cell: the file of decoders for what is not packet text
 /// (docs/decoders.md). Only looks for it; whoever decodes reads it. Overrides what was read before.
 void readDecodersName(const CellFile& file, const FileSearch& search, Cell& cell);

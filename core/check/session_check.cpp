@@ -21,6 +21,7 @@ SessionCheck::SessionCheck(const Cell& cell)
       rules_(cell.rules),
       stream_(rules_, cell.sources),
       layers_(cell),
+      signals_(cell),
       clearance_(cell) {
   expectDevices();
 }
@@ -93,6 +94,10 @@ void SessionCheck::judge(const Statement& statement, SourceJudge& source,
   source.takeStatement(statement, place);
   if (!statement.carrier.first.empty()) judgePath(statement.carrier, place);
   if (isOfPath(statement.kind)) return judgePath(statement.path, place);
+  if (isSignal(statement.kind)) {
+    if (!statement.path.first.empty()) judgePath(statement.path, place);
+    return signals_.take(statement, place);
+  }
   if (isOfDevice(statement.kind) || statement.kind == StatementKind::seen) {
     judgeOfDevice(statement, source, place);
   }
@@ -103,8 +108,12 @@ void SessionCheck::judgeOfDevice(const Statement& statement, SourceJudge& source
   DeviceJudge* const device = deviceNamed(statement.name);
   if (device == nullptr) return;
   if (statement.kind == StatementKind::add) return judgeAdd(statement, *device, place);
-  if (statement.kind == StatementKind::remove) return device->disappear(place);
+  if (statement.kind == StatementKind::remove) {
+    signals_.forget(statement.name);
+    return device->disappear(place);
+  }
   device->mention(place);
+  signals_.takeMotion(statement, place);
   switch (statement.kind) {
     case StatementKind::joints:
       device->writtenBy(source.name(), place);
@@ -170,6 +179,7 @@ void SessionCheck::judgePath(const PathView& path, const PacketPlace& place) {
 void SessionCheck::dropFindings() {
   stream_.dropFindings();
   layers_.dropFindings();
+  signals_.dropFindings();
   log_.dropFindings();
   clearance_.dropFindings();
   device_cache_.clear();
@@ -196,6 +206,7 @@ void SessionCheck::finish(CheckReport& report) const {
   const SessionRoster roster{stream_.sourceNames(), missing, devices};
   stream_.reportDatagrams(report.findings);
   layers_.report(report.findings);
+  signals_.report(report.findings);
   for (const auto& [name, device] : devices_) device.report(roster, report.findings);
   stream_.reportSources(stream_.end(), report.findings);
   reportMissing(roster, report.findings);

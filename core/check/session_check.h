@@ -10,6 +10,7 @@
 #include "core/check/judges/device_judge.h"
 #include "core/check/judges/layer_judge.h"
 #include "core/check/judges/log_judge.h"
+#include "core/check/judges/signal_judge.h"
 #include "core/check/judges/stream_judge.h"
 #include "core/check/rules/check_report.h"
 #include "core/clearance/clearance_session.h"
@@ -90,6 +91,7 @@ class SessionCheck {
   ByName<DeviceJudge> devices_;
   NameCache<DeviceJudge*> device_cache_;
   LayerJudge layers_;
+  SignalJudge signals_;
   LogJudge log_;
   ClearanceSession clearance_;
 };

@@ -175,6 +175,13 @@ void fields(Fields& io, Taken<Fields, CellClearance>& clearance) {
 }
 
 template <class Fields>
+void fields(Fields& io, Taken<Fields, CellSignal>& signal) {
+  auto& [device, link, name, unit, label, range, jump, stuck_s, rate_hz, values, transitions,
+         optional] = signal;
+  io(device, link, name, unit, label, range, jump, stuck_s, rate_hz, values, transitions, optional);
+}
+
+template <class Fields>
 void fields(Fields& io, Taken<Fields, CellLight>& light) {
   auto& [direction, color, strength] = light;
   io(direction, color, strength);
@@ -201,10 +208,10 @@ void fields(Fields& io, Taken<Fields, Finding>& fault) {
 template <class Fields>
 void fields(Fields& io, Taken<Fields, Cell>& cell) {
   auto& [file, devices, device_by_name, models, cameras, insets, layers, sources, rules, clearances,
-         scene, decoders, faults, files, keeps_files, files_below, files_shown_as, pictures,
+         signals, scene, decoders, faults, files, keeps_files, files_below, files_shown_as, pictures,
          keeps_pictures] = cell;
   io(file, devices, device_by_name, models, cameras, insets, layers, sources, rules, clearances,
-     scene, decoders, faults, files, files_below, files_shown_as);
+     signals, scene, decoders, faults, files, files_below, files_shown_as);
 }
 
 }  // namespace rocinante

@@ -69,6 +69,7 @@ Bytes pageCell(const Cell& cell, const Thinness& thinness, const ParallelFor& pa
   drawn.files_shown_as.clear();
   drawn.rules.clear();
   drawn.clearances.clear();
+  drawn.signals.clear();
   drawn.decoders.clear();
   DrawnModels models(thinness.halvings);
   for (auto& [name, model] : drawn.models) model = models.of(model);

@@ -30,7 +30,7 @@ std::map<std::string, std::string, std::less<>> unjudgedRules(const Cell& cell, 
   std::map<std::string, std::string, std::less<>> unjudged;
   if (!has_session) {
     for (const char* const part :
-         {"packet", "device", "joint", "source", "log", "clearance", "drift"}) {
+         {"packet", "device", "joint", "signal", "source", "log", "clearance", "drift"}) {
       unjudged[part] = "no session was given";
     }
   } else {

@@ -147,6 +147,18 @@ inline Cell fullCell() {
                  6,
                  7}};
   cell.clearances = {{"apart", {"a/*", "b"}, true, 0.1, {{"a/x", "b/y"}}}};
+  cell.signals = {{"left",
+                   "upper",
+                   "force*",
+                   "N",
+                   "Force",
+                   std::pair(-1.0, 2.0),
+                   3.0,
+                   4.0,
+                   std::pair(5.0, 6.0),
+                   {"a", "b"},
+                   {{"a", "b"}},
+                   true}};
   cell.scene.background_top = {0.1F, 0.2F, 0.3F};
   cell.scene.background_bottom = {0.4F, 0.5F, 0.6F};
   cell.scene.light_direction = {1, 2, 3};
