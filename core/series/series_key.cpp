@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/bytes.h"
+#include "core/packet/item_text.h"
+#include "core/packet/packet_text.h"
+
 namespace rocinante {
 namespace {
 
@@ -14,6 +18,17 @@ std::optional<SeriesKey> countKey(std::string_view text, std::string_view word,
     return std::nullopt;
   }
   return SeriesKey{kind, std::string(text.substr(word.size() + 1))};
+}
+
+/// "signal PATH NAME", as a packet would say it.
+std::optional<SeriesKey> signalKey(std::string_view text) {
+  PacketTextDecoder decoder;
+  const std::string packet = "RK1 - - -\n" + std::string(text) + " 0\n";
+  const Packet* const read = decoder.decode(bytesOf(packet));
+  if (read == nullptr || !read->faults.empty() || read->statements.size() != 1) return std::nullopt;
+  const Statement& statement = read->statements.front();
+  return SeriesKey{SeriesKey::Kind::signal, std::string(statement.path.first),
+                   std::string(statement.names.front()), std::string(statement.path.second)};
 }
 
 }  // namespace
@@ -28,6 +43,10 @@ std::string SeriesKey::text() const {
       return name.empty() ? "rate" : "rate/" + name;
     case Kind::loss:
       return name.empty() ? "loss" : "loss/" + name;
+    case Kind::signal: {
+      const SignalName named{link, part};
+      return signalNameText(name, named);
+    }
   }
   return {};
 }
@@ -46,6 +65,7 @@ std::array<double, 7> poseNumbers(const Pose& pose) {
 std::optional<SeriesKey> parseSeriesKey(std::string_view text) {
   if (auto rate = countKey(text, "rate", SeriesKey::Kind::rate)) return rate;
   if (auto loss = countKey(text, "loss", SeriesKey::Kind::loss)) return loss;
+  if (text.starts_with("signal ")) return signalKey(text);
   const std::size_t colon = text.rfind(':');
   if (colon != text.npos && colon > 0 && posePart(text.substr(colon + 1))) {
     return SeriesKey{SeriesKey::Kind::pose, std::string(text.substr(0, colon)),

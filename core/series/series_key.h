@@ -14,16 +14,20 @@ namespace rocinante {
 
 /// One value of a session as a function of time. As text it is what a table's column is named
 /// (docs/programs/source.md): DEVICE.JOINT, or DEVICE:x :y :z :qx :qy :qz :qw of the pose that
-/// packets state; and rate/SOURCE, loss/SOURCE for the packets of a source, rate and loss for all.
+/// packets state; `signal PATH NAME` with names as packets write them; and rate/SOURCE, loss/SOURCE
+/// for the packets of a source, rate and loss for all.
 struct SeriesKey {
-  enum class Kind : std::uint8_t { joint, pose, rate, loss };
+  enum class Kind : std::uint8_t { joint, pose, rate, loss, signal };
   Kind kind = Kind::joint;
-  std::string name{};  ///< of the device or source; empty: all sources
-  std::string part{};  ///< the joint's value, or "x" and so on
+  std::string name{};  ///< of the device or source; empty: all sources, or a signal's no device
+  std::string part{};  ///< the joint's value, or "x" and so on, or the NAME of a signal
+  std::string link{};  ///< of a signal; empty: of the device itself
   auto operator<=>(const SeriesKey&) const = default;
 
   bool isOfDevice() const { return kind == Kind::joint || kind == Kind::pose; }
-  /// As above; names as they are.
+  /// True for what packets state: false for counts of packets.
+  bool isValue() const { return isOfDevice() || kind == Kind::signal; }
+  /// As above; names of devices, joints and sources as they are.
   std::string text() const;
 };
 

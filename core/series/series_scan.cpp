@@ -32,6 +32,7 @@ struct SeriesScan::Device {
   std::map<std::string, SeriesId, std::less<>> joints;
   std::map<std::string, std::vector<SeriesId>, std::less<>> orders;  ///< by source
   std::optional<std::array<SeriesId, 7>> pose;
+  std::map<SignalName, SeriesId, SignalOrder> signals;
   std::string last_writer;
 };
 
@@ -55,6 +56,12 @@ std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
   return values[place];
 }
 
+std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key) {
+  const Item<SignalValue>* const said = state.findSignal(key.name, {key.link, key.part});
+  if (said == nullptr || said->value.kind == SignalKind::text) return std::nullopt;
+  return said->value.number;
+}
+
 SeriesScan::SeriesScan(Options options)
     : options_(std::move(options)),
       width_(widthFor(options_.from, options_.until, options_.max_bins)),
@@ -73,6 +80,7 @@ void SeriesScan::beginWith(SessionState state) {
   for (const auto& [name, said] : state_.devices()) {
     takeEverything(deviceNamed(name), options_.from);
   }
+  if (!state_.signals().empty()) takeEverything(deviceNamed({}), options_.from);
   for (const auto& [name, counts] : state_.counts()) gaps_[name] = counts.gap;
 }
 
@@ -140,12 +148,14 @@ void SeriesScan::take(const Packet& packet, LogTime time) {
 }
 
 void SeriesScan::takeStatement(const Statement& statement, std::string_view source, LogTime time) {
-  if (!isOfDevice(statement.kind)) return;
-  Device& device = deviceNamed(statement.name);
+  const bool is_signal = isSignal(statement.kind);
+  if (!is_signal && !isOfDevice(statement.kind)) return;
+  Device& device = deviceNamed(is_signal ? statement.path.first : statement.name);
   if (device.last_writer != source) {
     device.last_writer = source;
     written_by_[std::string(source)].insert(&device);
   }
+  if (is_signal) return takeSignals(statement, device, time);
   const DeviceState* const said = state_.findDevice(statement.name);
   if (said == nullptr || statement.kind == StatementKind::remove) return endAll(device, time);
   switch (statement.kind) {
@@ -174,6 +184,29 @@ void SeriesScan::takeStatement(const Statement& statement, std::string_view sour
     default:  // order: another meaning from now on
       device.orders.clear();
       return;
+  }
+}
+
+void SeriesScan::takeSignals(const Statement& statement, Device& device, LogTime time) {
+  for (std::size_t i = 0; i < statement.names.size(); ++i) {
+    const SeriesId id = idOf(device, {statement.path.second, statement.names[i]});
+    if (statement.is_default || statement.signal_kinds[i] == SignalKind::text) {
+      end(id, time);
+    } else {
+      record(id, time, statement.numbers[i]);
+    }
+  }
+}
+
+void SeriesScan::takeAllSignals(Device& device, const Signals& said, LogTime time) {
+  for (const auto& [name, item] : said) idOf(device, name);
+  for (const auto& [name, id] : device.signals) {
+    const auto found = said.find(name);
+    if (found == said.end() || found->second.value.kind == SignalKind::text) {
+      end(id, time);
+    } else {
+      record(id, time, found->second.value.number);
+    }
   }
 }
 
@@ -222,8 +255,11 @@ void SeriesScan::learnNames(Device& device, const DeviceState& said) {
 
 /// All values of the device, as the state has them now.
 void SeriesScan::takeEverything(Device& device, LogTime time) {
+  // No device has this name: these are the signals of none.
+  if (device.name.empty()) return takeAllSignals(device, state_.signals(), time);
   const DeviceState* const said = state_.findDevice(device.name);
   if (said == nullptr) return endAll(device, time);
+  takeAllSignals(device, said->signals, time);
   if (!device.knows_names) learnNames(device, *said);
   device.orders.clear();
   for (const auto& [name, item] : said->named_joints) idOf(device, name);
@@ -259,13 +295,10 @@ void SeriesScan::takeEverything(Device& device, LogTime time) {
 void SeriesScan::endAll(Device& device, LogTime time) {
   device.orders.clear();
   device.knows_names = false;
-  for (const auto& [name, id] : device.joints) {
-    if (id != kUnwanted && !series_[id].bins().empty()) series_[id].end(time);
-  }
+  for (const auto& [name, id] : device.joints) end(id, time);
+  for (const auto& [name, id] : device.signals) end(id, time);
   if (!device.pose) return;
-  for (const SeriesId id : *device.pose) {
-    if (id != kUnwanted) series_[id].end(time);
-  }
+  for (const SeriesId id : *device.pose) end(id, time);
 }
 
 SeriesScan::Device& SeriesScan::deviceNamed(std::string_view name) {
@@ -284,6 +317,18 @@ SeriesScan::SeriesId SeriesScan::idOf(Device& device, std::string_view joint) {
   if (found == device.joints.end()) {
     const SeriesId id = idOf(SeriesKey{SeriesKey::Kind::joint, device.name, std::string(joint)});
     found = device.joints.emplace(std::string(joint), id).first;
+  }
+  return found->second;
+}
+
+SeriesScan::SeriesId SeriesScan::idOf(Device& device, const SignalNameView& signal) {
+  auto found = device.signals.find(signal);
+  if (found == device.signals.end()) {
+    const SeriesId id = idOf(SeriesKey{SeriesKey::Kind::signal, device.name,
+                                       std::string(signal.name), std::string(signal.link)});
+    found = device.signals
+                .emplace(SignalName{std::string(signal.link), std::string(signal.name)}, id)
+                .first;
   }
   return found->second;
 }

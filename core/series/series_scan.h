@@ -27,13 +27,17 @@ using PositionalNames =
 std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
                                 const std::vector<std::string>& names);
 
+/// The number of a signal, a boolean as 1 or 0; empty for a text, and when it is not stated.
+std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key);
+
 /// How many packets of a source came, and how many numbers of its sequence did not.
 struct SourceSeries {
   CountBins packets, lost;
 };
 
 /// Gathers every value that the packets of a stretch of a log state, as functions of time, in one
-/// pass: joints, poses, packets and losses by source. A joint that no packet has stated has no
+/// pass: joints, poses, signals (a boolean is 1 or 0, a text ends its curve), packets and losses by
+/// source. A joint that no packet has stated has no
 /// series. Bounded: all series together take at most `max_bytes`; when they would take more, all of
 /// them halve their number of bins, down to 64. Folds by itself, in log order: a damaged log
 /// continues with the next packet. Copies and moves are not possible: it points into itself. One
@@ -84,14 +88,20 @@ class SeriesScan {
   void takeStatement(const Statement& statement, std::string_view source, LogTime time);
   void takeJoints(const Statement& statement, std::string_view source, Device& device,
                   const DeviceState& said, LogTime time);
+  void takeSignals(const Statement& statement, Device& device, LogTime time);
   void takeEverything(Device& device, LogTime time);
+  void takeAllSignals(Device& device, const Signals& said, LogTime time);
   void count(const Packet& packet, LogTime time);
   Device& deviceNamed(std::string_view name);
   SeriesId idOf(const SeriesKey& key);
   SeriesId idOf(Device& device, std::string_view joint);
+  SeriesId idOf(Device& device, const SignalNameView& signal);
   void learnNames(Device& device, const DeviceState& said);
   void record(SeriesId id, LogTime time, double value) {
     if (id != kUnwanted) series_[id].add(time, value);
+  }
+  void end(SeriesId id, LogTime time) {
+    if (id != kUnwanted && !series_[id].bins().empty()) series_[id].end(time);
   }
   void endAll(Device& device, LogTime time);
   CountBins countBins() const;

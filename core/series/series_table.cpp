@@ -38,7 +38,9 @@ class Rows {
     // A restatement may forget what it does not name.
     if (packet.header.restated) return true;
     return std::ranges::any_of(packet.statements, [this](const Statement& statement) {
-      return movesDevice(statement.kind) && devices_.contains(statement.name);
+      return isSignal(statement.kind)
+                 ? devices_.contains(statement.path.first)
+                 : movesDevice(statement.kind) && devices_.contains(statement.name);
     });
   }
 
@@ -68,6 +70,7 @@ class Rows {
  private:
   std::optional<double> valueOf(const SessionState& state, std::size_t column) {
     const SeriesKey& key = table_.keys[column];
+    if (key.kind == SeriesKey::Kind::signal) return signalSaid(state, key);
     const DeviceState* const said = state.findDevice(key.name);
     if (said == nullptr) return std::nullopt;
     if (key.kind == SeriesKey::Kind::pose) {
@@ -92,8 +95,9 @@ class Rows {
 Result<std::uint64_t> writeSeriesTable(const SeriesTable& table, SessionState before,
                                        LogReader& log, const std::filesystem::path& path) {
   for (const SeriesKey& key : table.keys) {
-    if (!key.isOfDevice()) {
-      return Error{ErrorKind::bad_argument, "a table has joints and poses only", key.text()};
+    if (!key.isValue()) {
+      return Error{ErrorKind::bad_argument, "a table has joints, poses and signals only",
+                   key.text()};
     }
   }
   if (table.keys.empty()) return Error{ErrorKind::bad_argument, "a table needs a value", ""};

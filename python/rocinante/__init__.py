@@ -22,11 +22,11 @@ from .checking import Finding, Findings, check
 from .goldens import Comparison, compare, compare_sessions
 from .pictures import Picture, render
 from .processes import Player, Recorder, play, record
-from .session import Columns, Device, Event, Poses, Session, State
+from .session import Columns, Device, Event, Poses, Session, Signal, State
 from .source import Source
 
 __all__ = [
     "Columns", "Comparison", "DamageWarning", "Device", "Error", "Event", "Finding", "Findings",
-    "Picture", "Player", "Poses", "Recorder", "RocinanteWarning", "Session", "Source", "State",
+    "Picture", "Player", "Poses", "Recorder", "RocinanteWarning", "Session", "Signal", "Source", "State",
     "check", "compare", "compare_sessions", "play", "program", "record", "render",
 ]

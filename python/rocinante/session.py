@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 
 from ._programs import Error, PathLike, Time, options, run, run_json, time_word
+from .source import _name, _signal_path
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -49,6 +50,14 @@ class Poses:
 
 
 @dataclass(frozen=True)
+class Signal:
+    """A signal over time: numbers, or booleans as 1 and 0. Where it had no value yet, it is NaN."""
+    time: NDArray[np.float64]      #: (N,) seconds from the session's origin
+    values: NDArray[np.float64]    #: (N,) in the unit
+    unit: str | None               #: as stated last; None: none was
+
+
+@dataclass(frozen=True)
 class Device:
     """What the packets up to a moment say about one device."""
     joints: tuple[float, ...] | None            #: by position, where a source sends them so
@@ -64,6 +73,10 @@ class State:
     time: float
     devices: dict[str, Device]  #: those that are there
     document: dict[str, Any]  #: all of it, as `rocinante log state --json` prints it
+
+
+def _signal_name(path: str | None, name: str) -> str:
+    return f"signal {_signal_path(path)} {_name(name)}"
 
 
 class Session:
@@ -128,16 +141,17 @@ class Session:
         return [Event((each["log_time_ns"] - self.origin_ns) / 1e9, each.get("source") or "", each["text"],
                       each["log_time_ns"]) for each in self._event_list]
 
-    def table(self, device: str | None = None, *, every: Time | None = None, start: Time | None = None,
-              end: Time | None = None) -> dict[str, NDArray[Any]]:
-        """The columns of `rocinante log table`, by name: `t`, `t_ns`, `DEVICE.JOINT`, `DEVICE:x` ...
+    def table(self, device: str | None = None, *, signals: bool = False, every: Time | None = None,
+              start: Time | None = None, end: Time | None = None) -> dict[str, NDArray[Any]]:
+        """The columns of `rocinante log table`, by name: `t`, `t_ns`, `DEVICE.JOINT`, `DEVICE:x` ...;
+        with `signals` also `signal PATH NAME`, numbers, and booleans as 1 and 0.
 
         One row for each moment that writes a value, or one at each multiple of `every`; from `start`
         until before `end`.
         """
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "table.npz")
-            run("log", "table", self.log, "-o", table, *options({
+            run("log", "table", self.log, "-o", table, *(["--signals"] if signals else []), *options({
                 "device": device, "cell": self.cell,
                 "every": None if every is None else time_word(every),
                 "from": None if start is None else time_word(start),
@@ -164,6 +178,41 @@ class Session:
         columns = [np.column_stack([table[f"{device}:{axis}"] for axis in axes])
                    for axes in (("x", "y", "z"), ("qx", "qy", "qz", "qw"))]
         return Poses(table["t"], *columns)
+
+    @property
+    def signals(self) -> dict[str, float | bool | str]:
+        """The signals at the end of the session by name, `signal PATH NAME`: numbers, truths, texts."""
+        return {name: each["value"] for name, each in self._signals_at_end().items()}
+
+    def signal(self, path: str | None, name: str, **span: Any) -> Signal:
+        """A signal of "DEVICE", "DEVICE/LINK", or None for neither; `every`, `start` and `end` as for
+        `table`. One of texts has no numbers: `signals` and `state` have them."""
+        called = _signal_name(path, name)
+        table: dict[str, NDArray[Any]] = {}
+        try:
+            if path is None:
+                table = self.table(signals=True, **span)
+            else:
+                table = self._of_device(path.split("/")[0], {"signals": True, **span})
+        except Error as error:
+            if "no chosen device has" not in str(error):
+                raise
+        at_end = self._signals_at_end()
+        if called in table:
+            return Signal(table["t"], table[called], at_end[called]["unit"] if called in at_end else None)
+        if called in at_end:
+            raise KeyError(f"{called} has texts: {at_end[called]['value']!r} at the end")
+        others = ", ".join(at_end)
+        raise KeyError(f"{self.log} has no {called}" + (f"; there are {others}" if others else ""))
+
+    def _signals_at_end(self) -> dict[str, dict[str, Any]]:
+        document = self.state((self.info["end_ns"] - self.origin_ns) / 1e9).document
+        found = {}
+        for device in [*document["devices"], {"name": None, "signals": document["signals"]}]:
+            for each in device["signals"]:
+                path = device["name"] if each["link"] is None else f"{device['name']}/{each['link']}"
+                found[_signal_name(path, each["name"])] = each
+        return found
 
     def state(self, at: Time) -> State:
         """The state at a moment: what every packet up to it says, folded."""

@@ -35,6 +35,7 @@ struct TableOptions {
   LogTime from{}, until{};
   ExportProgress progress;                 ///< may be empty
   ClearanceColumns* clearances = nullptr;  ///< behind the other columns; borrowed
+  bool signals = false;                    ///< the table has them: for what is left out
 };
 
 struct TableReport {

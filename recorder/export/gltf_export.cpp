@@ -49,7 +49,8 @@ Status recordGltf(MomentWalk& session, const Cell& cell, GltfRecording& recordin
   };
   if (Status done = session.visit(from, until, {count, moment_of}); !done) return done;
   constexpr std::array kUnknownThere = {StatementKind::line, StatementKind::points,
-                                        StatementKind::label, StatementKind::event};
+                                        StatementKind::label, StatementKind::event,
+                                        StatementKind::signal, StatementKind::signals};
   constexpr std::string_view kReason = "a glTF scene has nothing for it";
   census.addStatements(left_out, kUnknownThere, kReason);
   census.addUnread(left_out, "holds no packet");

@@ -70,7 +70,8 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
   table.layOut();
   if (table.columns().empty()) {
     return Error{ErrorKind::not_found,
-                 "no chosen device has joints or a pose" + table.otherDevices(),
+                 options.signals ? "no chosen device has joints, a pose or numbers"
+                                 : "no chosen device has joints or a pose" + table.otherDevices(),
                  session.log().name()};
   }
   TableReport report;
@@ -116,14 +117,25 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     }
   }
   if (Status ended = writer.end(); !ended) return ended.error();
-  constexpr std::array kWithoutColumn = {
+  std::vector<StatementKind> without_column = {
       StatementKind::show,   StatementKind::hide,  StatementKind::color, StatementKind::line,
       StatementKind::points, StatementKind::label, StatementKind::event, StatementKind::view};
-  constexpr std::string_view kReason = "a table has joints and poses";
-  census.addStatements(report.left_out, kWithoutColumn, kReason);
+  if (!options.signals) {
+    without_column.insert(without_column.end(), {StatementKind::signal, StatementKind::signals});
+  }
+  const char* const reason =
+      options.signals ? "a table has joints, poses and numbers" : "a table has joints and poses";
+  census.addStatements(report.left_out, without_column, reason);
+  for (const std::string& name : table.texts()) {
+    report.left_out.leaveOut({.kind = "signal",
+                              .name = name,
+                              .reason = "its texts are no numbers",
+                              .first = {},
+                              .count = 1});
+  }
   census.addUnread(report.left_out, "holds no packet");
-  addOwnTopics(report.left_out, session.log(), kReason);
-  addAttachments(report.left_out, session.log(), kReason);
+  addOwnTopics(report.left_out, session.log(), reason);
+  addAttachments(report.left_out, session.log(), reason);
   return report;
 }
 

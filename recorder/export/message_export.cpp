@@ -134,7 +134,8 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
   }
   for (std::string& gap : exporter.shapeGaps()) report.gaps.push_back(std::move(gap));
   constexpr std::array kUnknownThere = {StatementKind::show, StatementKind::hide,
-                                        StatementKind::color, StatementKind::view};
+                                        StatementKind::color,  StatementKind::view,
+                                        StatementKind::signal, StatementKind::signals};
   census.addStatements(report.left_out, kUnknownThere, "the format has nothing for it");
   addAttachments(report.left_out, session.log(), "not exported; `rocinante log extract` writes it");
   return report;

@@ -28,6 +28,7 @@ struct TableArguments {
   SelectionOptions times;
   std::string every;
   bool changes = false;
+  bool signals = false;
   bool clearance = false;
   ExportCellArguments cell;
   std::string output;
@@ -147,7 +148,8 @@ Result<cli::Exit> runTable(TableArguments my) {
   cli::catchStopSignals();
   options->progress = stoppableProgress("reading " + my.log);
   const cli::StopDeadline deadline(kStopped);
-  SessionTable table(cell->get(), my.devices);
+  options->signals = my.signals;
+  SessionTable table(cell->get(), my.devices, my.signals);
   const Result<TableReport> report = writeTo(my, *form, *session, table, *options);
   if (!report) return report.error();
   std::vector<std::string> gaps = table.gaps();
@@ -180,6 +182,8 @@ cli::Subcommand addTableCommand(cli::CommandLine program) {
           .valueName("TIME");
   app.addFlag("--changes", my->changes, "only rows that differ from the one before")
       .excludes(every);
+  app.addFlag("--signals", my->signals,
+              "numbers and booleans of signals too, a column for each: `signal PATH NAME`");
   app.addFlag("--clearance", my->clearance,
               "the distances of the cell's clearances too, in metres, a column for each pair");
   app.addOption("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")

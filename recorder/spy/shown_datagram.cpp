@@ -7,6 +7,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/packet/item_text.h"
 
 namespace rocinante {
 namespace {
@@ -30,6 +31,19 @@ std::string firstBytes(ByteView payload) {
 
 std::string senderText(const ReceivedDatagram& datagram) {
   return datagram.subject.empty() ? datagram.sender.text() : plainText(datagram.subject);
+}
+
+SpySignal shownSignal(const SignalItem& item) {
+  const SignalValue& value = item.item.value;
+  SpySignal seen;
+  seen.name = signalNameText(item.device, item.name);
+  seen.value = shownText(statementText(item).substr(seen.name.size() + 1));
+  seen.kind = value.kind;
+  seen.number = value.number;
+  seen.text = value.text;
+  seen.unit = value.unit;
+  seen.source = item.owner();
+  return seen;
 }
 
 }  // namespace rocinante

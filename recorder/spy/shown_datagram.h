@@ -5,6 +5,8 @@
 
 #include "core/base/bytes.h"
 #include "core/net/datagram_source.h"
+#include "core/packet/state_items.h"
+#include "recorder/spy/spy_report.h"
 
 namespace rocinante {
 
@@ -14,5 +16,6 @@ std::string shownText(std::string_view text);
 std::string firstBytes(ByteView payload);
 /// A NATS server does not tell who sends: its subjects take the place of addresses.
 std::string senderText(const ReceivedDatagram& datagram);
+SpySignal shownSignal(const SignalItem& item);
 
 }  // namespace rocinante

@@ -193,7 +193,9 @@ Spy::Device* Spy::deviceNamed(std::string_view name) {
 }
 
 void Spy::readPresence(const Statement& statement, const PacketPlace& place) {
-  const bool is_of_path = isOfPath(statement.kind) && !statement.path.is_layer;
+  const bool is_of_path =
+      (isOfPath(statement.kind) && !statement.path.is_layer) ||
+      (isSignal(statement.kind) && !statement.path.first.empty());
   const bool is_of_device = isOfDevice(statement.kind) || statement.kind == StatementKind::seen;
   if (!is_of_path && !is_of_device) return;
   Device* const device = deviceNamed(is_of_path ? statement.path.first : statement.name);
@@ -346,6 +348,12 @@ SpyReport Spy::report(LogTime now) {
   for (const auto& [name, device] : state.devices()) {
     report.devices.push_back(deviceReport(name, device, now));
   }
+  const auto add_signal = ByKind{
+      [&](const SignalItem& item) { report.signals.push_back(shownSignal(item)); },
+      [](const auto&) {},
+  };
+  for (const auto& [name, device] : state.devices()) eachItemOf(name, device, add_signal);
+  for (const auto& [name, item] : state.signals()) eachItemOf(name, item, add_signal);
   for (const auto& [key, drawing] : state.drawings()) {
     SpyDrawing& seen = report.drawings.emplace_back();
     std::tie(seen.source, seen.name) = key;

@@ -101,6 +101,17 @@ Json deviceJson(const SpyDevice& each) {
   return json;
 }
 
+Json signalJson(const SpySignal& each) {
+  Json json;
+  json["signal"] = each.name;
+  json["value"] = each.kind == SignalKind::number    ? Json(each.number)
+                  : each.kind == SignalKind::boolean ? Json(each.number != 0)
+                                                     : Json(each.text);
+  json["unit"] = orNull(each.unit);
+  json["source"] = each.source;
+  return json;
+}
+
 Json faultJson(const SpyFault& each) {
   Json json;
   json["fault"] = std::string(nameOf(each.kind));
@@ -125,8 +136,8 @@ std::string spyJson(const SpyReport& report, bool indented) {
   json["decoded"] = report.decoded;
   json["more_senders"] = report.more_senders;
   json["more_events"] = report.more_events;
-  for (const char* key : {"endpoints", "senders", "decoders", "sources", "devices", "drawings",
-                          "events", "faults", "reasons"}) {
+  for (const char* key : {"endpoints", "senders", "decoders", "sources", "devices", "signals",
+                          "drawings", "events", "faults", "reasons"}) {
     json[key] = Json::array();
   }
   for (const auto& each : report.endpoints) json["endpoints"].push_back(endpointJson(each));
@@ -134,6 +145,7 @@ std::string spyJson(const SpyReport& report, bool indented) {
   for (const auto& each : report.decoders) json["decoders"].push_back(decoderJson(each));
   for (const auto& each : report.sources) json["sources"].push_back(sourceJson(each));
   for (const auto& each : report.devices) json["devices"].push_back(deviceJson(each));
+  for (const auto& each : report.signals) json["signals"].push_back(signalJson(each));
   for (const SpyDrawing& each : report.drawings) {
     json["drawings"].push_back({{"drawing", each.name},
                                 {"source", each.source},

@@ -74,6 +74,17 @@ struct SpyDevice {
   std::string carrier;  ///< "arm/tool", or empty for the world; safe to print
 };
 
+/// A signal as it was stated last.
+struct SpySignal {
+  std::string name;   ///< "signal arm mode": as packets write it
+  std::string value;  ///< likewise, with its unit; safe to print, cut
+  SignalKind kind{};
+  double number = 0;   ///< of booleans 1 or 0
+  std::string text;    ///< of texts; as stated
+  std::string unit;    ///< empty: none was stated
+  std::string source;  ///< that stated it last
+};
+
 /// A drawing that a source has not removed.
 struct SpyDrawing {
   std::string name, source;
@@ -129,6 +140,7 @@ struct SpyReport {
   std::vector<SpyDecoder> decoders;  ///< as declared
   std::vector<SpySource> sources;    ///< by name
   std::vector<SpyDevice> devices;    ///< by name
+  std::vector<SpySignal> signals;    ///< by device and name, then those of no device
   std::vector<SpyDrawing> drawings;  ///< by source and name
   std::vector<SpyEvent> events;      ///< by source and text
   std::uint64_t more_events = 0;     ///< events beyond those kept

@@ -66,6 +66,7 @@ class Page {
     addFields();
     addSources();
     addDevices();
+    addSignals();
     addDrawings();
     addEvents();
     addReasons();
@@ -170,6 +171,17 @@ class Page {
                             secondsCell(each.silent), namesCell(each.sources), valuesCell(each)});
     }
     add(std::move(table), "devices");
+  }
+
+  void addSignals() {
+    TextTable table;
+    table.is_number = {false, false, false};
+    table.rows.push_back({"signal", "source", "value"});
+    for (const SpySignal& each : report_.signals) {
+      const std::string name = each.name.substr(each.name.find(' ') + 1);
+      table.rows.push_back({plainText(name), plainText(each.source), each.value});
+    }
+    add(std::move(table), "signals");
   }
 
   void addDrawings() {

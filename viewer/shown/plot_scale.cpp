@@ -69,6 +69,8 @@ PlotValue plotValue(const SeriesKey& key, const Model* model) {
     case SeriesKey::Kind::pose:
       value.unit = key.part.size() == 1 ? PlotUnit::metres : PlotUnit::quaternion;
       return value;
+    case SeriesKey::Kind::signal:
+      return value;
     case SeriesKey::Kind::rate:
     case SeriesKey::Kind::loss:
       value.unit = PlotUnit::per_second;

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -11,11 +12,24 @@ namespace {
 
 using Outcome = RosTranslator::Outcome;
 
-/// The joints of one device in a message: `joint DEVICE NAME=q ...`.
-struct DevicePlan {
-  std::string device;
+/// What a message has one value a joint of, and how packets name it.
+struct Quantity {
+  StatementKind kind;
+  std::string_view suffix;  ///< behind the joint's name
+};
+constexpr std::array<Quantity, 3> kQuantities = {{{StatementKind::joint, ""},
+                                                  {StatementKind::signals, ".velocity"},
+                                                  {StatementKind::signals, ".effort"}}};
+
+/// One statement of a device: `joint DEVICE NAME=q ...` or `signals DEVICE NAME.effort=q ...`.
+struct StatementPlan {
   std::vector<std::size_t> places;  ///< in the message
   std::vector<std::string> names;
+};
+/// The joints of one device in a message, a plan for each quantity.
+struct DevicePlan {
+  std::string device;
+  std::array<StatementPlan, kQuantities.size()> statements;
 };
 
 /// sensor_msgs/JointState. Senders repeat the same names in every message, so the bytes of the last
@@ -29,21 +43,18 @@ class JointTranslation final : public TopicTranslation {
     FieldCursor cursor(message, layout);
     const Header header = readHeader(cursor);
     if (!readNames(cursor, message)) return Outcome::malformed;
-    cursor.numbers(positions_);
-    const auto velocities = cursor.count(sizeof(double));
-    cursor.skip(velocities, sizeof(double));
-    const auto efforts = cursor.count(sizeof(double));
-    cursor.skip(efforts, sizeof(double));
+    for (std::vector<double>& values : values_) cursor.numbers(values);
     if (!cursor.atEnd()) return Outcome::malformed;
-    velocities_ += velocities;
-    efforts_ += efforts;
-    passive_ += passive_names_;
     for (const std::string& sentence : left_out_) note(sentence);
-    if (positions_.empty()) {
-      if (names_ > 0) note("joint states without positions");
-      return Outcome::nothing;
+    if (values_[0].empty() && names_ > 0) note("joint states without positions");
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (values_[i].empty()) continue;
+      passive_[i] += passive_names_;
+      if (values_[i].size() == names_) continue;
+      if (i == 0) return Outcome::malformed;
+      note("joint states with another number of speeds or efforts than of joints");
+      values_[i].clear();
     }
-    if (positions_.size() != names_) return Outcome::malformed;
     begin(header.stamp_ns);
     say(header.stamp_ns);
     if (packet_.statements.empty()) return Outcome::nothing;
@@ -52,9 +63,10 @@ class JointTranslation final : public TopicTranslation {
   }
 
   void addLeftOut(Account& account) const override {
-    addValues(account, "velocity", "packets have no speeds of joints", velocities_);
-    addValues(account, "effort", "packets have no efforts", efforts_);
-    addValues(account, "position", "of fixed and mimic joints, which the model moves", passive_);
+    constexpr const char* kPassive = "of fixed and mimic joints, which the model moves";
+    addValues(account, "position", kPassive, passive_[0]);
+    addValues(account, "velocity", kPassive, passive_[1]);
+    addValues(account, "effort", kPassive, passive_[2]);
   }
 
  private:
@@ -101,14 +113,22 @@ class JointTranslation final : public TopicTranslation {
   void addToPlan(const DeviceFinder::JointHome& home, std::size_t place) {
     DevicePlan* plan = nullptr;
     for (DevicePlan& each : plans_) {
-      if (each.device == home.device && each.names.size() < limits::kJointValues) plan = &each;
+      const bool has_room = each.statements[0].names.size() < limits::kJointValues;
+      if (each.device == home.device && has_room) plan = &each;
     }
     if (plan == nullptr) {
       plan = &plans_.emplace_back();
       plan->device = home.device;
     }
-    plan->places.push_back(place);
-    plan->names.push_back(home.name);
+    for (std::size_t i = 0; i < kQuantities.size(); ++i) {
+      std::string name = home.name + std::string(kQuantities[i].suffix);
+      if (isName(name)) {
+        plan->statements[i].places.push_back(place);
+        plan->statements[i].names.push_back(std::move(name));
+      } else {
+        leaveOut("speeds and efforts of joints with too long a name");
+      }
+    }
   }
 
   void leaveOut(std::string sentence) {
@@ -117,39 +137,54 @@ class JointTranslation final : public TopicTranslation {
 
   /// Writes the text and the packet that decoding it would give.
   void say(std::int64_t stamp_ns) {
-    // Both are reserved, so that the statements' views stay valid.
+    // All are reserved, so that the statements' views stay valid.
+    std::size_t most = 0;
+    for (const std::vector<double>& values : values_) most += values.size();
     numbers_.clear();
-    numbers_.reserve(positions_.size());
+    numbers_.reserve(most);
     said_names_.clear();
-    said_names_.reserve(positions_.size());
+    said_names_.reserve(most);
+    if (kinds_.size() < most) kinds_.assign(most, SignalKind::number);
     statements_.clear();
-    bool all_finite = true;
+    all_finite_ = true;
     for (const DevicePlan& plan : plans_) {
-      const std::size_t first = numbers_.size();
-      for (std::size_t i = 0; i < plan.places.size(); ++i) {
-        const double value = positions_[plan.places[i]];
-        if (!std::isfinite(value)) {
-          all_finite = false;
-          continue;
-        }
-        numbers_.push_back(value + 0.0);  // -0 to 0, as it is written
-        said_names_.push_back(plan.names[i]);
+      for (std::size_t i = 0; i < kQuantities.size(); ++i) {
+        if (!values_[i].empty()) addStatement(plan, i);
       }
-      const std::size_t count = numbers_.size() - first;
-      if (count == 0) continue;
-      Statement& statement = statements_.emplace_back();
-      statement.kind = StatementKind::joint;
-      statement.line = static_cast<std::uint32_t>(statements_.size() + 1);
-      statement.name = plan.device;
-      statement.numbers = std::span(numbers_).subspan(first, count);
-      statement.names = std::span(said_names_).subspan(first, count);
-      add(statement);
     }
-    if (!all_finite) note("joint states with values that are not finite");
+    if (!all_finite_) note("joint states with values that are not finite");
     packet_ = {};
     packet_.header.source = source_;
     if (stamp_ns > 0) packet_.header.time_ns = stamp_ns;
     packet_.statements = statements_;
+  }
+
+  void addStatement(const DevicePlan& plan, std::size_t quantity) {
+    const StatementPlan& its = plan.statements[quantity];
+    const std::size_t first = numbers_.size();
+    for (std::size_t i = 0; i < its.places.size(); ++i) {
+      const double value = values_[quantity][its.places[i]];
+      if (!std::isfinite(value)) {
+        all_finite_ = false;
+        continue;
+      }
+      numbers_.push_back(value + 0.0);  // -0 to 0, as it is written
+      said_names_.push_back(its.names[i]);
+    }
+    const std::size_t count = numbers_.size() - first;
+    if (count == 0) return;
+    Statement& statement = statements_.emplace_back();
+    statement.kind = kQuantities[quantity].kind;
+    statement.line = static_cast<std::uint32_t>(statements_.size() + 1);
+    if (isSignal(statement.kind)) {
+      statement.path.first = plan.device;
+      statement.signal_kinds = std::span(kinds_).first(count);
+    } else {
+      statement.name = plan.device;
+    }
+    statement.numbers = std::span(numbers_).subspan(first, count);
+    statement.names = std::span(said_names_).subspan(first, count);
+    add(statement);
   }
 
   Bytes name_bytes_;          ///< of the last message, with their count
@@ -158,9 +193,12 @@ class JointTranslation final : public TopicTranslation {
   std::vector<DevicePlan> plans_;
   std::vector<std::string> left_out_;  ///< sentences for every message with these names
   std::size_t passive_names_ = 0;      ///< of fixed and mimic joints
-  std::uint64_t velocities_ = 0, efforts_ = 0, passive_ = 0;
-  std::vector<double> positions_, numbers_;
+  std::array<std::uint64_t, kQuantities.size()> passive_{};  ///< values of these
+  std::array<std::vector<double>, kQuantities.size()> values_;
+  std::vector<double> numbers_;
   std::vector<std::string_view> said_names_;
+  std::vector<SignalKind> kinds_;  ///< all of them numbers
+  bool all_finite_ = true;
   std::vector<Statement> statements_;
   Packet packet_;
 };

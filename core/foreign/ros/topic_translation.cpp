@@ -65,7 +65,7 @@ class OdometryTranslation final : public TopicTranslation {
   }
 
   void addLeftOut(Account& account) const override {
-    addValues(account, "twist", "packets have no speeds", speeds_);
+    addValues(account, "twist", "speeds of frames are not imported", speeds_);
     addValues(account, "covariance", "packets have no covariances", covariances_);
   }
 

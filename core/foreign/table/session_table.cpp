@@ -5,16 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "core/base/name_hint.h"
 #include "core/base/pattern.h"
 #include "core/cell/posed_scene.h"
 #include "core/foreign/session/joint_values.h"
 #include "core/math/transform.h"
+#include "core/packet/item_text.h"
 
 namespace rocinante {
 namespace {
 
+/// Signals with texts that are named; the log has them all.
+constexpr std::size_t kMostTexts = 1000;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 7> kPoseColumns = {":x",  ":y",  ":z", ":qx",
                                                           ":qy", ":qz", ":qw"};
@@ -23,8 +27,8 @@ bool readsBackAsItself(std::string_view device) { return device.find('.') == dev
 
 }  // namespace
 
-SessionTable::SessionTable(const Cell* cell, std::vector<std::string> devices)
-    : cell_(cell), patterns_(std::move(devices)) {}
+SessionTable::SessionTable(const Cell* cell, std::vector<std::string> devices, bool with_signals)
+    : cell_(cell), patterns_(std::move(devices)), with_signals_(with_signals) {}
 
 bool SessionTable::chosen(std::string_view device) {
   if (patterns_.empty()) return true;
@@ -37,11 +41,45 @@ void SessionTable::notice(const SessionState& state, LogTime moment) {
   for (const auto& [name, device] : state.devices()) {
     if (device.last_write == moment && chosen(name)) noticeDevice(name, device);
   }
+  if (patterns_.empty()) noticeSignals({}, state.signals(), of_none_);
 }
 
 void SessionTable::noticeAll(const SessionState& state) {
   for (const auto& [name, device] : state.devices()) {
     if (chosen(name)) noticeDevice(name, device);
+  }
+  if (patterns_.empty()) noticeSignals({}, state.signals(), of_none_);
+}
+
+void SessionTable::noticeSignals(const std::string& device, const Signals& said,
+                                 SignalColumns& columns) {
+  if (!with_signals_) return;
+  for (const auto& [name, item] : said) {
+    if (item.value.kind == SignalKind::text) {
+      if (texts_.size() < kMostTexts) texts_.insert(signalNameText(device, name));
+    } else if (!columns.contains(name)) {
+      columns.emplace(name, 0);
+    }
+  }
+}
+
+void SessionTable::layOutSignals(const std::string& device, SignalColumns& columns) {
+  std::size_t place = 0;
+  for (auto& [name, column] : columns) {
+    column = place++;
+    columns_.push_back(signalNameText(device, name));
+  }
+}
+
+void SessionTable::fillSignals(const SignalColumns& columns, const Signals& said,
+                               std::span<double> row) {
+  // Both are sorted by name: one pass, without searching.
+  auto column = columns.begin();
+  for (const auto& [name, item] : said) {
+    while (column != columns.end() && SignalOrder()(column->first, name)) ++column;
+    if (column == columns.end()) break;
+    const bool is_number = item.value.kind != SignalKind::text;
+    if (is_number && column->first == name) row[column->second] = item.value.number;
   }
 }
 
@@ -64,13 +102,15 @@ void SessionTable::addJoint(Device& device, std::string_view joint) {
 }
 
 void SessionTable::noticeDevice(const std::string& name, const DeviceState& state) {
-  if (!hasJoints(state) && !state.pose) return;
+  const bool has_signals = with_signals_ && !state.signals.empty();
+  if (!hasJoints(state) && !state.pose && !has_signals) return;
   auto [found, is_new] = devices_.try_emplace(name);
   Device& device = found->second;
   if (is_new && cell_ != nullptr) {
     device.model = modelOf(name, state);
   }
   if (state.pose) device.has_pose = true;
+  noticeSignals(name, state.signals, device.signals);
   if (!hasJoints(state)) return;
   if (device.model != nullptr && device.positional.empty()) {
     ModelValues values = modelValues(*device.model);
@@ -101,9 +141,13 @@ void SessionTable::layOut() {
   for (auto& [name, device] : devices_) {
     device.first_column = columns_.size();
     for (const std::string& joint : device.joints) columns_.push_back(name + "." + joint);
-    if (!device.has_pose) continue;
-    for (const std::string_view part : kPoseColumns) columns_.push_back(name + std::string(part));
+    if (device.has_pose) {
+      for (const std::string_view part : kPoseColumns) columns_.push_back(name + std::string(part));
+    }
+    layOutSignals(name, device.signals);
   }
+  first_of_none_ = columns_.size();
+  layOutSignals({}, of_none_);
 }
 
 std::string SessionTable::otherDevices() const {
@@ -115,7 +159,12 @@ std::string SessionTable::otherDevices() const {
   return others.empty() ? std::string() : "; " + whatThereIs(patterns_.front(), others);
 }
 
-bool SessionTable::wasWritten(const SessionState& state, LogTime moment) const {
+bool SessionTable::wasWritten(const SessionState& state, LogTime moment) {
+  if (!of_none_.empty()) {
+    std::uint64_t last = 0;
+    for (const auto& [name, item] : state.signals()) last = std::max(last, item.said.packet);
+    if (std::exchange(said_of_none_, last) != last) return true;
+  }
   for (const auto& [name, device] : devices_) {
     const DeviceState* const now = state.findDevice(name);
     if (now != nullptr && now->last_write == moment) return true;
@@ -130,10 +179,13 @@ void SessionTable::fill(const SessionState& state, std::span<double> row) {
     if (now == nullptr || isRemoved(*now)) continue;
     const std::size_t width = device.joints.size();
     if (hasJoints(*now)) fillJoints(device, *now, row.subspan(device.first_column, width));
-    if (!now->pose) continue;
-    fillPose(name, state, now->pose->value,
-             row.subspan(device.first_column + width, kPoseColumns.size()));
+    const auto behind = row.subspan(device.first_column + width);
+    if (now->pose) fillPose(name, state, now->pose->value, behind.first(kPoseColumns.size()));
+    if (device.signals.empty()) continue;
+    const std::size_t first = device.has_pose ? kPoseColumns.size() : 0;
+    fillSignals(device.signals, now->signals, behind.subspan(first, device.signals.size()));
   }
+  if (!of_none_.empty()) fillSignals(of_none_, state.signals(), row.subspan(first_of_none_));
 }
 
 void SessionTable::fillJoints(const Device& device, const DeviceState& state,

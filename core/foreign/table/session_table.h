@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <span>
@@ -21,10 +23,14 @@ namespace rocinante {
 /// `cell` has one with as many, else their numbers from 1. With a cell, a device whose joints are
 /// stated has a column for every joint of its model; those that no packet states have the model's
 /// own value. Without one, and for what is not stated yet, removed, or forgotten, the value is NaN.
+///
+/// With signals, a device has columns for its numbers and booleans (1 or 0) behind its pose, named
+/// `signal PATH NAME`; those of no device are the last columns.
 class SessionTable {
  public:
-  /// `cell` is borrowed; null: none. `devices` are patterns (core/base/pattern.h); empty: all.
-  SessionTable(const Cell* cell, std::vector<std::string> devices);
+  /// `cell` is borrowed; null: none. `devices` are patterns (core/base/pattern.h); empty: all, and
+  /// the signals of no device.
+  SessionTable(const Cell* cell, std::vector<std::string> devices, bool with_signals = false);
 
   /// Adds columns for what the state at `moment` says of devices that were written then.
   void notice(const SessionState& state, LogTime moment);
@@ -36,7 +42,7 @@ class SessionTable {
   /// Valid after layOut().
   const std::vector<std::string>& columns() const { return columns_; }
   /// True if something of a device in the table was written at `moment`.
-  bool wasWritten(const SessionState& state, LogTime moment) const;
+  bool wasWritten(const SessionState& state, LogTime moment);
   /// `row` is as long as columns().
   void fill(const SessionState& state, std::span<double> row);
 
@@ -46,11 +52,15 @@ class SessionTable {
   /// What is missing in the table: poses in the space of another device, without a cell that says
   /// where that is.
   std::vector<std::string> gaps() const;
+  /// Signals with texts, which have no column, each once: "signal arm mode".
+  const std::set<std::string>& texts() const { return texts_; }
   /// Of a table without columns: which devices no pattern matches, "; there are arm, gantry", or
   /// the one that was probably meant. Empty: every device was chosen.
   std::string otherDevices() const;
 
  private:
+  /// The columns of signals, in order, each with its place among them.
+  using SignalColumns = std::map<SignalName, std::size_t, SignalOrder>;
   struct Device {
     const Model* model = nullptr;
     std::vector<std::string> joints;                 ///< in the order of their columns
@@ -61,6 +71,7 @@ class SessionTable {
     bool has_pose = false;
     std::size_t first_column = 0;
     bool has_bare_numbers = false;
+    SignalColumns signals;
   };
   using Devices = std::map<std::string, Device, std::less<>>;
 
@@ -68,6 +79,10 @@ class SessionTable {
   void noticeDevice(const std::string& name, const DeviceState& state);
   const Model* modelOf(const std::string& name, const DeviceState& state) const;
   void addJoint(Device& device, std::string_view joint);
+  void noticeSignals(const std::string& device, const Signals& said, SignalColumns& columns);
+  void layOutSignals(const std::string& device, SignalColumns& columns);
+  static void fillSignals(const SignalColumns& columns, const Signals& said,
+                          std::span<double> row);
   void fillJoints(const Device& device, const DeviceState& state, std::span<double> row) const;
   void fillPose(const std::string& name, const SessionState& state, const PoseValue& pose,
                 std::span<double> row);
@@ -75,8 +90,13 @@ class SessionTable {
   const Cell* cell_;
   std::vector<std::string> patterns_;
   std::map<std::string, bool, std::less<>> chosen_;  ///< the answers of the patterns
+  bool with_signals_;
   Devices devices_;
+  SignalColumns of_none_;           ///< signals of no device
+  std::size_t first_of_none_ = 0;   ///< their first column
+  std::uint64_t said_of_none_ = 0;  ///< when one of them was stated last, in packets
   std::vector<std::string> columns_;
+  std::set<std::string> texts_;
   std::set<std::string> carried_;  ///< devices with poses that are not known in the world
 };
 

@@ -17,6 +17,9 @@ inline constexpr std::array<std::string_view, 7> kPoseEndings = {":x",  ":y",  "
 /// Begins a column of distances, which says nothing about a device; device names hold no slash.
 inline constexpr std::string_view kClearanceColumn = "clearance/";
 
+/// Begins a column of a signal, `signal PATH NAME`.
+inline constexpr std::string_view kSignalColumn = "signal ";
+
 /// A column that names its device, or the ROS topic that it comes from. Borrowed from the name.
 struct TableColumn {
   std::string_view device;               ///< empty: `topic` tells

@@ -69,6 +69,23 @@ TEST(SeriesScan, AWrongNumberOfPositionsIsDrawnAsNone) {
   EXPECT_EQ(heldAt(*scan, "arm.j1", 150), std::nullopt);
 }
 
+TEST(SeriesScan, NumbersAndBooleansOfSignals) {
+  const auto scan = scanOf({{0, "RK1 s 0 -\nsignal arm load 5 kg\nsignal - estop false"},
+                            {100, "RK1 s 1 -\nsignals arm load=6\nsignals arm/tip force=1"},
+                            {200, "RK1 s 2 -\nsignals - estop=true\nsignal arm load \"off\""},
+                            {300, "RK1 s 3 -\nsignal arm load 7\nsignal - estop default"},
+                            {400, "RK1 s 4 -\nremove arm"}});
+  EXPECT_EQ(heldAt(*scan, "signal arm load", 50), 5);
+  EXPECT_EQ(heldAt(*scan, "signal arm load", 150), 6);
+  EXPECT_EQ(heldAt(*scan, "signal arm load", 250), std::nullopt);
+  EXPECT_EQ(heldAt(*scan, "signal arm load", 350), 7);
+  EXPECT_EQ(heldAt(*scan, "signal arm load", 450), std::nullopt);
+  EXPECT_EQ(heldAt(*scan, "signal arm/tip force", 150), 1);
+  EXPECT_EQ(heldAt(*scan, "signal - estop", 150), 0);
+  EXPECT_EQ(heldAt(*scan, "signal - estop", 250), 1);
+  EXPECT_EQ(heldAt(*scan, "signal - estop", 350), std::nullopt);
+}
+
 TEST(SeriesScan, PosesAndWhatIsRemoved) {
   const auto scan = scanOf({{0, "RK1 s 0 -\npose tray 1 2 3 0 0 0 1"},
                             {100, "RK1 s 1 -\nremove tray"},

@@ -60,7 +60,7 @@ TEST_F(Table, RefusesRatesNothingAndAFolder) {
   table.until = spokenTime(1000);
   EXPECT_FALSE(write(table).ok());
   table.keys = {*parseSeriesKey("rate")};
-  EXPECT_EQ(write(table).error().text(), "a table has joints and poses only (rate)");
+  EXPECT_EQ(write(table).error().text(), "a table has joints, poses and signals only (rate)");
   table.keys = {*parseSeriesKey("nobody.j1")};
   EXPECT_FALSE(write(table).ok());
   EXPECT_FALSE(std::filesystem::exists(folder_ / "t.csv"));

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -9,8 +10,17 @@
 namespace rocinante {
 namespace {
 
+/// Packets alone state signals: one that comes later is not known yet.
+Status checkSignal(const SeriesKey& key, ViewModel& model) {
+  const bool is_known = key.name.empty() || model.scene().findDevice(key.name) != nullptr ||
+                        model.state().findDevice(key.name) != nullptr;
+  if (is_known) return {};
+  return badWord(fmt::format("no device is named `{}`", key.name));
+}
+
 /// Refuses values that neither the cell nor any packet has.
 Status checkKey(const SeriesKey& key, ViewModel& model) {
+  if (key.kind == SeriesKey::Kind::signal) return checkSignal(key, model);
   if (!key.isOfDevice()) return {};
   const auto said = model.state().devices().find(key.name);
   const PosedDevice* const device = model.scene().findDevice(key.name);
@@ -25,17 +35,18 @@ Status checkKey(const SeriesKey& key, ViewModel& model) {
   return badWord(fmt::format("`{}` has no joint value `{}`", key.name, key.part));
 }
 
-Result<SeriesKey> seriesKeyOf(const std::string& word) {
+Result<SeriesKey> seriesKeyOf(CommandWords words) {
+  const std::string word = fmt::format("{}", fmt::join(words, " "));
   auto key = parseSeriesKey(word);
   if (key) return std::move(*key);
   return badWord(fmt::format(
-      "`{}` is not DEVICE.JOINT, DEVICE:x (or y z qx qy qz qw), rate, loss, rate/SOURCE or "
-      "loss/SOURCE",
+      "`{}` is not DEVICE.JOINT, DEVICE:x (or y z qx qy qz qw), signal PATH NAME, rate, loss, "
+      "rate/SOURCE or loss/SOURCE",
       word));
 }
 
 Status plotValueOf(CommandWords words, const CommandStage& stage) {
-  const auto key = seriesKeyOf(words[0]);
+  const auto key = seriesKeyOf(words);
   if (!key) return key.error();
   if (Status known = checkKey(*key, stage.model); !known) return known;
   if (stage.model.viewer.plots.add(*key)) return {};
@@ -49,9 +60,9 @@ Status unplotValue(CommandWords words, const CommandStage& stage) {
     plots.clear();
     return {};
   }
-  const auto key = seriesKeyOf(words[0]);
+  const auto key = seriesKeyOf(words);
   if (!key) return key.error();
-  if (plots.find(*key) == nullptr) return badWord(fmt::format("`{}` is not plotted", words[0]));
+  if (plots.find(*key) == nullptr) return badWord(fmt::format("`{}` is not plotted", key->text()));
   plots.remove(*key);
   return {};
 }
@@ -134,11 +145,11 @@ bool hasBeside(const ViewModel& model) { return model.beside() != nullptr; }
 std::vector<Command> plotCommands() {
   std::vector<Command> commands{
       {.name = "plot",
-       .arguments = "VALUE",
-       .means = "a curve: DEVICE.JOINT, DEVICE:x, rate, loss, rate/SOURCE",
+       .arguments = "VALUE...",
+       .means = "a curve: DEVICE.JOINT, DEVICE:x, signal PATH NAME, rate, loss, rate/SOURCE",
        .run = plotValueOf},
       {.name = "unplot",
-       .arguments = "VALUE|all",
+       .arguments = "all|VALUE...",
        .means = "remove a curve, or all",
        .run = unplotValue},
       {.name = "plots",

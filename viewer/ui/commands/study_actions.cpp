@@ -11,14 +11,14 @@ Status writePlotted(ViewModel& model, const std::filesystem::path& path) {
   std::set<SeriesKey> seen;
   std::vector<SeriesKey> keys;
   for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
-    if (!curve.key.isOfDevice()) continue;
+    if (!curve.key.isValue()) continue;
     const PosedDevice* const device = model.scene().findDevice(curve.key.name);
     SeriesKey series = plotValue(curve.key, device == nullptr ? nullptr : device->model).series;
     if (seen.insert(series).second) keys.push_back(std::move(series));
   }
   LogStudy* const study = model.study();
   if (study == nullptr || keys.empty()) {
-    return Error{ErrorKind::bad_argument, "a table needs a plotted joint or pose", ""};
+    return Error{ErrorKind::bad_argument, "a table needs a plotted joint, pose or signal", ""};
   }
   study->writeTable(std::move(keys), model.viewer.time_view.from(), model.viewer.time_view.until(),
                     path);

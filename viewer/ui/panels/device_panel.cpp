@@ -70,8 +70,10 @@ float drawDevicePanel(ViewModel& model, float top, SteadyTime now) {
     drawNearest(model, shown);
     drawHandButtons(model, *device);
     drawPacketBehind(model, *device, shown, bottom);
+    if (state != nullptr) drawSignals(model, shown.device, shown.link, state->signals);
     drawJointSliders(model, *device, shown.link, bottom, now);
   } else if (state != nullptr) {
+    drawSignals(model, shown.device, shown.link, state->signals);
     drawBareValues(*state);
   }
   placed.follow();

@@ -71,18 +71,6 @@ std::optional<double> parsedValue(const JointRow& row, std::string_view text, co
   return parseLength(text, LengthUnit::metres);
 }
 
-/// As much of the name as there is room for: its end, since names of one machine begin alike.
-std::string endOfName(const std::string& name, float room) {
-  if (ImGui::CalcTextSize(name.c_str()).x <= room) return name;
-  for (std::size_t from = 1; from < name.size(); ++from) {
-    const bool inside_character = (static_cast<unsigned char>(name[from]) & 0xC0U) == 0x80U;
-    if (inside_character) continue;
-    const std::string end = ".." + name.substr(from);
-    if (ImGui::CalcTextSize(end.c_str()).x <= room) return end;
-  }
-  return {};
-}
-
 std::string rowTip(const HandRow& one, const Units& units, bool settable) {
   const JointRow& row = one.row;
   std::string tip = row.name;

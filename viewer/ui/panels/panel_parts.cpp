@@ -64,4 +64,28 @@ bool containsWord(std::string_view text, std::string_view word) {
          std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
+std::string endOfName(const std::string& name, float room) {
+  if (ImGui::CalcTextSize(name.c_str()).x <= room) return name;
+  for (std::size_t from = 1; from < name.size(); ++from) {
+    const bool inside_character = (static_cast<unsigned char>(name[from]) & 0xC0U) == 0x80U;
+    if (inside_character) continue;
+    const std::string end = ".." + name.substr(from);
+    if (ImGui::CalcTextSize(end.c_str()).x <= room) return end;
+  }
+  return {};
+}
+
+std::string shortened(const std::string& text, float room) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  std::size_t bytes = text.size();
+  while (bytes > 1) {
+    --bytes;
+    // Not inside of a character.
+    if ((static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) continue;
+    const std::string part = text.substr(0, bytes) + "…";
+    if (ImGui::CalcTextSize(part.c_str()).x <= room) return part;
+  }
+  return "…";
+}
+
 }  // namespace rocinante

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "viewer/ui/model/line_start.h"
@@ -26,6 +27,11 @@ constexpr ImGuiWindowFlags kPanelFlags =
 
 /// Whether the text contains the word, ignoring case.
 bool containsWord(std::string_view text, std::string_view word);
+
+/// As much of the name as there is room for: its end, since names of one machine begin alike.
+std::string endOfName(const std::string& name, float room);
+/// As much of the text as there is room for: its beginning.
+std::string shortened(const std::string& text, float room);
 
 /// Whether a key of Dear ImGui went down or repeats.
 inline bool keyPressed(ImGuiKey key) {

@@ -53,6 +53,11 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
 /// returns their bottom.
 float drawDevicePanel(ViewModel& model, float top, SteadyTime now);
 
+/// Draws the signals of a device, or of one of its links when `link` is not empty; of no device
+/// when `device` is empty. At most a few rows high; nothing when there are none.
+void drawSignals(ViewModel& model, const std::string& device, const std::string& link,
+                 const Signals& signals);
+
 /// Draws the tab of the left panel with the amount drawn and the frame's cost by stage.
 void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests);
 

@@ -38,10 +38,18 @@ void scaleLane(PlotLane& lane) {
   lane.scale = plotScale(low, high, lane.unit, std::max(1, static_cast<int>(lane.height / px(15))));
 }
 
+/// Of the signal now; empty for anything else.
+std::string signalUnit(const ViewModel& model, const SeriesKey& key) {
+  if (key.kind != SeriesKey::Kind::signal) return {};
+  const Item<SignalValue>* const said =
+      model.state().findSignal(key.name, {key.link, key.part});
+  return said == nullptr ? std::string() : said->value.unit;
+}
+
 }  // namespace
 
 std::vector<PlotLane> plotLanes(const ViewModel& model) {
-  std::map<PlotUnit, PlotLane> by_unit;
+  std::map<std::pair<PlotUnit, std::string>, PlotLane> by_unit;
   for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
     const PosedDevice* const device =
         curve.key.isOfDevice() ? model.scene().findDevice(curve.key.name) : nullptr;
@@ -50,8 +58,11 @@ std::vector<PlotLane> plotLanes(const ViewModel& model) {
     plotted.value = plotValue(curve.key, device == nullptr ? nullptr : device->model);
     plotted.columns = columnsOf(model.viewer.picture.get(), plotted.value.series);
     plotted.beside = columnsOf(model.viewer.picture_beside.get(), plotted.value.series);
-    PlotLane& lane = by_unit[plotted.value.unit];
+    const std::string signal_unit = signalUnit(model, curve.key);
+    const bool is_alone = curve.key.kind == SeriesKey::Kind::signal && signal_unit.empty();
+    PlotLane& lane = by_unit[{plotted.value.unit, is_alone ? curve.key.text() : signal_unit}];
     lane.unit = plotted.value.unit;
+    lane.signal_unit = signal_unit;
     lane.curves.push_back(std::move(plotted));
   }
   std::vector<PlotLane> lanes;
@@ -90,6 +101,7 @@ std::optional<double> valueAt(const PlottedCurve& plotted, const StudyPicture& p
 
 std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plotted) {
   const SeriesKey& series = plotted.value.series;
+  if (series.kind == SeriesKey::Kind::signal) return signalSaid(model.state(), series);
   const DeviceState* const said =
       series.isOfDevice() ? model.state().findDevice(series.name) : nullptr;
   if (said == nullptr) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "viewer/shown/plot_scale.h"
@@ -21,6 +22,7 @@ struct PlottedCurve {
 /// Curves of one unit, under each other with the other lanes.
 struct PlotLane {
   PlotUnit unit{};
+  std::string signal_unit{};  ///< of signals, as packets state it; empty: none
   std::vector<PlottedCurve> curves;
   PlotScale scale;
   float top = 0, height = 0;
@@ -31,7 +33,8 @@ struct PlotLane {
   }
 };
 
-/// The lanes of what is plotted, by unit; not placed yet.
+/// The lanes of what is plotted, by unit; not placed yet. A signal without a unit has one of its
+/// own.
 std::vector<PlotLane> plotLanes(const ViewModel& model);
 
 /// Places lanes under each other from `top` on, the more curves the higher, and scales them to what

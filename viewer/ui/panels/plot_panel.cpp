@@ -58,7 +58,8 @@ void drawGround(const PlotLane& lane, const TimeAxis& axis, LogTime origin) {
                   label.c_str());
     free_below = at_y - px(2);
   }
-  const std::string unit = unitText(lane.unit, lane.scale);
+  const std::string unit =
+      lane.signal_unit.empty() ? unitText(lane.unit, lane.scale) : lane.signal_unit;
   if (!unit.empty()) {
     list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - px(54), lane.top), fadedInk(0.5F),
                   unit.c_str());
@@ -117,19 +118,6 @@ void drawCurve(const PlotLane& lane, const PlotValue& value,
   }
 }
 
-std::string shortened(const std::string& text, float room) {
-  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
-  std::size_t bytes = text.size();
-  while (bytes > 1) {
-    --bytes;
-    // Not inside of a character.
-    if ((static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) continue;
-    const std::string part = text.substr(0, bytes) + "…";
-    if (ImGui::CalcTextSize(part.c_str()).x <= room) return part;
-  }
-  return "…";
-}
-
 /// Names and values of a lane; returns the curve below the mouse.
 const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
                                    const TimeAxis& axis, const Cursors& cursors, float room,
@@ -161,7 +149,7 @@ const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
                            : shownValue(model, plotted);
     if (there) {
       value = plotText(*there, lane.unit, lane.scale);
-    } else if (!plotted.value.series.isOfDevice() && model.viewer.picture != nullptr) {
+    } else if (!plotted.value.series.isValue() && model.viewer.picture != nullptr) {
       const auto rate = valueAt(plotted, *model.viewer.picture, axis, cursors.shown_x);
       if (rate) value = plotText(*rate, lane.unit, lane.scale);
     }

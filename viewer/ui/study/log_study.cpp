@@ -187,7 +187,7 @@ bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
   const Nanoseconds pixel =
       (wish.until - wish.from) / std::max<std::int64_t>(static_cast<std::int64_t>(wish.columns), 1);
   return std::ranges::all_of(wish.keys, [&](const SeriesKey& key) {
-    const ValueBins* const values = key.isOfDevice() ? all->series().values(key) : nullptr;
+    const ValueBins* const values = key.isValue() ? all->series().values(key) : nullptr;
     return values == nullptr || values->width() <= std::max(pixel, Nanoseconds(1));
   });
 }
@@ -242,7 +242,7 @@ void LogStudy::Impl::publish(const StudyWish& wish, const LogScan& scan, bool wh
   const bool cut = !all->ended() || all->grows();
   for (const SeriesKey& key : wish.keys) {
     std::vector<ValueColumn> columns;
-    if (key.isOfDevice()) {
+    if (key.isValue()) {
       const ValueBins* const values = scan.series().values(key);
       if (values != nullptr) columns = values->columns(wish.from, wish.until, wish.columns);
       // Nothing is known behind what was read: a curve ends there.

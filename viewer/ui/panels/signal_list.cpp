@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/plain_text.h"
+#include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
+#include "viewer/ui/panels/plot_parts.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kMaxRowsShown = 8;
+
+std::string valueText(const SignalValue& value) {
+  switch (value.kind) {
+    case SignalKind::number:
+      return fmt::format("{:.5g}{}{}", value.number == 0 ? 0 : value.number,
+                         value.unit.empty() ? "" : " ", value.unit);
+    case SignalKind::boolean:
+      return value.number != 0 ? "true" : "false";
+    case SignalKind::text:
+      break;
+  }
+  return plainText(value.text);
+}
+
+void drawSignal(ViewModel& model, const std::string& device, const SignalName& name,
+                const Item<SignalValue>& item) {
+  const SignalValue& value = item.value;
+  const SeriesKey key{SeriesKey::Kind::signal, device, name.name, name.link};
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  if (model.session() != nullptr && value.kind != SignalKind::text) {
+    drawPlotButton(model, key);
+    ImGui::SameLine(0, px(5));
+  }
+  const std::string whole = plainText(name.link.empty() ? name.name : name.link + " " + name.name);
+  drawDraggable(model, "name", endOfName(whole, ImGui::GetContentRegionAvail().x), ImGuiCol_Text,
+                {key});
+  explain(fmt::format("{}\nstated last by {}", key.text(), plainText(item.owner)).c_str());
+  ImGui::TableNextColumn();
+  const std::string text = valueText(value);
+  const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(shown.c_str());
+  if (shown != text) explain(text.c_str());
+}
+
+}  // namespace
+
+void drawSignals(ViewModel& model, const std::string& device, const std::string& link,
+                 const Signals& signals) {
+  std::vector<const Signals::value_type*> rows;
+  for (const auto& each : signals) {
+    if (link.empty() || each.first.link == link) rows.push_back(&each);
+  }
+  if (rows.empty()) return;
+  const float pitch = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const auto shown = static_cast<float>(std::min(rows.size(), kMaxRowsShown));
+  if (!ImGui::BeginTable("signals", 2, ImGuiTableFlags_ScrollY, ImVec2(0, shown * pitch + px(4)))) {
+    return;
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.size()), pitch);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const auto& [name, item] = *rows[static_cast<std::size_t>(i)];
+      ImGui::PushID(i);
+      drawSignal(model, device, name, item);
+      ImGui::PopID();
+    }
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace rocinante
