@@ -29,13 +29,13 @@ std::optional<CellBundle> carriedCell(const SuiteSession& session, const Accepte
   return carried.ok() ? std::move(*carried) : std::nullopt;
 }
 
+}  // namespace
+
 std::string cameraName(const DrawableSide& side) {
   if (!side.request.camera.empty()) return side.request.camera;
   const auto& cameras = side.drawer.cell().cameras;
   return cameras.empty() ? std::string() : cameras.front().name;
 }
-
-}  // namespace
 
 void explainRuns(const SuiteSession& session, const SuiteOptions& options,
                  std::vector<JudgedRun>& runs) {
@@ -95,7 +95,7 @@ Result<FrameWhy> explainBoth(const Picture& golden, const DrawableSide& golden_s
       blameViews({golden, golden_identity->frame}, *golden_views, {frame, frame_identity->frame},
                  *frame_views, movedLinks(golden_moment, frame_moment));
   why.state = stateChanges(golden_moment, frame_moment, cameraName(frame_side));
-  findCauses({}, {}, why);
+  findCauses({}, {}, {}, why);
   return why;
 }
 
@@ -107,7 +107,7 @@ Result<FrameWhy> explainByGuess(const Picture& golden, const Picture& frame,
   if (!views.ok()) return views.error();
   FrameWhy why;
   why.blame = guessViews(golden, {frame, identity->frame}, *views, frame_side.drawer.cell());
-  findCauses({}, {}, why);
+  findCauses({}, {}, {}, why);
   return why;
 }
 

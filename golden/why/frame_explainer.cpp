@@ -1,12 +1,16 @@
 #include "golden/why/frame_explainer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_folder.h"
+#include "core/cell/posed_scene.h"
 #include "core/log/log_reader.h"
 #include "golden/compare/pixel_difference.h"
+#include "golden/judge/frame_coverage.h"
 #include "golden/why/golden_texts.h"
 #include "golden/why/model_change.h"
 
@@ -163,6 +167,26 @@ Result<FrameExplainer::Found> FrameExplainer::findRebuilt(const JudgedFrame& jud
   return Found{};
 }
 
+/// The golden may show today's cell and session by another of its cameras, which the suite named.
+Result<FrameExplainer::Found> FrameExplainer::findByCamera(const JudgedFrame& judged) {
+  constexpr std::size_t kMostInVain = 3;  // frames: each is drawn once more for each camera
+  if (judged.golden->session != judged.session || in_vain_ == kMostInVain) return Found{};
+  const auto drawer = now_.drawer();
+  if (!drawer.ok()) return drawer.error();
+  FrameRequest request = now_.request(judged.frame);
+  const std::string today = cameraName({**drawer, request});
+  for (const CellCamera& camera : (*drawer)->cell().cameras) {
+    if (camera.name == today) continue;
+    request.camera = camera.name;
+    const auto drawn = (*drawer)->frame(request);
+    if (drawn.ok() && pictureXxh3(*drawn) == judged.golden->pixels) {
+      return Found{*drawer, nullptr, request, GoldenBasis::redrawn};
+    }
+  }
+  ++in_vain_;
+  return Found{};
+}
+
 CellBundle* FrameExplainer::bundleToday() {
   // Only once: meshes are large, and many frames may fail.
   if (!collected_) {
@@ -207,16 +231,36 @@ const ModelChanges& FrameExplainer::changesSince(const AcceptedPicture& golden) 
 namespace {
 
 /// The cameras that a frame is seen by.
-std::vector<std::string> camerasOf(const FrameDrawer& drawer, const FrameRequest& request) {
-  const Cell& cell = drawer.cell();
-  std::vector<std::string> cameras;
-  if (!request.camera.empty()) {
-    cameras.push_back(request.camera);
-  } else if (!cell.cameras.empty()) {
-    cameras.push_back(cell.cameras.front().name);
-  }
-  for (const CellInset& inset : cell.insets) cameras.push_back(inset.camera);
+std::vector<std::string> camerasOf(const DrawableSide& side) {
+  std::vector<std::string> cameras{cameraName(side)};
+  for (const CellInset& inset : side.drawer.cell().insets) cameras.push_back(inset.camera);
   return cameras;
+}
+
+/// Devices that the golden covers and the frame does not show, and why one that it shows is not
+/// judged.
+std::vector<std::string> goneSentences(const JudgedFrame& judged, const Cell& cell,
+                                       const SessionState& state) {
+  std::vector<std::string> gone;
+  if (!judged.coverage || !judged.golden->coverage) return gone;
+  const PosedScene scene = poseScene(cell, state);
+  const std::set<std::string>& lost = judged.coverage->lost;
+  for (const std::string& item : lost) {
+    const bool is_device = item.find('/') == std::string::npos;
+    if (is_device && scene.findDevice(item) == nullptr) {
+      gone.push_back(fmt::format("device {} is gone from this frame", item));
+    }
+  }
+  if (gone.empty() && !lost.empty()) gone.push_back(lostSentence(*judged.coverage));
+  SuiteCase unmasked = *judged.frame.suite_case;
+  unmasked.mask.clear();
+  unmasked.judge_only.clear();
+  const RunCoverage now = frameCoverage(unmasked, cell, state, LogTime{});
+  for (const std::string& item : *judged.golden->coverage) {
+    if (!now.masked.contains(item)) continue;
+    gone.push_back(fmt::format("device {} is gone from this frame: the suite hides it", item));
+  }
+  return gone;
 }
 
 }  // namespace
@@ -235,7 +279,8 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
           ? withoutRounding(judged.compared(), *judged.accepted, judged.tolerance.level)
           : judged.compared();
   const DrawableSide today{**drawer, now_.request(judged.frame)};
-  const auto golden = findGolden(judged);
+  auto golden = findGolden(judged);
+  if (golden.ok() && golden->drawer == nullptr) golden = findByCamera(judged);
   if (!golden.ok()) return golden.error();
   auto why =
       golden->drawer == nullptr
@@ -250,7 +295,14 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
   const ModelChanges& changes =
       candidate != nullptr ? changesSince(*candidate) : changesSince(*judged.golden);
   why->files = textsOf(changes);
-  findCauses(changes, camerasOf(**drawer, today.request), *why);
+  if (golden->drawer == *drawer) {
+    const std::string camera = cameraName(today);
+    std::string text = fmt::format("camera {} in place of {}", camera, golden->request.camera);
+    why->state.insert(why->state.begin(), {"camera " + camera, std::move(text), {}, false, {}});
+  }
+  const auto state = (*drawer)->state(today.request);
+  if (!state.ok()) return state.error();
+  findCauses(changes, camerasOf(today), goneSentences(judged, (*drawer)->cell(), *state), *why);
   return std::make_shared<const FrameWhy>(std::move(*why));
 }
 

@@ -55,6 +55,7 @@ class FrameExplainer {
   SuiteSession* opened(Candidate& candidate);
   Result<Found> findGolden(const JudgedFrame& judged);
   Result<Found> findRebuilt(const JudgedFrame& judged);
+  Result<Found> findByCamera(const JudgedFrame& judged);
   /// Null when its texts are not known, or are today's.
   Rebuilt* rebuilt(const AcceptedPicture& golden);
   /// Whether its cell has the files that the golden was accepted with; true when unknown.
@@ -68,6 +69,7 @@ class FrameExplainer {
   SuiteOptions options_;
   bool looked_ = false;
   std::vector<Candidate> candidates_;
+  std::size_t in_vain_ = 0;  ///< frames for which findByCamera() found nothing
   bool collected_ = false;
   std::optional<CellBundle> bundle_today_;       ///< empty when the cell has faults
   std::map<std::string, ModelChanges> changes_;  ///< by a golden's key of its cell

@@ -71,13 +71,17 @@ std::vector<std::string> whyLines(const FrameWhy& why, std::size_t rows) {
   return lines;
 }
 
-void findCauses(const ModelChanges& model, const std::vector<std::string>& cameras, FrameWhy& why) {
+void findCauses(const ModelChanges& model, const std::vector<std::string>& cameras,
+                const std::vector<std::string>& gone, FrameWhy& why) {
   std::vector<LinkChange> pixels = why.blame.changes;
   std::stable_partition(pixels.begin(), pixels.end(),
                         [](const LinkChange& change) { return !change.name.device.empty(); });
   const auto isShown = [&](const ModelChange& change) {
     if (change.seen == ModelChange::Seen::camera) {
-      return std::ranges::find(cameras, change.subject) != cameras.end();
+      // How it moved is known where both sides are.
+      return std::ranges::find(cameras, change.subject) != cameras.end() &&
+             std::ranges::find(why.state, "camera " + change.subject, &StateChange::item) ==
+                 why.state.end();
     }
     return change.seen == ModelChange::Seen::drawn;
   };
@@ -102,6 +106,14 @@ void findCauses(const ModelChanges& model, const std::vector<std::string>& camer
   for (const StateChange& change : why.state) why.causes.push_back(change.text);
   if (!is_of_model && !why.state.empty()) why.common_cause = why.state.front().common;
   if (why.causes.empty()) why.causes = std::move(maybe);
+  if (!gone.empty()) {
+    std::erase_if(why.causes, [&](const std::string& cause) {
+      // "device arm is gone" from the cell is in the sentence.
+      return std::ranges::any_of(gone, [&](const auto& its) { return its.starts_with(cause); });
+    });
+    why.causes.insert(why.causes.begin(), gone.begin(), gone.end());
+    why.common_cause.clear();
+  }
   why.causes.resize(std::min(why.causes.size(), kMaxCauses));
   if (!why.causes.empty()) return;
   for (const LinkChange& change : pixels) {

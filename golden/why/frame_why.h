@@ -32,9 +32,10 @@ struct FrameWhy {
 
 struct ModelChange;
 
-/// Sets `causes` and `common_cause`. `cameras`: those that the frame is seen by.
+/// Sets `causes` and `common_cause`. `cameras`: those that the frame is seen by. `gone`: sentences
+/// about devices that the golden shows and the frame does not, the first causes of all.
 void findCauses(const std::vector<ModelChange>& model, const std::vector<std::string>& cameras,
-                FrameWhy& why);
+                const std::vector<std::string>& gone, FrameWhy& why);
 
 /// A sentence about the reliability of the explanation.
 std::string_view sentenceOf(GoldenBasis basis);

@@ -90,7 +90,7 @@ class StateComparison {
     }
     for (const PosedDevice& before : golden_scene_.devices) {
       if (frame_scene_.findDevice(before.name) == nullptr) {
-        add(before.name, before.name + ": only in the golden's session");
+        add(before.name, fmt::format("device {} is gone from this frame", before.name));
       }
     }
     compareDrawings();
