@@ -14,30 +14,15 @@ namespace {
 
 constexpr std::size_t kPointsKept = 16;
 
-std::vector<double> pointsOf(const Drawing& drawing) {
-  std::vector<double> points;
-  for (const auto& part : drawing.parts) {
-    if (part) points.insert(points.end(), part->begin(), part->end());
-  }
-  return points;
-}
-
 std::string pathText(const Path& path) {
   return path.first + (path.second.empty() ? "" : "/" + path.second);
 }
 
 }  // namespace
 
-std::string drawingStyle(const Drawing& drawing) {
-  std::size_t numbers = 0;
-  std::size_t gaps = 0;
-  for (const auto& part : drawing.parts) {
-    numbers += part ? part->size() : 0;
-    gaps += part ? 0 : 1;
-  }
+std::string drawingStyle(const Drawing& drawing, const std::vector<double>& part) {
   std::string text = fmt::format("{} of {} points, #{:08x}, size {}", nameOf(drawing.kind),
-                                 numbers / 3, drawing.rgba, drawing.size_px);
-  if (gaps > 0) text += fmt::format(", {} parts missing", gaps);
+                                 part.size() / 3, drawing.rgba, drawing.size_px);
   if (!drawing.carrier.first.empty()) {
     text += fmt::format(", in {}/{}", drawing.carrier.first, drawing.carrier.second);
   }
@@ -45,8 +30,7 @@ std::string drawingStyle(const Drawing& drawing) {
   return text;
 }
 
-std::vector<double> drawingShape(const Drawing& drawing) {
-  const std::vector<double> points = pointsOf(drawing);
+std::vector<double> drawingShape(const std::vector<double>& points) {
   const std::size_t count = points.size() / 3;
   if (count == 0) return {};
   std::array<double, 3> least, most, mean{};
@@ -96,7 +80,6 @@ void FactRecorder::set(const std::string& name, LogTime time, std::string text,
 void FactRecorder::note(const SessionState& state, LogTime time, bool is_restated) {
   is_restated_ = is_restated;
   seen_.clear();
-  const Drawing* drawn = nullptr;  // the one whose parts are being visited
   const ByKind set_fact{
       [&](const PresenceItem& item) {
         set("presence of " + item.device, time, statementText(item));
@@ -114,9 +97,10 @@ void FactRecorder::note(const SessionState& state, LogTime time, bool is_restate
         if (item.item.value.rgba) set("color of " + pathText(item.path), time, statementText(item));
       },
       [&](const DrawingItem& item) {
-        if (std::exchange(drawn, &item.drawing) == &item.drawing) return;
-        set("drawing/" + item.source + "/" + item.id, time, drawingStyle(item.drawing),
-            drawingShape(item.drawing));
+        const std::string name = "drawing/" + item.source + "/" + item.id;
+        const std::vector<double>& part = *item.drawing.parts[item.part];
+        set(item.part == 0 ? name : fmt::format("{} part {}", name, item.part + 1), time,
+            drawingStyle(item.drawing, part), drawingShape(part));
       },
       // Judged as series, or not at all.
       [](const PositionsItem&) {},
@@ -132,9 +116,10 @@ void FactRecorder::note(const SessionState& state, LogTime time, bool is_restate
       },
   };
   eachItem(state, set_fact);
+  std::ranges::sort(seen_);
   for (auto& [name, changes] : facts_) {
     if (changes.back().text.empty()) continue;
-    if (std::ranges::find(seen_, &changes) == seen_.end())
+    if (!std::ranges::binary_search(seen_, &changes))
       changes.push_back({time, "", {}, is_restated});
   }
 }

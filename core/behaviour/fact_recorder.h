@@ -11,17 +11,19 @@
 
 namespace rocinante {
 
-/// Everything of a drawing but its points: kind, colour, size, carrier, text, number of points.
-std::string drawingStyle(const Drawing& drawing);
+/// Everything of a part of a drawing but its points: kind, colour, size, carrier, text, number of
+/// points.
+std::string drawingStyle(const Drawing& drawing, const std::vector<double>& part);
 
-/// Its points in few numbers, metres: extents (6), mean (3), and 16 points along it (48), the first
-/// and the last among them. A point between those is seen only by extents and mean.
-std::vector<double> drawingShape(const Drawing& drawing);
+/// Points (x y z triples, metres) in few numbers: extents (6), mean (3), and 16 points along them
+/// (48), the first and the last among them. A point between those is seen only by extents and mean.
+std::vector<double> drawingShape(const std::vector<double>& points);
 
 /// Adds the signals whose numbers the state has, which no judge compares.
 void leaveOutNumbers(const SessionState& state, Account& account);
 
-/// Keeps the facts of a session, each change once.
+/// Keeps the facts of a session, each change once. Each part of a drawing is a fact, since one may
+/// come earlier than another: "drawing/planner/path", "drawing/planner/path part 2".
 class FactRecorder {
  public:
   using Facts = std::map<std::string, std::vector<FactChange>, std::less<>>;

@@ -102,13 +102,35 @@ void judgeEnd(const RunTimes& times, std::vector<RunFinding>& findings) {
   findings.push_back(std::move(finding));
 }
 
+/// "drawing/planner/path part 2"
+bool isFurtherPart(const std::string& fact) {
+  return fact.starts_with("drawing/") && itemOfFact(fact) != fact;
+}
+
+/// Of a drawing the part that differs first is named. `before`: findings without the last part's.
+void keepFirstPart(std::vector<RunFinding>& findings, std::size_t before) {
+  if (findings.size() == before || before == 0) return;
+  RunFinding& other = findings[before - 1];
+  RunFinding& last = findings.back();
+  if (other.kind != RunFinding::Kind::drawing || other.item != last.item) return;
+  const Nanoseconds until = std::max(other.until_accepted, last.until_accepted);
+  if (last.first_accepted < other.first_accepted) other = std::move(last);
+  other.until_accepted = until;
+  findings.pop_back();
+}
+
 void judgeMotion(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged) {
   const bool is_short = judgeShare(times, judged);
   addFastest(times, judgeDevices(times, parallel, judged), judged);
   for (const std::string& fact : factsOf(times)) {
     if (times.spec.isMaskedThroughout(itemOfFact(fact))) continue;
+    const std::size_t before = judged.findings.size();
     judgeFact(times, fact, judged.findings);
-    ++judged.items;
+    if (isFurtherPart(fact)) {
+      keepFirstPart(judged.findings, before);
+    } else {
+      ++judged.items;
+    }
   }
   if (!is_short) judgeEnd(times, judged.findings);
 }

@@ -182,6 +182,51 @@ TEST_F(RunRegressions, ARecorderThatBeginsLateKnowsNothingOfWhatEndsSoon) {
       << textOfFindings(judged);
 }
 
+/// The parts of a drawing come in packets of their own, each of them earlier or later.
+TEST_F(RunRegressions, PartsOfADrawingMayComeApart) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  for (int step = 0; step < 20; ++step) {
+    for (int part = 1; part <= 3; ++part) {
+      session.say("planner", 6 + 0.1 * step + 0.0001 * part,
+                  fmt::format("line trace:{}/3 #ff0000 {} 0 {} 1 1 {}", part, step, part, part));
+    }
+  }
+  const auto accepted = trackOf(cell, session);
+  ASSERT_TRUE(accepted.ok());
+  const auto apart = [&](const char* part, double by_s) {
+    SaidSession changed = session;
+    for (auto& said : changed.packets) {
+      if (said.body.starts_with(part)) said.at_s += by_s;
+    }
+    return *trackOf(cell, changed);
+  };
+  for (const char* part : {"line trace:1/3", "line trace:2/3", "line trace:3/3"}) {
+    for (const double by_s : {-0.015, -0.011, 0.011, 0.015}) {
+      const SessionTrack run = apart(part, by_s);
+      expectSilent(part, judgeRun({}, {&*accepted}, run));
+      expectSilent(part, judgeRun({}, {&run}, *accepted));
+    }
+    const RunJudgement late = judgeRun({}, {&*accepted}, apart(part, 0.04));
+    ASSERT_EQ(late.findings.size(), 1U) << textOfFindings(late);
+    EXPECT_EQ(late.findings.front().item, "drawing/planner-extra/trace");
+  }
+  // All parts differ at once: one finding, of the first.
+  SaidSession moved = session;
+  moved.replace("1 1 ", "1 1.01 ", 6.5);
+  const RunJudgement judged = judgeRun({}, {&*accepted}, *trackOf(cell, moved));
+  ASSERT_EQ(judged.findings.size(), 1U) << textOfFindings(judged);
+  EXPECT_TRUE(judged.findings.front().what.starts_with("drawing/planner-extra/trace: moved by"))
+      << judged.findings.front().what;
+  // A part that is missing.
+  std::erase_if(moved.packets, [](const auto& said) {
+    return said.body.starts_with("line trace:2/3");
+  });
+  const RunJudgement gap = judgeRun({}, {&*accepted}, *trackOf(cell, moved));
+  EXPECT_NE(textOfFindings(gap).find("drawing/planner-extra/trace part 2: nothing"), std::string::npos)
+      << textOfFindings(gap);
+}
+
 TEST_F(RunRegressions, AWarpForgivesAPaceAndNotAJoint) {
   const Cell cell = cellAt(kDemo / "demo.cell.toml");
   const SaidSession session = SaidSession::read(kDemo / "session.mcap");
