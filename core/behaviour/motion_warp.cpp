@@ -23,8 +23,8 @@ constexpr double kLeastRange = 0.005;
 
 /// Values of every joint that moves, sample by sample.
 struct WarpFeatures {
-  std::size_t count = 0;  ///< joints
-  std::vector<float> first, other;
+  std::size_t count = 0;            ///< joints
+  std::vector<float> first, other;  ///< `other` has more by the warp's reach, on either side
 };
 
 /// The times of the first session, and the values of columns at them.
@@ -38,16 +38,17 @@ class WarpGrid {
 
   std::size_t samples() const { return samples_; }
   Nanoseconds step() const { return step_; }
-  LogTime time(std::size_t sample) const {
-    return start_ + step_ * static_cast<std::int64_t>(sample);
-  }
+  LogTime time(std::ptrdiff_t sample) const { return start_ + step_ * sample; }
+  /// `more`: samples before the first and behind the last, too.
   std::vector<double> values(const SessionTrack& track, const DeviceTrack& device,
-                             const TrackColumn& column, const TimeMap& map) const {
+                             const TrackColumn& column, const TimeMap& map,
+                             std::size_t more) const {
     const auto times = alignedTimes(track, device.series[column.series], map, start_);
     const ColumnSamples samples(track, &device, &column, times);
-    std::vector<double> values(samples_, std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < samples_; ++i) {
-      static_cast<void>(samples.valueAt((time(i) - start_).count(), &values[i]));
+    std::vector<double> values(samples_ + 2 * more, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto sample = static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(more);
+      static_cast<void>(samples.valueAt((time(sample) - start_).count(), &values[i]));
     }
     return values;
   }
@@ -59,7 +60,7 @@ class WarpGrid {
 };
 
 WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other, const TimeMap& map,
-                        const WarpGrid& grid) {
+                        const WarpGrid& grid, std::size_t reach) {
   const TimeMap identity{{{first.start, first.start}}};
   std::vector<std::vector<double>> a, b;
   for (const auto& [name, device] : first.devices) {
@@ -69,7 +70,7 @@ WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other, co
       if (column.width() != 1) continue;
       const TrackColumn* same = its->second.find(column.part, false);
       if (same == nullptr || same->kind != column.kind) continue;
-      std::vector<double> values = grid.values(first, device, column, identity);
+      std::vector<double> values = grid.values(first, device, column, identity, 0);
       double least = std::numeric_limits<double>::infinity();
       double most = -least;
       for (const double value : values) {
@@ -78,7 +79,7 @@ WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other, co
         most = std::max(most, value);
       }
       if (!(most - least > kLeastRange)) continue;
-      std::vector<double> others = grid.values(other, its->second, *same, map);
+      std::vector<double> others = grid.values(other, its->second, *same, map, reach);
       for (std::vector<double>* list : {&values, &others}) {
         for (double& value : *list) value /= (most - least) * kFarShare;
       }
@@ -88,12 +89,14 @@ WarpFeatures featuresOf(const SessionTrack& first, const SessionTrack& other, co
   }
   WarpFeatures features;
   features.count = a.size();
-  for (std::size_t i = 0; i < grid.samples(); ++i) {
-    for (std::size_t c = 0; c < a.size(); ++c) {
-      features.first.push_back(static_cast<float>(a[c][i]));
-      features.other.push_back(static_cast<float>(b[c][i]));
+  const auto list = [](const std::vector<std::vector<double>>& columns, std::size_t samples,
+                       std::vector<float>& into) {
+    for (std::size_t i = 0; i < samples; ++i) {
+      for (const auto& column : columns) into.push_back(static_cast<float>(column[i]));
     }
-  }
+  };
+  list(a, grid.samples(), features.first);
+  list(b, grid.samples() + 2 * reach, features.other);
   return features;
 }
 
@@ -102,7 +105,8 @@ class Warper {
   Warper(const WarpFeatures& features, std::size_t samples, std::size_t reach)
       : features_(features), samples_(samples), reach_(reach), width_(2 * reach + 1) {
     for (std::size_t i = 0; i < samples; ++i) {
-      const auto row = features.other.begin() + static_cast<std::ptrdiff_t>(i * features.count);
+      const auto row =
+          features.other.begin() + static_cast<std::ptrdiff_t>((i + reach) * features.count);
       is_known_.push_back(!std::all_of(row, row + static_cast<std::ptrdiff_t>(features.count),
                                        [](float value) { return std::isnan(value); }));
     }
@@ -148,11 +152,8 @@ class Warper {
   float apartAt(std::size_t i, std::size_t k) const {
     // Outside the other session nothing fits better than anything else.
     if (!is_known_[i]) return 0;
-    const std::ptrdiff_t place =
-        std::clamp(static_cast<std::ptrdiff_t>(i + k) - static_cast<std::ptrdiff_t>(reach_),
-                   std::ptrdiff_t{0}, static_cast<std::ptrdiff_t>(samples_) - 1);
     const float* a = features_.first.data() + i * features_.count;
-    const float* b = features_.other.data() + static_cast<std::size_t>(place) * features_.count;
+    const float* b = features_.other.data() + (i + k) * features_.count;
     float sum = 0;
     for (std::size_t c = 0; c < features_.count; ++c) {
       const float apart = std::abs(a[c] - b[c]);
@@ -172,8 +173,8 @@ class Warper {
 TimeMap warpedMap(const SessionTrack& first, const SessionTrack& other, const TimeMap& map,
                   bool keeps_knots, Nanoseconds most) {
   const WarpGrid grid(first);
-  const WarpFeatures features = featuresOf(first, other, map, grid);
   const auto reach = static_cast<std::size_t>(most / grid.step());
+  const WarpFeatures features = featuresOf(first, other, map, grid, reach);
   if (features.count == 0 || reach == 0 || grid.samples() < 3) return map;
   std::vector<bool> fixed(grid.samples());
   if (keeps_knots) {
@@ -189,15 +190,14 @@ TimeMap warpedMap(const SessionTrack& first, const SessionTrack& other, const Ti
   const std::vector<std::ptrdiff_t> bends = Warper(features, grid.samples(), reach).bends(fixed);
   TimeMap warped;
   warped.rate = map.rate;
-  const auto last = static_cast<std::ptrdiff_t>(grid.samples()) - 1;
   for (std::size_t i = 0; i < bends.size(); ++i) {
     const bool is_corner = i == 0 || i + 1 == bends.size() || bends[i] != bends[i - 1] ||
                            bends[i] != bends[i + 1] || fixed[i];
     if (!is_corner) continue;
-    const LogTime time = grid.time(i);
-    const std::ptrdiff_t place =
-        std::clamp(static_cast<std::ptrdiff_t>(i) + bends[i], std::ptrdiff_t{0}, last);
-    LogTime in_other = map.inRun(grid.time(static_cast<std::size_t>(place)));
+    const auto sample = static_cast<std::ptrdiff_t>(i);
+    const LogTime time = grid.time(sample);
+    // Behind the end of the first session, too: what is late there comes after it.
+    LogTime in_other = map.inRun(grid.time(sample + bends[i]));
     if (!warped.knots.empty()) in_other = std::max(in_other, warped.knots.back().run);
     warped.knots.push_back({time, in_other});
   }

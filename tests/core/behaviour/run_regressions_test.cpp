@@ -227,6 +227,33 @@ TEST_F(RunRegressions, PartsOfADrawingMayComeApart) {
       << textOfFindings(gap);
 }
 
+/// With a warp a delay may begin after the last event, as anywhere else, and go on to the end.
+TEST_F(RunRegressions, AWarpForgivesADelayUpToItsMostAlsoAtTheTail) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  std::erase_if(session.packets, [](const auto& said) { return said.at_s > 16.5; });
+  RunSpec spec;
+  spec.align = RunAlign::warp;
+  const auto accepted = trackOf(cell, session);
+  ASSERT_TRUE(accepted.ok());
+  for (const double from_s : {12.0, 14.0, 15.9}) {
+    // Within 0.4 s.
+    const auto delayed = [&](double by_s) {
+      SaidSession later = session;
+      later.times("", [&](double at) {
+        return at + by_s * std::clamp((at - from_s) / 0.4, 0.0, 1.0);
+      });
+      return *trackOf(cell, later);
+    };
+    for (const double by_s : {0.05, 0.12, 0.18}) {
+      SCOPED_TRACE(fmt::format("{} s late from {} s on", by_s, from_s));
+      expectSilent("late", judgeRun(spec, {&*accepted}, delayed(by_s)));
+    }
+    const RunJudgement late = judgeRun(spec, {&*accepted}, delayed(0.4));
+    EXPECT_FALSE(late.findings.empty()) << "0.4 s late from " << from_s << " s on";
+  }
+}
+
 TEST_F(RunRegressions, AWarpForgivesAPaceAndNotAJoint) {
   const Cell cell = cellAt(kDemo / "demo.cell.toml");
   const SaidSession session = SaidSession::read(kDemo / "session.mcap");
