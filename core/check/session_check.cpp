@@ -22,6 +22,7 @@ SessionCheck::SessionCheck(const Cell& cell)
       stream_(rules_, cell.sources),
       layers_(cell),
       signals_(cell),
+      carriers_(cell),
       clearance_(cell) {
   expectDevices();
 }
@@ -125,6 +126,9 @@ void SessionCheck::judgeOfDevice(const Statement& statement, SourceJudge& source
       return device->judgeOrder(statement.names, place);
     case StatementKind::pose:
       device->writtenBy(source.name(), place);
+      if (!statement.carrier.first.empty()) {
+        carriers_.judge(statement.name, stream_.state(), place);
+      }
       return device->judgePose(statement, place);
     default:
       return;
@@ -180,6 +184,7 @@ void SessionCheck::dropFindings() {
   stream_.dropFindings();
   layers_.dropFindings();
   signals_.dropFindings();
+  carriers_.dropFindings();
   log_.dropFindings();
   clearance_.dropFindings();
   device_cache_.clear();
@@ -207,6 +212,7 @@ void SessionCheck::finish(CheckReport& report) const {
   stream_.reportDatagrams(report.findings);
   layers_.report(report.findings);
   signals_.report(report.findings);
+  carriers_.report(report.findings);
   for (const auto& [name, device] : devices_) device.report(roster, report.findings);
   stream_.reportSources(stream_.end(), report.findings);
   reportMissing(roster, report.findings);

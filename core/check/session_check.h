@@ -7,6 +7,7 @@
 
 #include "core/base/bytes.h"
 #include "core/cell/cell.h"
+#include "core/check/judges/carrier_judge.h"
 #include "core/check/judges/device_judge.h"
 #include "core/check/judges/layer_judge.h"
 #include "core/check/judges/log_judge.h"
@@ -92,6 +93,7 @@ class SessionCheck {
   NameCache<DeviceJudge*> device_cache_;
   LayerJudge layers_;
   SignalJudge signals_;
+  CarrierJudge carriers_;
   LogJudge log_;
   ClearanceSession clearance_;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/name_hint.h"
 #include "core/cell/layer_index.h"
 
 namespace rocinante {
@@ -28,6 +29,7 @@ void LayerJudge::report(Findings& findings) const {
   for (const auto& [layer, tally] : unknown_) {
     findings.push_back(tally.finding("packet.unknown-layer", layer,
                                      fmt::format("the cell has no layer {}", layer)));
+    findings.back().hint = whatThereIs(layer, {layers_.begin(), layers_.end()});
   }
 }
 

@@ -154,6 +154,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"packet.bad-path", kError, "a malformed path in a packet"},
     {"packet.bad-string", kError, "a malformed string in a packet"},
     {"packet.before-add", kWarning, "statements about a device before it was added"},
+    {"packet.carrier-loop", kError, "packets put devices on one another in a loop"},
     {"packet.extra-field", kError, "a line of a packet has too many fields"},
     {"packet.joint-count", kError, "`joints` has the wrong number of values"},
     {"packet.missing-field", kError, "a line of a packet ends too soon"},

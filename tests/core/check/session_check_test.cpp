@@ -231,6 +231,59 @@ TEST_F(SessionCheckTest, NamesUnknownLinksAndLayers) {
   EXPECT_EQ(found.findings[0].text, "device arm has no link elbow");
 }
 
+TEST_F(SessionCheckTest, ALayerThatIsNearlyOneIsNamed) {
+  std::ofstream(folder_ / "cell.toml")
+      << "format = 1\n[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\nlayer = \"tanks\"\n";
+  Result<Cell> cell = loadCell(folder_ / "cell.toml", {});
+  ASSERT_TRUE(cell.ok()) << cell.error().text();
+  cell_ = std::move(*cell);
+  session_.emplace(cell_);
+  say("joints arm 0 0 0\nhide layer/tnks");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("packet.unknown-layer"));
+  EXPECT_EQ(found.findings[0].severity, Severity::warning);
+  EXPECT_EQ(found.findings[0].hint, "did you mean `tanks`?");
+}
+
+TEST_F(SessionCheckTest, DevicesThatCarryOneAnotherInALoopAreNamedWhenItArises) {
+  std::ofstream(folder_ / "cell.toml") << [] {
+    std::string text = "format = 1\n";
+    for (const char* name : {"arm", "b", "c"}) {
+      text += fmt::format("[[device]]\nname = \"{}\"\nmodel = \"arm.urdf\"\n", name);
+    }
+    return text + "on = \"b/hand\"\n";
+  }();
+  Result<Cell> cell = loadCell(folder_ / "cell.toml", {});
+  ASSERT_TRUE(cell.ok()) << cell.error().text();
+  cell_ = std::move(*cell);
+  session_.emplace(cell_);
+  say("joints arm 0 0 0\njoints b 0 0 0\njoints c 0 0 0");
+  say("pose arm 0 0 0 0 0 0 1 in c/hand");
+  EXPECT_THAT(rules(report()), IsEmpty()) << "arm on c on b";
+  say("pose b 0 0 0 0 0 0 1 in arm/hand");
+  CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("packet.carrier-loop"));
+  EXPECT_EQ(found.findings[0].text, "devices carry one another in a loop: arm on c on b on arm");
+  EXPECT_EQ(found.findings[0].subject, "arm");
+  EXPECT_EQ(found.findings[0].count, 1U);
+  EXPECT_EQ(found.verdict, CheckVerdict::incompatible);
+  // As a standing watch does between its reports.
+  session_->dropFindings();
+  EXPECT_THAT(rules(report()), IsEmpty());
+  say("pose b 0 0 0 0 0 0 1 in arm/hand");
+  EXPECT_THAT(rules(report()), ElementsAre("packet.carrier-loop")) << "it is stated again";
+  session_->dropFindings();
+  say("pose b 0 0 0 0 0 0 1\npose arm 0 0 1 0 0 0 1 in c/hand");
+  EXPECT_THAT(rules(report()), IsEmpty()) << "it is over";
+  say("pose b 0 0 0 0 0 0 1 in b/hand");
+  found = report();
+  ASSERT_THAT(rules(found), ElementsAre("packet.carrier-loop"));
+  EXPECT_EQ(found.findings[0].text, "devices carry one another in a loop: b on b");
+  session_->dropFindings();
+  say("pose arm 0 0 1 0 0 0 1 in b/hand");
+  EXPECT_THAT(rules(report()), IsEmpty()) << "it only stands on what is in a loop";
+}
+
 TEST_F(SessionCheckTest, NamesADeviceThatNobodyDrives) {
   say("pose arm 0 0 0 0 0 0 1");
   const CheckReport found = report();
