@@ -40,7 +40,7 @@ rocinante_web_sources(core/mcap append_record byte_sink chunk_expander chunk_hea
   parse_record record_probe records record_stepper summary tail_reserve torn_chunk)
 rocinante_web_sources(core/log other_format captured_range chunk_indexes clock_message file_order
   foreign_file growing_index import_record last_message log_end log_index log_index_summary log_index_walk log_profile
-  log_reader log_types loss_message mapped_file message_span octets_before recorded_losses span_cache
+  log_reader log_types loss_message mapped_file message_span octets_before recorded_losses settled_walk span_cache
   span_damage span_merge)
 rocinante_web_sources(core/session keyframe keyframe_finder log_fold log_pieces marks message_folder
   moment_walk session_time state_cache state_damage timeline)

@@ -33,15 +33,11 @@ constexpr std::uint64_t kWalkBeforeRelease = std::uint64_t{64} << 20U;
 
 }  // namespace
 
-void IndexWalk::runSettled() {
-  while (at_.position < file_.size() && settledAt(at_.position) && takeRecord()) releasePages();
-}
-
 void IndexWalk::run(bool being_written) {
   const std::size_t damages = index_.damage.size();
   while (at_.position < file_.size() && !index_.closed) {
     if (being_written && cutAt(at_.position)) break;
-    if (!takeRecord()) skipDamage();
+    if (!takeRecord()) skipDamage(probe_.resumeBehind(at_.position));
     releasePages();
   }
   if (being_written) at_.indexes.clear();  // the others may be still to come
@@ -65,14 +61,6 @@ void IndexWalk::damaged(std::uint64_t from, std::uint64_t to, std::string cause,
 
 void IndexWalk::takeTrailing(std::uint64_t end) {
   if (end < file_.size()) damaged(end, file_.size(), trailingText(file_, end), std::nullopt);
-}
-
-bool IndexWalk::settledAt(std::uint64_t position) const {
-  const std::optional<mcap::Record> record = mcap::recordAt(file_, position);
-  if (!record || record->opcode == Opcode::data_end) return false;
-  if (record->opcode != Opcode::chunk) return true;
-  const std::optional<ChunkHead> head = chunkHeadAt(file_, position);
-  return head && !head->open() && mcap::recordAt(file_, record->end());
 }
 
 bool IndexWalk::cutAt(std::uint64_t position) const {
@@ -376,11 +364,11 @@ void IndexWalk::compareCounts(const mcap::Statistics& told, std::uint64_t data_e
           told.message_count - found);
 }
 
-void IndexWalk::skipDamage() {
+void IndexWalk::skipDamage(std::uint64_t next) {
   const std::uint64_t from = at_.position;
   endChunk(false);
   endLooseRun();
-  const std::uint64_t next = at_.position = probe_.resumeBehind(from);
+  at_.position = next;
   const bool to_end = next == file_.size();
   damaged(from, next,
           to_end ? "the file ends inside a record"

@@ -39,8 +39,8 @@ class IndexWalk {
         released_(at_.position),
         index_(index) {}
 
-  /// Takes the records that are complete, up to the first of which that is not known: of a chunk
-  /// that is still open, or that nothing follows yet, or of damage.
+  /// Takes the records that are complete, and the damage between them, up to the first of which
+  /// that is not known: of a chunk that is still open, or that nothing follows yet.
   void runSettled();
   const WalkPlace& place() const { return at_; }
 
@@ -59,6 +59,14 @@ class IndexWalk {
   bool settledAt(std::uint64_t position) const;
   /// Whether the end of the file cuts the record there. An open chunk is read as far as it goes.
   bool cutAt(std::uint64_t position) const;
+  /// Takes what is no record at the position if that stays so: a whole record follows it, and
+  /// between them nothing begins that is a record once the file is longer. `is_whole`: one is there
+  /// whole, and is none of ours.
+  bool takeSettledDamage(bool is_whole);
+  /// Whether a whole record is there, and another one behind it.
+  bool followedAt(std::uint64_t position) const;
+  /// Whether the end of the file cuts what may be a record there, or the one behind it.
+  bool mayGrowAt(std::uint64_t position) const;
   void releasePages();
   /// Takes the record at the position and moves behind it. False when there is none.
   bool takeRecord();
@@ -91,8 +99,8 @@ class IndexWalk {
   bool isSound(const mcap::Record& footer_record, std::uint64_t start) const;
   /// Where a piece of the file is missing from one record's end to another's, nothing looks broken.
   void compareCounts(const mcap::Statistics& told, std::uint64_t data_end);
-  /// Resumes at the next byte that begins a credible record.
-  void skipDamage();
+  /// Resumes at `next`, the next byte that begins a credible record.
+  void skipDamage(std::uint64_t next);
 
   ByteView file_;
   const MappedFile* mapped_;

@@ -57,10 +57,11 @@ struct LogReader::Impl {
   ByteView file;
   std::string name;
   LogIndex index;
-  std::vector<DamageSpan> damage;  ///< that of `index`, then what reading found
-  std::size_t walked_damage = 0;   ///< how many are not from reading
-  std::uint64_t needed_bytes = 0;  ///< of the file: those behind held no message yet
-  std::uint64_t needed_for = 0;    ///< the messages that they hold
+  std::vector<DamageSpan> summary_damage;  ///< of one that was there when the log was opened
+  std::vector<DamageSpan> damage;          ///< that, that of `index`, then what reading found
+  std::size_t walked_damage = 0;           ///< how many are not from reading
+  std::uint64_t needed_bytes = 0;          ///< of the file: those behind held no message yet
+  std::uint64_t needed_for = 0;            ///< the messages that they hold
   std::vector<LogChannel> channels;
   std::vector<const LogChannel*> channel_by_id;
   LogSummary summary;
@@ -87,7 +88,6 @@ struct LogReader::Impl {
 
   Status build(bool may_grow = false) {
     if (Status known = checkMagic(); !known) return known;
-    std::vector<DamageSpan> summary_damage;
     if (std::optional<LogIndex> found = indexFromSummary(file, summary_damage)) {
       index = std::move(*found);
     } else if (may_grow) {
@@ -97,7 +97,7 @@ struct LogReader::Impl {
     } else {
       index = indexByWalking(file, is_mapped ? &mapped : nullptr);
     }
-    damage = std::move(summary_damage);
+    damage = summary_damage;
     useIndex();
     return {};
   }
@@ -146,11 +146,14 @@ struct LogReader::Impl {
     if (!grown) return grown.error();
     if (!*grown && written == being_written) return false;
     being_written = written;
-    const std::uint64_t settled_bytes = growing->settledBytes();
+    // The chunk whose indexes may still come is behind no settled record yet, and is read again.
+    const std::uint64_t settled_bytes = settled_spans < index.spans.size()
+                                            ? index.spans[settled_spans].offset
+                                            : growing->settledBytes();
     std::vector<DamageSpan> found(damage.begin() + static_cast<std::ptrdiff_t>(walked_damage),
                                   damage.end());
     std::erase_if(found, [&](const DamageSpan& each) { return each.from >= settled_bytes; });
-    damage.clear();
+    damage = summary_damage;
     file = mapped.bytes();
     if (Status known = checkMagic(); !known) return known.error();
     walkOn();

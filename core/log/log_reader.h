@@ -65,9 +65,9 @@ class LogReader {
   /// Reads what was appended since the log was opened or refreshed; true when there is something:
   /// messages, channels, the end, or that its writer has gone without one. Then everything borrowed
   /// from this reader is invalid, LogMessage::place() of earlier messages stays valid, and seek()
-  /// or seekAfter() must be called before next(). Costs what was appended, and a chunk at most;
-  /// behind damage, all that is behind it. unreadable when the log was truncated. For openGrowing()
-  /// and follow(); otherwise always false.
+  /// or seekAfter() must be called before next(). Costs what was appended, and a chunk at most,
+  /// behind damage too; all that is behind what may still become a record. unreadable when the log
+  /// was truncated. For openGrowing() and follow(); otherwise always false.
   Result<bool> refresh();
   /// More may be appended: another program has the log open for writing.
   bool growing() const;

@@ -107,6 +107,66 @@ TEST(GrowingReaderOfALockedFile, ABrokenChunkIsToldOnceWhileTheLogGrows) {
   ::close(writer);
 }
 
+/// Where, and what.
+std::vector<std::pair<std::uint64_t, std::string>> listed(const LogReader& reader) {
+  std::vector<std::pair<std::uint64_t, std::string>> all;
+  for (const DamageSpan& each : reader.damage()) all.emplace_back(each.from, each.cause);
+  std::ranges::sort(all);
+  return all;
+}
+
+TEST(GrowingReaderOfALockedFile, BehindABreakItKnowsWhatAFreshReaderKnows) {
+  WriteHistory history(false);
+  for (int chunk = 0; chunk < 8; ++chunk) history.addWholeChunk(2);
+  GrowingFile file;
+  file.apply(history.writes().front());
+  const int writer = ::open(file.path().c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(::flock(writer, LOCK_EX), 0);
+  auto reader = LogReader::openGrowing(file.path());
+  ASSERT_TRUE(reader.ok());
+  int chunks = 0;
+  for (std::size_t i = 1; i < history.writes().size(); ++i) {
+    SCOPED_TRACE(i);
+    WriteHistory::Write write = history.writes()[i];
+    const std::size_t text = textOf(write.bytes).find("RK1");
+    if (text != std::string_view::npos) {
+      ++chunks;
+      // Bytes that are no record, in front of the third and the sixth.
+      if (chunks % 3 == 0) file.append(Bytes(40));
+      // The payload of the second, the third and the fifth.
+      if (chunks == 2 || chunks == 3 || chunks == 5) write.bytes[text] ^= std::byte{1};
+    }
+    file.apply(write);
+    ASSERT_TRUE(reader->refresh().ok());
+    ASSERT_TRUE(reader->rewind().ok());
+    const std::vector<KeptMessage> messages = readAll(*reader);
+    auto fresh = LogReader::openGrowing(file.path());
+    ASSERT_TRUE(fresh.ok());
+    EXPECT_EQ(messages, readAll(*fresh));
+    EXPECT_EQ(listed(*reader), listed(*fresh));
+  }
+  EXPECT_EQ(chunks, 8);
+  EXPECT_EQ(listed(*reader).size(), 5U) << "three chunks, and two breaks";
+  ::close(writer);
+}
+
+TEST(GrowingReaderOfALockedFile, ADamagedSummaryStaysDamagedWhenTheLogIsReadOn) {
+  WriteHistory history(false);
+  history.addWholeChunk(2);
+  history.finish();
+  Bytes whole = history.after(history.writes().size());
+  // In the checksum of the footer.
+  whole[whole.size() - mcap::magic().size() - 1] ^= std::byte{1};
+  GrowingFile file(whole);
+  auto reader = LogReader::follow(file.path());
+  ASSERT_TRUE(reader.ok());
+  const auto told = listed(*reader);
+  ASSERT_FALSE(told.empty());
+  file.append(Bytes(3));
+  ASSERT_TRUE(reader->refresh().ok());
+  EXPECT_THAT(listed(*reader), testing::IsSupersetOf(told));
+}
+
 TEST(GrowingReaderOfALockedFile, ATruncatedLogIsAnError) {
   WriteHistory history(true);
   history.addWholeChunk(3);

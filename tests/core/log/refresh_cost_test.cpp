@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <new>
 
 #include "core/log/log_reader.h"
 #include "core/log/log_writer.h"
+#include "core/mcap/record_stepper.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -34,9 +38,25 @@ std::uint64_t g_bytes = 0;
 namespace rocinante::test {
 namespace {
 
+/// Makes what begins the second chunk of a log no record.
+void breakSecondChunk(const std::filesystem::path& path) {
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  std::string bytes((std::istreambuf_iterator<char>(file)), {});
+  mcap::RecordStepper steps(bytesOf(bytes), mcap::magic().size());
+  int chunks = 0;
+  while (const auto record = steps.next()) {
+    if (record->opcode != mcap::Opcode::chunk || ++chunks < 2) continue;
+    file.clear();
+    file.seekp(static_cast<std::streamoff>(record->offset));
+    file.write(std::string(9, '\0').data(), 9);
+    return;
+  }
+  FAIL() << "no second chunk";
+}
+
 /// A log of this many chunks: the least bytes that one of some refreshes asks for, each after a few
 /// messages more. Now and then a list grows to twice its size; the least is one without that.
-std::uint64_t refreshCost(std::size_t chunks) {
+std::uint64_t refreshCost(std::size_t chunks, bool is_broken = false) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder / "log.mcap";
   Result<LogWriter> writer = LogWriter::create(path, {.chunk_bytes = 400}, "s");
@@ -52,6 +72,10 @@ std::uint64_t refreshCost(std::size_t chunks) {
     }
     EXPECT_TRUE(writer->flush().ok());
   };
+  if (is_broken) {
+    add(200);
+    breakSecondChunk(path);
+  }
   Result<LogReader> reader = LogReader::openGrowing(path);
   EXPECT_TRUE(reader.ok());
   while (reader->storage().chunks < chunks) {
@@ -70,13 +94,22 @@ std::uint64_t refreshCost(std::size_t chunks) {
     EXPECT_TRUE(reader->next().ok());
     least = std::min(least, g_bytes - before);
   }
-  EXPECT_EQ(reader->summary().messages, count - (count + 49) / 50);
+  EXPECT_EQ(reader->damage().empty(), !is_broken);
+  const std::uint64_t captured = count - (count + 49) / 50;
+  EXPECT_EQ(reader->summary().messages < captured, is_broken);
   return least;
 }
 
 TEST(RefreshCost, IsThatOfWhatIsNewHoweverLongTheLogIs) {
   const std::uint64_t after_an_hour = refreshCost(50);
   const std::uint64_t after_a_day = refreshCost(1200);
+  EXPECT_GT(after_an_hour, 0U);
+  EXPECT_LT(after_a_day, after_an_hour + 1200 * sizeof(std::uint32_t));
+}
+
+TEST(RefreshCost, BehindDamageIsThatOfWhatIsNewToo) {
+  const std::uint64_t after_an_hour = refreshCost(50, true);
+  const std::uint64_t after_a_day = refreshCost(1200, true);
   EXPECT_GT(after_an_hour, 0U);
   EXPECT_LT(after_a_day, after_an_hour + 1200 * sizeof(std::uint32_t));
 }
