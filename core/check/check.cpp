@@ -20,6 +20,7 @@
 #include "core/log/octets_before.h"
 #include "core/report/finding.h"
 #include "core/session/keyframe.h"
+#include "core/session/log_pieces.h"
 
 namespace rocinante {
 namespace {
@@ -227,6 +228,7 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
   for (const LeftOut& one : imported.leftOut()) {
     (one.severity == Severity::note ? notes : missed).leaveOut(one);
   }
+  if (NextPiece::missing(log)) notes.leaveOut({.kind = "piece", .reason = kGoesOn});
   if (!missed.empty()) session.addImportWarning(accountSentence(missed));
   session.addLeftOut(notes);
   if (!log.summary().complete) session.noteIncomplete();

@@ -24,6 +24,12 @@ bool NextPiece::expected(const LogReader& finished) {
          !summary.session_id.empty();
 }
 
+bool NextPiece::missing(const LogReader& finished) {
+  if (!expected(finished)) return false;
+  const auto next = NextPiece().after(finished);
+  return next.ok() && !*next;
+}
+
 Result<std::optional<LogReader>> NextPiece::after(const LogReader& finished) {
   if (!expected(finished)) return std::optional<LogReader>();
   const fs::path own = finished.name();

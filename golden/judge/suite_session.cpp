@@ -11,6 +11,7 @@
 #include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/log/log_reader.h"
+#include "core/session/log_pieces.h"
 #include "golden/judge/frame_coverage.h"
 #include "golden/judge/frame_judge.h"
 #include "golden/judge/stability.h"
@@ -51,8 +52,11 @@ Status readLogArguments(const std::vector<std::string>& arguments, Suite& suite,
   return {};
 }
 
-/// What no packet of the log moves, and what of it became none.
+/// What no packet of the log moves, what of it became none, and that it is not the whole recording.
 void tellAccount(const OpenedRecording& recording, const Cell& cell) {
+  if (const auto log = LogReader::open(recording.log); log.ok() && NextPiece::missing(*log)) {
+    cli::warn(kGoesOn);
+  }
   const auto account = logAccount(recording.log, &cell);
   const std::string note = account.ok() ? account->note() : std::string();
   if (!note.empty()) cli::warn(note);

@@ -9,6 +9,7 @@
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
+#include "core/session/log_pieces.h"
 #include "viewer/backdrop/backdrop.h"
 #include "viewer/bake/cell_cache.h"
 #include "viewer/picture/picture_options.h"
@@ -231,7 +232,10 @@ Result<RenderReport> render(const RenderJob& given,
       return Error{set.error().kind, set.error().what, "--joints " + text};
     }
   }
-  if (session) report.account = logAccount(*session, &*cell);
+  if (session) {
+    report.account = logAccount(*session, &*cell);
+    report.goes_on = NextPiece::missing(session->log());
+  }
   auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);
   if (!maker) return maker.error();
   if (Status shown = showBeside(job, *maker, hiding); !shown) return shown.error();

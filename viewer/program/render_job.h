@@ -57,7 +57,8 @@ struct RenderReport {
   RendererKey key;
   std::string inputs;  ///< FrameMaker::inputsHash()
   std::vector<std::string> warnings;
-  LogAccount account;  ///< of the log
+  LogAccount account;    ///< of the log
+  bool goes_on = false;  ///< NextPiece::missing() of it
   /// False when damage of the log may make a frame stale or missing, and when a mesh is missing.
   bool is_whole = true;
 };

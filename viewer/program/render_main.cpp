@@ -12,6 +12,7 @@
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "core/report/json_text.h"
+#include "core/session/log_pieces.h"
 #include "viewer/backdrop/backdrop_options.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/gl/context_option.h"
@@ -42,6 +43,7 @@ constexpr std::size_t kWarningsShown = 5;
 
 void printWarnings(const RenderReport& report) {
   if (const std::string note = report.account.note(); !note.empty()) cli::warn(note);
+  if (report.goes_on) cli::warn(kGoesOn);
   for (std::size_t i = 0; i < report.warnings.size() && i < kWarningsShown; ++i) {
     cli::warn(report.warnings[i]);
   }
