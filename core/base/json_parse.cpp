@@ -1,5 +1,6 @@
 #include "core/base/json_parse.h"
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace rocinante {
@@ -43,5 +44,15 @@ Status checkJsonSize(std::string_view text, const JsonLimits& limits) {
   }
   return {};
 }
+
+template <class Tree>
+Result<Tree> parseJson(std::string_view text, const JsonLimits& limits) {
+  if (Status fits = checkJsonSize(text, limits); !fits) return fits.error();
+  Tree tree = Tree::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (tree.is_discarded()) return Error{ErrorKind::damaged, "it is not JSON", {}};
+  return tree;
+}
+template Result<nlohmann::json> parseJson(std::string_view, const JsonLimits&);
+template Result<nlohmann::ordered_json> parseJson(std::string_view, const JsonLimits&);
 
 }  // namespace rocinante

@@ -23,14 +23,10 @@ inline constexpr JsonLimits kSmallJson{64U << 10U, 1024, 16};
 Status checkJsonSize(std::string_view text, const JsonLimits& limits = {});
 
 /// Every JSON that a stranger may have written is parsed here. `Tree`: nlohmann::json or
-/// ordered_json. damaged when it is not JSON; unsupported as checkJsonSize().
+/// ordered_json, whose parsers are compiled once, in json_parse.cpp. damaged when it is not JSON;
+/// unsupported as checkJsonSize().
 template <class Tree>
-Result<Tree> parseJson(std::string_view text, const JsonLimits& limits = {}) {
-  if (Status fits = checkJsonSize(text, limits); !fits) return fits.error();
-  Tree tree = Tree::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (tree.is_discarded()) return Error{ErrorKind::damaged, "it is not JSON", {}};
-  return tree;
-}
+Result<Tree> parseJson(std::string_view text, const JsonLimits& limits = {});
 /// The same where what is wrong does not matter: a discarded value.
 template <class Tree>
 Tree parseJsonOrDiscard(std::string_view text, const JsonLimits& limits = {}) {
