@@ -128,16 +128,21 @@ class FactJudge {
       finding.unit = "mm";
       finding.largest = apart;
       finding.limit = limits_.position_mm;
-      finding.what = fmt::format("{}: moved by {}, since {}", fact_, figureText(*apart, "mm"),
-                                 times_.bothTimes(*first));
+      finding.what = fmt::format("{}: moved by {}, since {}", textOf(fact_),
+                                 figureText(*apart, "mm"), times_.bothTimes(*first));
     } else {
-      finding.what = fmt::format("{}: {}, accepted {}, since {}", fact_, said(now), said(before),
-                                 times_.bothTimes(*first));
+      finding.what = fmt::format("{}: {}, accepted {}, since {}", textOf(fact_), said(now),
+                                 said(before), times_.bothTimes(*first));
     }
     findings.push_back(std::move(finding));
   }
 
  private:
+  /// "drawing/planner/path part 2"
+  static std::string textOf(const std::string& fact) {
+    const std::size_t tab = fact.find('\t');
+    return tab == std::string::npos ? fact : fact.substr(0, tab) + " part " + fact.substr(tab + 1);
+  }
   static std::string said(const FactChange& change) {
     return change.text.empty() ? "nothing" : "\"" + change.text + "\"";
   }
@@ -157,6 +162,7 @@ class FactJudge {
         moments.push_back(change.at + slack_ + 1);
       }
       moments.push_back(history.knownFrom() + slack_);
+      moments.push_back(history.begin() + kBeginning.count());
     };
     add(run_);
     for (const FactHistory& history : accepted_) add(history);
@@ -167,20 +173,24 @@ class FactJudge {
   }
 
   /// One side stated what holds before the other's log began, and there it was not restated yet.
-  bool isBeforeALog(std::int64_t time) const {
-    return std::ranges::any_of(accepted_, [&](const FactHistory& its) {
-      return (run_.isUnsaid(time) && its.wasSaidBefore(run_.begin() + slack_, time)) ||
-             (its.isUnsaid(time) && run_.wasSaidBefore(its.begin() + slack_, time));
-    });
+  bool isBeforeALog(const FactHistory& its, std::int64_t time) const {
+    return (run_.isUnsaid(time) && its.wasSaidBefore(run_.begin() + slack_, time)) ||
+           (its.isUnsaid(time) && run_.wasSaidBefore(its.begin() + slack_, time));
   }
 
   bool isAsAccepted(std::int64_t time) const {
-    if (time < run_.knownFrom() || isBeforeALog(time)) return true;
+    if (time < run_.knownFrom()) return true;
     const FactChange& now = run_.at(time);
     const auto isNow = [&](const FactChange& other) { return isSame(now, other); };
     bool was_accepted = false;
     bool was_reached = false;
+    std::size_t unknown = 0;
     for (const FactHistory& history : accepted_) {
+      if (isBeforeALog(history, time)) {
+        // It says nothing of this moment; others may.
+        ++unknown;
+        continue;
+      }
       was_accepted = was_accepted || history.mayIn(time - slack_, time + slack_, isNow);
       if (was_reached) continue;
       const FactChange& accepted = history.at(time);
@@ -188,7 +198,7 @@ class FactJudge {
                     run_.mayIn(time - slack_, time + slack_,
                                [&](const FactChange& other) { return isSame(other, accepted); });
     }
-    return was_accepted && was_reached;
+    return unknown == accepted_.size() || (was_accepted && was_reached);
   }
 
   const RunTimes& times_;

@@ -21,7 +21,8 @@ std::string pathText(const Path& path) {
 }  // namespace
 
 std::string drawingStyle(const Drawing& drawing, const std::vector<double>& part) {
-  std::string text = fmt::format("{} of {} points, #{:08x}, size {}", nameOf(drawing.kind),
+  std::string text = fmt::format("{}{} of {} points, #{:08x}, size {}",
+                                 drawing.parts.size() > 1 ? "part of a " : "", nameOf(drawing.kind),
                                  part.size() / 3, drawing.rgba, drawing.size_px);
   if (!drawing.carrier.first.empty()) {
     text += fmt::format(", in {}/{}", drawing.carrier.first, drawing.carrier.second);
@@ -56,17 +57,35 @@ std::vector<double> drawingShape(const std::vector<double>& points) {
   return shape;
 }
 
-void leaveOutNumbers(const SessionState& state, Account& account) {
-  const ByKind leave_out{
-      [&](const SignalItem& item) {
-        if (item.item.value.kind != SignalKind::number) return;
-        account.leaveOut({.kind = "signal",
-                          .name = signalNameText(item.device, item.name),
-                          .reason = "numbers of signals are not judged"});
-      },
-      [](const auto&) {},
-  };
-  eachItem(state, leave_out);
+bool NumberSignals::take(const Statement& statement) {
+  auto device = kinds_.find(statement.path.first);
+  if (device == kinds_.end()) device = kinds_.try_emplace(std::string(statement.path.first)).first;
+  Names& names = device->second;
+  bool says_fact = statement.is_default;
+  for (std::size_t i = 0; i < statement.signal_kinds.size(); ++i) {
+    const std::string_view link = statement.path.second;
+    auto known = names.find(SignalNameView(link, statement.names[i]));
+    if (known == names.end()) {
+      SignalName name{std::string(link), std::string(statement.names[i])};
+      known = names.emplace(std::move(name), Kind()).first;
+    }
+    Kind& kind = known->second;
+    const bool is_number = statement.signal_kinds[i] == SignalKind::number;
+    says_fact = says_fact || !is_number || !kind.is_number;
+    kind = {is_number, kind.was_number || is_number};
+  }
+  return says_fact;
+}
+
+void NumberSignals::addTo(Account& account) const {
+  for (const auto& [device, names] : kinds_) {
+    for (const auto& [name, kind] : names) {
+      if (!kind.was_number) continue;
+      account.leaveOut({.kind = "signal",
+                        .name = signalNameText(device, name),
+                        .reason = "numbers of signals are not judged"});
+    }
+  }
 }
 
 void FactRecorder::set(const std::string& name, LogTime time, std::string text,
@@ -99,7 +118,7 @@ void FactRecorder::note(const SessionState& state, LogTime time, bool is_restate
       [&](const DrawingItem& item) {
         const std::string name = "drawing/" + item.source + "/" + item.id;
         const std::vector<double>& part = *item.drawing.parts[item.part];
-        set(item.part == 0 ? name : fmt::format("{} part {}", name, item.part + 1), time,
+        set(item.part == 0 ? name : fmt::format("{}\t{}", name, item.part + 1), time,
             drawingStyle(item.drawing, part), drawingShape(part));
       },
       // Judged as series, or not at all.

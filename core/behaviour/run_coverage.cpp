@@ -54,8 +54,7 @@ std::string itemOf(std::string_view device, const TrackColumn& column) {
 std::string itemOf(const Event& event) { return "event/" + event.text; }
 
 std::string itemOfFact(std::string_view fact) {
-  // The names of a drawing have no blank.
-  if (fact.starts_with("drawing/")) return std::string(fact.substr(0, fact.find(' ')));
+  if (fact.starts_with("drawing/")) return std::string(fact.substr(0, fact.find('\t')));
   const std::size_t of = fact.find(" of ");
   return std::string(of == std::string_view::npos ? fact : fact.substr(of + 4));
 }

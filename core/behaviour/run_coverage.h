@@ -27,7 +27,7 @@ struct RunCoverage {
 std::string itemOf(std::string_view device, const TrackColumn& column);
 /// "event/picked".
 std::string itemOf(const Event& event);
-/// "visibility of arm/link3" is the item arm/link3, "drawing/planner/path part 2" the drawing.
+/// "visibility of arm/link3" is the item arm/link3, "drawing/planner/path\t2" the drawing.
 std::string itemOfFact(std::string_view fact);
 
 /// True when any column of the device has a value anywhere in the session.

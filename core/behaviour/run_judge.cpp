@@ -102,7 +102,7 @@ void judgeEnd(const RunTimes& times, std::vector<RunFinding>& findings) {
   findings.push_back(std::move(finding));
 }
 
-/// "drawing/planner/path part 2"
+/// "drawing/planner/path\t2"
 bool isFurtherPart(const std::string& fact) {
   return fact.starts_with("drawing/") && itemOfFact(fact) != fact;
 }
@@ -114,8 +114,12 @@ void keepFirstPart(std::vector<RunFinding>& findings, std::size_t before) {
   RunFinding& last = findings.back();
   if (other.kind != RunFinding::Kind::drawing || other.item != last.item) return;
   const Nanoseconds until = std::max(other.until_accepted, last.until_accepted);
+  std::vector<RunSpan> spans = other.spans;
+  spans.insert(spans.end(), last.spans.begin(), last.spans.end());
+  std::ranges::sort(spans, {}, &RunSpan::from);
   if (last.first_accepted < other.first_accepted) other = std::move(last);
   other.until_accepted = until;
+  other.spans = joined(std::move(spans), Nanoseconds(0));
   findings.pop_back();
 }
 

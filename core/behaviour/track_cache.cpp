@@ -59,7 +59,7 @@ void fields(Fields& io, Taken<Fields, SessionTrack>& track) {
 
 namespace {
 
-constexpr std::string_view kTrackMagic = "rocinante track 7";
+constexpr std::string_view kTrackMagic = "rocinante track 8";
 constexpr std::size_t kChecksumBytes = 16, kSizeBytes = 8;
 constexpr std::size_t kFootBytes = kChecksumBytes + kSizeBytes;
 

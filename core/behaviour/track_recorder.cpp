@@ -17,11 +17,6 @@ constexpr Nanoseconds kBurst = std::chrono::milliseconds(10);
 constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kJoints = 0, kPose = 1;  // series
 
-bool saysFact(const Statement& statement) {
-  return saysState(statement) || statement.is_default || isOfPath(statement.kind) ||
-         isDrawing(statement.kind) || statement.kind == StatementKind::erase;
-}
-
 bool isAbsent(const DeviceState* said) {
   return said == nullptr || (said->presence && said->presence->value.presence == Presence::removed);
 }
@@ -93,7 +88,7 @@ void TrackRecorder::leaveOutUnread() {
 Status TrackRecorder::finish() {
   if (facts_due_) noteFacts(*facts_due_);
   leaveOutUnread();
-  leaveOutNumbers(state_, track_.left_out);
+  numbers_.addTo(track_.left_out);
   for (auto& [name, device] : recordings_) {
     for (const std::size_t series : {kJoints, kPose}) store(device, series);
     keepStated(device);
@@ -142,7 +137,12 @@ void TrackRecorder::read(const Statement& statement) {
       says_facts_ = true;
       break;
     default:
-      says_facts_ = says_facts_ || saysFact(statement);
+      if (isSignal(statement.kind)) {
+        says_facts_ = numbers_.take(statement) || says_facts_;
+      } else if (isOfPath(statement.kind) || isDrawing(statement.kind) ||
+                 statement.kind == StatementKind::erase) {
+        says_facts_ = true;
+      }
   }
 }
 

@@ -85,6 +85,7 @@ class TrackRecorder {
   Recording* last_touched_ = nullptr;
   std::vector<std::string> new_names_;
   FactRecorder facts_;
+  NumberSignals numbers_;
   UnfitValues unfit_;
   SampleStore store_;
   std::vector<double> block_;

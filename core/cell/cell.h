@@ -128,11 +128,11 @@ struct CellClearance {
 
 /// What `check` expects of signals (docs/cell-format.md, "Signals").
 struct CellSignal {
-  std::string device;  ///< empty: those of no device
-  std::string link;    ///< empty: those of the device itself
-  std::string name;    ///< a pattern (docs/patterns.md)
-  std::string unit;    ///< of numbers; empty: any
-  std::string label;   ///< what people call it; empty: its name
+  std::string device;                                ///< empty: those of no device
+  std::string link;                                  ///< empty: those of the device itself
+  std::string name;                                  ///< a pattern (docs/patterns.md)
+  std::string unit;                                  ///< of numbers; empty: any
+  std::string label;                                 ///< what people call it; empty: its name
   std::optional<std::pair<double, double>> range;    ///< in the unit, like the next
   std::optional<double> jump;                        ///< largest change from one value to the next
   std::optional<double> stuck_s;                     ///< longest time without a change in motion

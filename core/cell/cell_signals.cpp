@@ -67,14 +67,16 @@ void readTransitions(TomlTable& table, CellSignal& signal) {
     const std::string to(arrow == std::string::npos ? std::string_view()
                                                     : trimmed(view.substr(arrow + kArrow.size())));
     const auto isKnown = [&](const std::string& value) {
-      return signal.values.empty() || std::ranges::find(signal.values, value) != signal.values.end();
+      return signal.values.empty() ||
+             std::ranges::find(signal.values, value) != signal.values.end();
     };
-    if (from.empty() || to.empty()) {
+    if (from.empty() || to.empty() || to.find(kArrow) != std::string::npos) {
       table.error("cell.unknown-word", "transitions",
                   fmt::format("{} is no transition", quotedInFault(text)), "\"auto -> manual\"");
     } else if (!isKnown(from) || !isKnown(to)) {
-      table.error("cell.unknown-word", "transitions",
-                  fmt::format("{} is not among `values`", quotedInFault(isKnown(from) ? to : from)));
+      table.error(
+          "cell.unknown-word", "transitions",
+          fmt::format("{} is not among `values`", quotedInFault(isKnown(from) ? to : from)));
     } else {
       signal.transitions.emplace_back(from, to);
     }

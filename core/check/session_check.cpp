@@ -211,7 +211,7 @@ void SessionCheck::finish(CheckReport& report) const {
   const SessionRoster roster{stream_.sourceNames(), missing, devices};
   stream_.reportDatagrams(report.findings);
   layers_.report(report.findings);
-  signals_.report(report.findings);
+  signals_.report(stream_.sourceNames(), report.findings);
   carriers_.report(report.findings);
   for (const auto& [name, device] : devices_) device.report(roster, report.findings);
   stream_.reportSources(stream_.end(), report.findings);

@@ -17,8 +17,8 @@ void StateFolder::foldSignals(const Statement& statement) {
     const bool is_next = next != signals.end() && sameName(next->first.name, name) &&
                          sameName(next->first.link, path.second);
     if (!is_next) next = signals.find(SignalNameView(path.second, name));
-    if (!setSignal(signals, next, statement, i)) break;
-    is_written = true;
+    // One that has no room keeps no other from its value.
+    is_written = setSignal(signals, next, statement, i) || is_written;
     if (next != signals.end()) ++next;
   }
   if (device == nullptr) return;

@@ -37,24 +37,24 @@ struct PacketHeader {
 };
 
 enum class StatementKind : std::uint8_t {
-  joints,  ///< device; order_tag; numbers
-  order,   ///< device; names
-  joint,   ///< device; names and numbers, one number a name
-  pose,    ///< device; numbers = x y z qx qy qz qw (normalised); carrier
-  add,     ///< device; text = MODEL; kinematics
-  remove,  ///< device
-  show,    ///< path; is_default
-  hide,    ///< path
-  color,   ///< path; rgba, or is_default
-  line,    ///< id; part; rgba; size_px; carrier; numbers = x y z ...
-  points,  ///< id; part; rgba; size_px; carrier; numbers = x y z ...
-  label,   ///< id; carrier; numbers = x y z; text
-  erase,   ///< id, or all of the source's drawings when the id is empty
-  event,   ///< text
-  view,    ///< id; numbers = ex ey ez tx ty tz fov_deg ux uy uz; ortho_height_m; carrier
-  signal,  ///< path; names, numbers and signal_kinds of one; text; unit; or is_default
+  joints,   ///< device; order_tag; numbers
+  order,    ///< device; names
+  joint,    ///< device; names and numbers, one number a name
+  pose,     ///< device; numbers = x y z qx qy qz qw (normalised); carrier
+  add,      ///< device; text = MODEL; kinematics
+  remove,   ///< device
+  show,     ///< path; is_default
+  hide,     ///< path
+  color,    ///< path; rgba, or is_default
+  line,     ///< id; part; rgba; size_px; carrier; numbers = x y z ...
+  points,   ///< id; part; rgba; size_px; carrier; numbers = x y z ...
+  label,    ///< id; carrier; numbers = x y z; text
+  erase,    ///< id, or all of the source's drawings when the id is empty
+  event,    ///< text
+  view,     ///< id; numbers = ex ey ez tx ty tz fov_deg ux uy uz; ortho_height_m; carrier
+  signal,   ///< path; names, numbers and signal_kinds of one; text; unit; or is_default
   signals,  ///< path; names, numbers and signal_kinds, as many of each; no text
-  seen,    ///< device; seen_ns
+  seen,     ///< device; seen_ns
 };
 
 /// The values of a device: where it is and how it stands.
@@ -108,7 +108,7 @@ struct Statement {
   std::span<const double> numbers;  ///< metres and radians; of signals in their units
   std::span<const std::string_view> names;  ///< of joints or signals
   std::span<const SignalKind> signal_kinds;
-  std::string_view unit;  ///< of the number of a `signal`; empty: it has none
+  std::string_view unit;                    ///< of the number of a `signal`; empty: it has none
   std::optional<std::uint64_t> kinematics;  ///< kin=HEX16
   std::optional<std::uint32_t> order_tag;   ///< @TAG of joints: the order that the values need
   std::uint32_t rgba = 0;                   ///< 0xRRGGBBAA

@@ -11,9 +11,9 @@
 // the table says so).
 namespace rocinante::limits {
 
-inline constexpr std::size_t kNameBytes = 255;     ///< decoded
-inline constexpr std::size_t kStringBytes = 4096;  ///< unescaped
-inline constexpr std::size_t kJointValues = 4096;  ///< of one joints, order or joint statement
+inline constexpr std::size_t kNameBytes = 255;      ///< decoded
+inline constexpr std::size_t kStringBytes = 4096;   ///< unescaped
+inline constexpr std::size_t kJointValues = 4096;   ///< of one joints, order or joint statement
 inline constexpr std::size_t kSignalValues = 4096;  ///< of one signals statement
 inline constexpr std::size_t kUnitBytes = 32;       ///< of a signal's unit
 inline constexpr std::uint32_t kRestatementParts = 65536;

@@ -78,7 +78,10 @@ struct SignalNameView {
       : link(of_link), name(of_name) {}
   SignalNameView(const SignalName& of) : link(of.link), name(of.name) {}
   std::string_view link, name;
-  auto operator<=>(const SignalNameView&) const = default;
+  // Not <=>, which string_view lacks in the library of the page's compiler.
+  bool operator<(const SignalNameView& o) const {
+    return std::tie(link, name) < std::tie(o.link, o.name);
+  }
 };
 struct SignalOrder {
   using is_transparent = void;
@@ -222,10 +225,12 @@ class SessionState {
   const std::map<std::string, Item<ViewValue>, std::less<>>& views() const { return views_; }
   /// Those that belong to no device; their `link` is empty.
   const Signals& signals() const { return signals_; }
-  /// All items, by map; whoever walks over them uses core/packet/state_items.h.
-  auto maps() const { return std::tie(devices_, visibility_, colors_, drawings_, views_, signals_); }
-  static constexpr std::array<std::string_view, 6> kMapNames = {"devices", "visibility", "colors",
-                                                                "drawings", "views",   "signals"};
+  /// All items, by map; whoever walks over them uses the walkers of state_items.
+  auto maps() const {
+    return std::tie(devices_, visibility_, colors_, drawings_, views_, signals_);
+  }
+  static constexpr std::array<std::string_view, 6> kMapNames = {
+      "devices", "visibility", "colors", "drawings", "views", "signals"};
 
   /// A signal of `device`, or of none when that is empty; null when it is not stated.
   const Item<SignalValue>* findSignal(std::string_view device, const SignalNameView& name) const {

@@ -73,9 +73,10 @@ bool StatementReader::takeSignalValue(bool with_text) {
 
 bool StatementReader::takeUnit() {
   const std::string_view field = fields_.peek();
-  const bool is_unit = field.size() <= limits::kUnitBytes &&
-                       std::all_of(field.begin(), field.end(),
-                                   [](char byte) { return byte > ' ' && byte <= '~' && byte != '"'; });
+  const bool is_unit =
+      field.size() <= limits::kUnitBytes && std::all_of(field.begin(), field.end(), [](char byte) {
+        return byte > ' ' && byte <= '~' && byte != '"';
+      });
   if (!is_unit) return failHere(PacketFault::bad_string);
   statement_->unit = fields_.take();
   return true;

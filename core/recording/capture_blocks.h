@@ -17,7 +17,8 @@ class CaptureBlocks {
   /// `out` must outlive it.
   explicit CaptureBlocks(HandOver& out) : out_(out) {}
 
-  /// Takes the next datagram; false when the queue has no room for it: then it is to be given again.
+  /// Takes the next datagram; false when the queue has no room for it: then it is to be given
+  /// again.
   bool keep(const ReceivedDatagram& datagram);
   /// At the moment that is reached; `otherwise` before the first datagram.
   void noteLoss(const LossCounts& counts, LogTime otherwise);

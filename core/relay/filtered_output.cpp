@@ -108,7 +108,10 @@ void FilteredOutput::takeImmediate(const Step& step, const Packet& packet,
 
 void FilteredOutput::takeStates(const Step& step, const Packet& packet, const Statement& signals,
                                 RelayDraft& draft) {
-  if (signals.is_default) return takeImmediate(step, packet, signals, draft);
+  if (signals.is_default) {
+    pending_.cancelled(signalKey(signals.path, signals.names.front()));
+    return takeImmediate(step, packet, signals, draft);
+  }
   Statement state = signals;
   state.kind = StatementKind::signal;
   for (std::size_t i = 0; i < signals.names.size(); ++i) {

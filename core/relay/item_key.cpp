@@ -68,9 +68,7 @@ ItemKey keyOf(std::string_view device, std::string_view link, std::string_view s
   key.signal = signal;
   return key;
 }
-ItemKey keyOf(const SignalItem& item) {
-  return keyOf(item.device, item.name.link, item.name.name);
-}
+ItemKey keyOf(const SignalItem& item) { return keyOf(item.device, item.name.link, item.name.name); }
 
 /// The kind of statement by which filters judge an item.
 constexpr ByKind kStatementOf{
@@ -140,6 +138,12 @@ void visitItem(const SessionState& state, const ItemKey& key, Visit visit) {
 }  // namespace
 
 double ItemStyle::value(double joint) const { return rounded ? roundedTo(joint, 1e4) : joint; }
+
+ItemKey signalKey(const PathView& path, std::string_view name) {
+  ItemKey key = keyOf(ItemKind::signal, path.first, path.second);
+  key.signal = name;
+  return key;
+}
 
 bool isDeviceValue(const ItemKey& key) {
   return key.kind == ItemKind::positions || key.kind == ItemKind::joint ||
@@ -245,7 +249,7 @@ void forEachWritten(const SessionState& state, std::string_view source, const St
     case StatementKind::signals:
       for (std::size_t i = 0; i < statement.signal_kinds.size(); ++i) {
         if (statement.signal_kinds[i] != SignalKind::number) continue;
-        visit(keyOf(statement.path.first, statement.path.second, statement.names[i]));
+        visit(signalKey(statement.path, statement.names[i]));
       }
       return;
     default:

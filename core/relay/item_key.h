@@ -37,6 +37,7 @@ struct ItemKey {
   auto operator<=>(const ItemKey&) const = default;
 };
 
+ItemKey signalKey(const PathView& path, std::string_view name);
 /// True for items that belong to the device `name`.
 bool isOfDevice(const ItemKey& key);
 /// True for joints and pose: where a device is.

@@ -55,7 +55,8 @@ struct PacedCounts {
 
 /// What a slow output sends statement by statement instead of by item, in the order in which it
 /// came: every event, each change that an item cannot hold (`remove`, `erase`, `order`), of which
-/// only the newest about one thing waits, and each state of a signal. Memory is bounded. One thread.
+/// only the newest about one thing waits, and each state of a signal. Memory is bounded. One
+/// thread.
 class PacedStatements {
  public:
   /// Of both together; 5 minutes of 28.8 kbit/s.

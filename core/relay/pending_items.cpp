@@ -95,6 +95,23 @@ void PendingItems::said(const ItemKey& key) {
   if (found != units_.end()) found->second.items.erase(key);
 }
 
+void PendingItems::cancelled(const ItemKey& key) {
+  const auto found = units_.find(unitOf(key));
+  if (found != units_.end() && found->second.place == Unit::Place::nowhere) units_.erase(found);
+}
+
+/// Forgets what the state forgot by a restatement that did not repeat it.
+void PendingItems::sweep(const SessionState& state) {
+  if (units_.size() < sweeps_at_) return;
+  std::erase_if(units_, [&](const auto& each) {
+    const auto& [key, unit] = each;
+    const bool is_there =
+        isDeviceValue(key) ? state.findDevice(key.name) != nullptr : ownerOf(state, key) != nullptr;
+    return unit.place == Unit::Place::nowhere && !is_there;
+  });
+  sweeps_at_ = std::max<std::size_t>(1024, 2 * units_.size());
+}
+
 void PendingItems::removed(std::string_view device) {
   // What became ready or waits finds its signal gone when its turn comes.
   ItemKey signal{ItemKind::signal, false, 0, std::string(device), {}};
@@ -140,11 +157,11 @@ std::vector<ItemKey> PendingItems::takeReady(const SessionState& state, LogTime 
   if (!items.empty()) unit.sent = now;
   // Only a device whose next send depends on this one is remembered.
   const ItemKey& key = front->first;
-  const bool is_remembered =
-      (options_.interval || options_.min_change.any()) &&
-      (isDeviceValue(key) ? state.findDevice(key.name) != nullptr
-                          : isPaced(key) && ownerOf(state, key) != nullptr);
+  const bool is_remembered = (options_.interval || options_.min_change.any()) &&
+                             (isDeviceValue(key) ? state.findDevice(key.name) != nullptr
+                                                 : isPaced(key) && ownerOf(state, key) != nullptr);
   if (!is_remembered) units_.erase(front);
+  sweep(state);
   return items;
 }
 

@@ -40,6 +40,8 @@ class PendingItems {
   void written(const SessionState& state, ItemKey&& key, LogTime now);
   /// The item was said otherwise, by a restatement.
   void said(const ItemKey& key);
+  /// The item is not in the state any more.
+  void cancelled(const ItemKey& key);
   /// The device was removed: nothing of it is to be sent.
   void removed(std::string_view device);
 
@@ -84,7 +86,10 @@ class PendingItems {
   static void remember(const SessionState& state, const ItemKey& key, Unit& unit);
 
   Options options_;
+  void sweep(const SessionState& state);
+
   std::uint64_t conflated_ = 0;
+  std::size_t sweeps_at_ = 1024;  ///< units
   Units units_;
   std::deque<Units::iterator> ready_;
   std::set<ByTime::Entry, ByTime> waiting_;

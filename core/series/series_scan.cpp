@@ -326,9 +326,9 @@ SeriesScan::SeriesId SeriesScan::idOf(Device& device, const SignalNameView& sign
   if (found == device.signals.end()) {
     const SeriesId id = idOf(SeriesKey{SeriesKey::Kind::signal, device.name,
                                        std::string(signal.name), std::string(signal.link)});
-    found = device.signals
-                .emplace(SignalName{std::string(signal.link), std::string(signal.name)}, id)
-                .first;
+    found =
+        device.signals.emplace(SignalName{std::string(signal.link), std::string(signal.name)}, id)
+            .first;
   }
   return found->second;
 }

@@ -11,12 +11,12 @@
 
 namespace rocinante {
 
-/// Writes joints, pose parts and numbers of signals from a stretch of a log as the table that `rocinante source --csv`
-/// reads (docs/programs/source.md): column `t` in seconds from the session's origin, then one per
-/// key, in radians, metres and the signals' units, the shortest numbers that read back as the same. The first row has
-/// what holds at `from`; then there is one for every packet about one of the devices until `until`.
-/// A field is empty while no packet has stated the value. One pass; the file is replaced whole or
-/// not at all.
+/// Writes joints, pose parts and numbers of signals from a stretch of a log as the table that
+/// `rocinante source --csv` reads (docs/programs/source.md): column `t` in seconds from the
+/// session's origin, then one per key, in radians, metres and the signals' units, the shortest
+/// numbers that read back as the same. The first row has what holds at `from`; then there is one
+/// for every packet about one of the devices until `until`. A field is empty while no packet has
+/// stated the value. One pass; the file is replaced whole or not at all.
 struct SeriesTable {
   std::vector<SeriesKey> keys;  ///< at least one, none of a source's counts
   LogTime from{}, until{};

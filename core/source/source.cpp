@@ -191,8 +191,8 @@ SourceResult Source::setSignal(PathView path, std::string_view name, bool value)
 }
 
 SourceResult Source::setSignal(PathView path, std::string_view name, std::string_view text) {
-  return resultOf(rk_source_signal_text(state_->source, CPath(path), CName(name).name(),
-                                        CString(text).get()));
+  return resultOf(
+      rk_source_signal_text(state_->source, CPath(path), CName(name).name(), CString(text).get()));
 }
 
 SourceResult Source::cancelSignal(PathView path, std::string_view name) {

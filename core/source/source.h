@@ -119,9 +119,9 @@ class Source {
   }
   /// An integer is a number, not a truth.
   template <std::integral Number>
-    requires(!std::same_as<Number, bool>)
-  SourceResult setSignal(PathView path, std::string_view name, Number value,
-                         std::string_view unit = {}, double deadband = 0) {
+  requires(!std::same_as<Number, bool>) SourceResult
+      setSignal(PathView path, std::string_view name, Number value, std::string_view unit = {},
+                double deadband = 0) {
     return setSignal(path, name, static_cast<double>(value), unit, deadband);
   }
   /// Says nothing about the signal any more; receivers may have one of an earlier run.

@@ -175,11 +175,10 @@ Result<std::vector<JudgedRun>> explainedRuns(const SuiteSession& session,
                                              const std::vector<const SuiteRun*>& runs,
                                              const SuiteOptions& options) {
   AcceptedCells cells(session, options);
-  auto judged =
-      judgeRuns(session, runs,
-                {cli::stopRequested, steadyMs, TrackCache::ofUser(),
-                 [&](const AcceptedRun& accepted) { return cells.of(accepted); },
-                 cli::workerThreads()});
+  auto judged = judgeRuns(
+      session, runs,
+      {cli::stopRequested, steadyMs, TrackCache::ofUser(),
+       [&](const AcceptedRun& accepted) { return cells.of(accepted); }, cli::workerThreads()});
   if (!judged.ok()) return judged;
   explainRuns(session, options, *judged);
   if (options.run_pictures) {
@@ -201,7 +200,17 @@ Result<std::vector<JudgedRun>> explainedRuns(const SuiteSession& session,
       continue;
     }
     const auto own = SuiteSession::open(suite_file, *its_options);
-    if (!own.ok()) return own.error();
+    if (!own.ok()) {
+      // The others are judged all the same.
+      JudgedRun unreadable;
+      unreadable.name = run->name;
+      unreadable.tags = run->tags;
+      unreadable.place = static_cast<std::size_t>(run - session.suite().runs.data());
+      unreadable.line = run->line;
+      unreadable.rule = own.error().text();
+      all.push_back(std::move(unreadable));
+      continue;
+    }
     auto judged = explainedRuns(*own, own->runs(), *its_options);
     if (!judged.ok()) return judged;
     std::ranges::move(*judged, std::back_inserter(all));

@@ -21,8 +21,8 @@ struct DrawableSide {
   FrameRequest request;
 };
 
-/// The camera that it is seen by: the cell's first where the request names none; empty when the cell
-/// has none.
+/// The camera that it is seen by: the cell's first where the request names none; empty when the
+/// cell has none.
 std::string cameraName(const DrawableSide& side);
 
 /// Explains with both sides known: the owners of differing pixels and the differences of the

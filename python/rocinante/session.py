@@ -54,7 +54,7 @@ class Signal:
     """A signal over time: numbers, or booleans as 1 and 0. Where it had no value yet, it is NaN."""
     time: NDArray[np.float64]      #: (N,) seconds from the session's origin
     values: NDArray[np.float64]    #: (N,) in the unit
-    unit: str | None               #: as stated last; None: none was
+    unit: str | None               #: at the end of the session; None: none is stated there
 
 
 @dataclass(frozen=True)
@@ -77,6 +77,17 @@ class State:
 
 def _signal_name(path: str | None, name: str) -> str:
     return f"signal {_signal_path(path)} {_name(name)}"
+
+
+def _stated_name(device: str | None, link: str | None, name: str) -> str:
+    """As packets write it, of names as they are."""
+    if device is None:
+        path = "-"
+    elif link is None:
+        path = "%2D" if device == "-" else _name(device)
+    else:
+        path = ("%6Cayer" if device == "layer" else _name(device)) + "/" + _name(link)
+    return f"signal {path} {_name(name)}"
 
 
 class Session:
@@ -210,8 +221,7 @@ class Session:
         found = {}
         for device in [*document["devices"], {"name": None, "signals": document["signals"]}]:
             for each in device["signals"]:
-                path = device["name"] if each["link"] is None else f"{device['name']}/{each['link']}"
-                found[_signal_name(path, each["name"])] = each
+                found[_stated_name(device["name"], each["link"], each["name"])] = each
         return found
 
     def state(self, at: Time) -> State:

@@ -5,6 +5,7 @@ import math
 import os
 import socket
 import time
+from dataclasses import dataclass
 from typing import Any, Iterable, Mapping, Sequence
 
 _MOST_BYTES = 1200      # of a datagram: no network fragments it
@@ -30,6 +31,14 @@ def _string(text: str) -> str:
     if len(text.encode()) > 4096 or any((ord(c) < 32 and c not in "\t\n") or ord(c) == 127 for c in text):
         raise ValueError("a text has at most 4,096 bytes and no control characters")
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
+
+
+@dataclass
+class _Number:
+    """What a number of a signal is, and what receivers were sent last."""
+    newest: float
+    sent: float
+    unit: str | None
 
 
 def _signal_path(path: str | None) -> str:
@@ -62,7 +71,7 @@ class Source:
         self._state: dict[tuple[str, ...], str] = {}    # what each line is about: the line
         self._changed: dict[tuple[str, ...], str] = {}
         self._once: list[str] = []                      # lines that are no state
-        self._sent_numbers: dict[tuple[str, ...], tuple[float, str | None]] = {}    # of signals
+        self._numbers: dict[tuple[str, ...], _Number] = {}  # of signals
         self._parts: list[tuple[float, str, list[tuple[str, ...]]]] = []
         self._sequence = self._restatements = 0
         self._next_restatement: float | None = None
@@ -123,8 +132,8 @@ class Source:
                *, deadband: float = 0.0) -> None:
         """A value that is no joint: of "DEVICE", "DEVICE/LINK", or None for neither. A number goes out when
         it differs by more than `deadband` from the one sent last, and is restated as it is; its unit is
-        1 to 32 printable ASCII characters without spaces and quotes, by default the one it has. A value of
-        None: nothing is said of it any more."""
+        1 to 32 printable ASCII characters without spaces and quotes, by default the one it has. It has nine
+        decimals: state 1e-12 A as 1 pA. A value of None: nothing is said of it any more."""
         key = ("signal", path or "", name)
         words = f"signal {_signal_path(path)} {_name(name)}"
         if value is None:
@@ -134,22 +143,22 @@ class Source:
         if isinstance(value, (bool, str)):
             if unit is not None:
                 raise ValueError(f"{name}: only a number has a unit")
-            self._sent_numbers.pop(key, None)
+            self._numbers.pop(key, None)
             self._say(key, f"{words} {_string(value) if isinstance(value, str) else str(value).lower()}")
             return
         if unit is not None and not (1 <= len(unit) <= 32 and all("!" <= c <= "~" and c != '"' for c in unit)):
             raise ValueError(f"not a unit: {unit!r} (1 to 32 printable ASCII characters, no spaces, no quotes)")
-        was = self._sent_numbers.get(key)
+        was = self._numbers.get(key)
         if unit is None and was is not None:
-            unit = was[1]
+            unit = was.unit
         line = f"{words} {_number(value)}" + (f" {unit}" if unit else "")
-        if was is not None and was[1] == unit and abs(value - was[0]) <= deadband:
+        if was is None or was.unit != unit or abs(value - was.sent) > deadband:
+            self._say(key, line)
+        else:
             self._state[key] = line     # restated, and sent only if it was to be sent anyway
             if key in self._changed:
                 self._changed[key] = line
-            return
-        self._sent_numbers[key] = (value, unit)
-        self._say(key, line)
+        self._numbers[key] = _Number(value, value if was is None else was.sent, unit)
 
     def label(self, id: str, position: Sequence[float], text: str) -> None:
         """Text at a point of the world."""
@@ -182,6 +191,7 @@ class Source:
         removals = [line for line in self._once if not line.startswith("event")]
         events = [line for line in self._once if line.startswith("event")]
         self._send_packed([*removals, *self._changed.values(), *events], "")
+        self._note_sent(self._changed)
         self._changed, self._once = {}, []
         if self._next_restatement is None:
             self._next_restatement = now + self.restate
@@ -190,6 +200,12 @@ class Source:
         while self._parts and self._parts[0][0] <= now:
             _, words, keys = self._parts.pop(0)
             self._send([self._state[key] for key in keys if key in self._state], words)
+            self._note_sent(keys)
+
+    def _note_sent(self, keys: Iterable[tuple[str, ...]]) -> None:
+        for key in keys:
+            if number := self._numbers.get(key):
+                number.sent = number.newest
 
     def _say(self, key: tuple[str, ...], line: str) -> None:
         if len(line.encode()) > _MOST_BYTES - 400:
@@ -199,7 +215,7 @@ class Source:
             self._state[key] = self._changed[key] = line
 
     def _forget(self, is_gone: Any) -> None:
-        stores: tuple[dict[tuple[str, ...], Any], ...] = (self._state, self._changed, self._sent_numbers)
+        stores: tuple[dict[tuple[str, ...], Any], ...] = (self._state, self._changed, self._numbers)
         for store in stores:
             for key in [key for key in store if is_gone(key)]:
                 del store[key]

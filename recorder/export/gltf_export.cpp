@@ -48,8 +48,8 @@ Status recordGltf(MomentWalk& session, const Cell& cell, GltfRecording& recordin
     return is_grid || moment == from ? Status{} : add(moment, state);
   };
   if (Status done = session.visit(from, until, {count, moment_of}); !done) return done;
-  constexpr std::array kUnknownThere = {StatementKind::line, StatementKind::points,
-                                        StatementKind::label, StatementKind::event,
+  constexpr std::array kUnknownThere = {StatementKind::line,   StatementKind::points,
+                                        StatementKind::label,  StatementKind::event,
                                         StatementKind::signal, StatementKind::signals};
   constexpr std::string_view kReason = "a glTF scene has nothing for it";
   census.addStatements(left_out, kUnknownThere, kReason);

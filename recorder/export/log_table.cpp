@@ -70,8 +70,9 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
   table.layOut();
   if (table.columns().empty()) {
     return Error{ErrorKind::not_found,
-                 options.signals ? "no chosen device has joints, a pose or numbers"
-                                 : "no chosen device has joints or a pose" + table.otherDevices(),
+                 std::string(options.signals ? "no chosen device has joints, a pose or numbers"
+                                             : "no chosen device has joints or a pose") +
+                     table.otherDevices(),
                  session.log().name()};
   }
   TableReport report;
@@ -117,14 +118,15 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     }
   }
   if (Status ended = writer.end(); !ended) return ended.error();
-  std::vector<StatementKind> without_column = {
+  const std::vector<StatementKind> without_column = {
       StatementKind::show,   StatementKind::hide,  StatementKind::color, StatementKind::line,
       StatementKind::points, StatementKind::label, StatementKind::event, StatementKind::view};
-  if (!options.signals) {
-    without_column.insert(without_column.end(), {StatementKind::signal, StatementKind::signals});
-  }
   const char* const reason =
       options.signals ? "a table has joints, poses and numbers" : "a table has joints and poses";
+  if (!options.signals) {
+    const std::array signals = {StatementKind::signal, StatementKind::signals};
+    census.addStatements(report.left_out, signals, "columns with --signals");
+  }
   census.addStatements(report.left_out, without_column, reason);
   for (const std::string& name : table.texts()) {
     report.left_out.leaveOut({.kind = "signal",

@@ -134,9 +134,10 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
   }
   for (std::string& gap : exporter.shapeGaps()) report.gaps.push_back(std::move(gap));
   constexpr std::array kUnknownThere = {StatementKind::show, StatementKind::hide,
-                                        StatementKind::color,  StatementKind::view,
-                                        StatementKind::signal, StatementKind::signals};
+                                        StatementKind::color, StatementKind::view};
   census.addStatements(report.left_out, kUnknownThere, "the format has nothing for it");
+  constexpr std::array kSignals = {StatementKind::signal, StatementKind::signals};
+  census.addStatements(report.left_out, kSignals, "signals are not exported");
   addAttachments(report.left_out, session.log(), "not exported; `rocinante log extract` writes it");
   return report;
 }

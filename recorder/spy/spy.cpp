@@ -193,9 +193,8 @@ Spy::Device* Spy::deviceNamed(std::string_view name) {
 }
 
 void Spy::readPresence(const Statement& statement, const PacketPlace& place) {
-  const bool is_of_path =
-      (isOfPath(statement.kind) && !statement.path.is_layer) ||
-      (isSignal(statement.kind) && !statement.path.first.empty());
+  const bool is_of_path = (isOfPath(statement.kind) && !statement.path.is_layer) ||
+                          (isSignal(statement.kind) && !statement.path.first.empty());
   const bool is_of_device = isOfDevice(statement.kind) || statement.kind == StatementKind::seen;
   if (!is_of_path && !is_of_device) return;
   Device* const device = deviceNamed(is_of_path ? statement.path.first : statement.name);
@@ -295,8 +294,10 @@ Findings Spy::judgements(LogTime now) const {
   stream_.reportDatagrams(findings);
   for (const auto& [name, device] : devices_) {
     device.presence.report(name, findings);
-    device.drivers.report(name, "joints", stream_.sourceNames(), findings);
-    device.posers.report(name, "poses", stream_.sourceNames(), findings);
+    device.drivers.report(name, "the joints of device " + name + " are", stream_.sourceNames(),
+                          findings);
+    device.posers.report(name, "the poses of device " + name + " are", stream_.sourceNames(),
+                         findings);
   }
   return findings;
 }

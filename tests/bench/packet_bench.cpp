@@ -127,8 +127,8 @@ void measure(std::size_t sources, bool with_signals) {
   std::printf(
       "%4zu sources%s: from_chars alone %.0f ns, decodeHeader %.0f (%.2fx), decode %.0f "
       "(%.2fx), decode + fold + publish %.0f (%.2fx) = %.1f M packets/s  [%g]\n",
-      sources, with_signals ? ", twelve signals" : "", floor_ns, header_ns, header_ns / floor_ns, decode_ns, decode_ns / floor_ns, all_ns,
-      all_ns / floor_ns, 1000 / all_ns, sum);
+      sources, with_signals ? ", twelve signals" : "", floor_ns, header_ns, header_ns / floor_ns,
+      decode_ns, decode_ns / floor_ns, all_ns, all_ns / floor_ns, 1000 / all_ns, sum);
 }
 
 }  // namespace

@@ -208,8 +208,8 @@ void fields(Fields& io, Taken<Fields, Finding>& fault) {
 template <class Fields>
 void fields(Fields& io, Taken<Fields, Cell>& cell) {
   auto& [file, devices, device_by_name, models, cameras, insets, layers, sources, rules, clearances,
-         signals, scene, decoders, faults, files, keeps_files, files_below, files_shown_as, pictures,
-         keeps_pictures] = cell;
+         signals, scene, decoders, faults, files, keeps_files, files_below, files_shown_as,
+         pictures, keeps_pictures] = cell;
   io(file, devices, device_by_name, models, cameras, insets, layers, sources, rules, clearances,
      signals, scene, decoders, faults, files, files_below, files_shown_as);
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
+#include <utility>
+
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {
@@ -35,25 +37,31 @@ void CarrierJudge::judge(std::string_view device, const SessionState& state,
     if (i % 2 == 1) slow = carrierOf(slow, state);
   }
   if (at != device) return;
-  std::vector<std::string_view> loop{device};
-  for (at = carrierOf(device, state); at != device; at = carrierOf(at, state)) loop.push_back(at);
-  std::ranges::rotate(loop, std::ranges::min_element(loop));
-  std::string text;
-  for (const std::string_view each : loop) text += fmt::format("{} on ", each);
-  text += loop.front();
-  auto found = loops_.find(text);
-  if (found == loops_.end()) {
-    if (loops_.size() == kMaxLoops) return;
-    found = loops_.emplace(std::move(text), Tally()).first;
+  std::vector<std::string> loop{std::string(device)};
+  for (at = carrierOf(device, state); at != device; at = carrierOf(at, state))
+    loop.emplace_back(at);
+  // Not std::ranges::rotate, whose answer clang 14 does not compile with the library of g++ 12.
+  std::rotate(loop.begin(), std::ranges::min_element(loop), loop.end());
+  auto found = loops_.find(loop);
+  if (found == loops_.end() && loops_.size() == kMaxLoops) {
+    others_.hit(place);
+    return;
   }
+  if (found == loops_.end()) found = loops_.emplace(std::move(loop), Tally()).first;
   found->second.hit(place);
 }
 
 void CarrierJudge::report(Findings& findings) const {
   for (const auto& [loop, tally] : loops_) {
-    findings.push_back(tally.finding("packet.carrier-loop", loop.substr(0, loop.find(' ')),
-                                     fmt::format("devices carry one another in a loop: {}", loop)));
+    std::string text = "devices carry one another in a loop: ";
+    for (const std::string& device : loop) text += plainText(device) + " on ";
+    text += plainText(loop.front());
+    findings.push_back(tally.finding("packet.carrier-loop", loop.front(), std::move(text)));
   }
+  if (others_.count == 0) return;
+  findings.push_back(
+      others_.finding("packet.carrier-loop", "",
+                      fmt::format("devices carry one another in more than {} loops", kMaxLoops)));
 }
 
 }  // namespace rocinante

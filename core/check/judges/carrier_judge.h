@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/cell/cell.h"
 #include "core/check/judges/tally.h"
@@ -20,14 +21,19 @@ class CarrierJudge {
   void judge(std::string_view device, const SessionState& state, const PacketPlace& place);
   void report(Findings& findings) const;
   /// Forgets what was found.
-  void dropFindings() { loops_.clear(); }
+  void dropFindings() {
+    loops_.clear();
+    others_ = {};
+  }
 
  private:
   /// What a device is on; empty: the world or a layer.
   std::string_view carrierOf(std::string_view device, const SessionState& state) const;
 
   const Cell& cell_;
-  std::map<std::string, Tally, std::less<>> loops_;  ///< by "a on b on a", from the least name
+  /// Each from its least name: a b, of "a on b on a".
+  std::map<std::vector<std::string>, Tally> loops_;
+  Tally others_;  ///< loops beyond the number that is told apart
 };
 
 }  // namespace rocinante

@@ -206,7 +206,8 @@ void DeviceJudge::reportWriters(const SessionRoster& roster, Findings& findings)
   const auto two = [&](const TwoSources& found, const char* what) {
     // Sources that the cell does not list for it are already reported.
     if (strangers_.contains(found.before) || strangers_.contains(found.now)) return;
-    found.report(name_, what, roster.sources, findings);
+    found.report(name_, fmt::format("the {} of device {} are", what, name_), roster.sources,
+                 findings);
   };
   two(two_drivers_, "joints");
   two(two_posers_, "poses");

@@ -28,13 +28,12 @@ void TwoSources::note(std::uint32_t& writer, const PacketPlace& place) {
   writer = place.source;
 }
 
-void TwoSources::report(const std::string& device, std::string_view what,
+void TwoSources::report(const std::string& subject, std::string_view what,
                         const std::vector<std::string>& sources, Findings& findings) const {
   if (tally.count == 0) return;
-  findings.push_back(tally.finding(
-      "packet.two-sources", device,
-      fmt::format("the {} of device {} are written by {} and by {}; the last to write wins", what,
-                  device, sources[before], sources[now])));
+  findings.push_back(tally.finding("packet.two-sources", subject,
+                                   fmt::format("{} written by {} and by {}; the last to write wins",
+                                               what, sources[before], sources[now])));
   findings.back().hint =
       fmt::format("to take one of a log: rocinante log filter LOG --source {} -o OUT",
                   shellWord(sources[before]));

@@ -21,8 +21,8 @@ struct TwoSources {
 
   /// `writer`: the last, kNobody before the first; becomes the one of `place`.
   void note(std::uint32_t& writer, const PacketPlace& place);
-  /// `what` of the device they write: "joints"; `sources`: names by number.
-  void report(const std::string& device, std::string_view what,
+  /// `what` they write: "the joints of device arm are"; `sources`: names by number.
+  void report(const std::string& subject, std::string_view what,
               const std::vector<std::string>& sources, Findings& findings) const;
 };
 

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <span>
+#include <utility>
 
 #include "core/base/pattern.h"
 #include "core/base/plain_text.h"
 #include "core/packet/item_text.h"
+#include "core/packet/packet_limits.h"
 
 namespace rocinante {
 namespace {
@@ -35,15 +39,21 @@ std::string rangeText(const std::pair<double, double>& range, const std::string&
   return fmt::format("{:.6g} to {}", range.first, withUnit(range.second, unit));
 }
 
+bool isOfNumbers(const CellSignal& expected) {
+  return expected.range || expected.jump || expected.stuck_s || !expected.unit.empty();
+}
+
 std::string quoted(const std::string& value) { return "`" + plainText(value) + "`"; }
 
-std::size_t hashOf(const Statement& statement) {
-  std::size_t hash = static_cast<std::size_t>(statement.kind);
-  for (const double number : statement.numbers) {
+std::size_t hashOf(std::span<const double> numbers) {
+  std::size_t hash = numbers.size();
+  for (const double number : numbers) {
     hash = hash * 0x9E3779B97F4A7C15U + std::hash<double>{}(number);
   }
   return hash;
 }
+
+std::size_t hashOf(std::string_view text) { return std::hash<std::string_view>{}(text); }
 
 }  // namespace
 
@@ -54,18 +64,38 @@ void SignalJudge::Worst::hit(const PacketPlace& place, double how_bad, double of
   }
 }
 
+bool SignalJudge::Signal::isClean() const {
+  return kinds.count + units.count + not_numbers.count + two_writers.tally.count == 0 &&
+         range.tally.count + jump.tally.count + rate.tally.count + stuck.tally.count == 0 &&
+         values.empty() && transitions.empty();
+}
+
+void SignalJudge::Signal::drop() {
+  kinds = units = not_numbers = {};
+  two_writers = {};
+  range = jump = rate = stuck = {};
+  is_stuck = false;
+  values.clear();
+  transitions.clear();
+}
+
+const CellSignal* SignalJudge::expectedOf(const PathView& path, std::string_view name) {
+  const auto expected = std::ranges::find_if(cell_.signals, [&](const CellSignal& each) {
+    return each.device == path.first && each.link == path.second && patternMatches(each.name, name);
+  });
+  if (expected == cell_.signals.end()) return nullptr;
+  came_.insert(&*expected);
+  return &*expected;
+}
+
 SignalJudge::Signal* SignalJudge::signalNamed(const PathView& path, std::string_view name) {
   const auto found = signals_.find(KeyView(path.first, path.second, name));
   if (found != signals_.end()) return &found->second;
-  if (signals_.size() >= kMaxSignals) return nullptr;
   Signal signal;
-  const auto expected = std::ranges::find_if(cell_.signals, [&](const CellSignal& each) {
-    return each.device == path.first && each.link == path.second &&
-           patternMatches(each.name, name);
-  });
-  if (expected != cell_.signals.end()) {
-    signal.expected = &*expected;
-    if (expected->stuck_s) motions_.try_emplace(std::string(path.first));
+  signal.expected = expectedOf(path, name);
+  if (signals_.size() >= limits::kSignals) return nullptr;
+  if (signal.expected != nullptr && signal.expected->stuck_s) {
+    motions_.try_emplace(std::string(path.first));
   }
   Key key{std::string(path.first), std::string(path.second), std::string(name)};
   return &signals_.emplace(std::move(key), std::move(signal)).first->second;
@@ -74,9 +104,17 @@ SignalJudge::Signal* SignalJudge::signalNamed(const PathView& path, std::string_
 void SignalJudge::take(const Statement& statement, const PacketPlace& place) {
   for (std::size_t i = 0; i < statement.names.size(); ++i) {
     Signal* const signal = signalNamed(statement.path, statement.names[i]);
-    if (signal == nullptr) continue;
+    if (signal == nullptr) {
+      too_many_.hit(place);
+      continue;
+    }
     if (statement.is_default) {
-      signal->has_value = false;
+      signal->has_value = signal->is_counted = signal->is_other_unit = false;
+      signal->writer = TwoSources::kNobody;
+      if (signal->isClean()) {
+        signals_.erase(signals_.find(
+            KeyView(statement.path.first, statement.path.second, statement.names[i])));
+      }
     } else {
       judge(*signal, statement, i, place);
     }
@@ -94,28 +132,37 @@ void SignalJudge::judge(Signal& signal, const Statement& statement, std::size_t 
     signal.first_kind = rocinante::nameOf(signal.kind);
     signal.other_kind = rocinante::nameOf(kind);
   }
+  signal.two_writers.note(signal.writer, place);
   if (kind == SignalKind::number) {
-    judgeNumber(signal, number, follows, place);
-    const std::string& known =
-        signal.expected != nullptr && !signal.expected->unit.empty() ? signal.expected->unit
-                                                                     : signal.unit;
-    if (!statement.unit.empty() && !known.empty() && statement.unit != known &&
-        signal.units.hit(place)) {
+    const std::string& known = signal.expected != nullptr && !signal.expected->unit.empty()
+                                   ? signal.expected->unit
+                                   : signal.unit;
+    const bool is_other = !statement.unit.empty() && !known.empty() && statement.unit != known;
+    if (is_other && signal.units.hit(place)) {
       signal.first_unit = known;
       signal.other_unit = statement.unit;
     }
+    // `signals` goes on in the unit that was stated last.
+    if (statement.kind == StatementKind::signal) signal.is_other_unit = is_other;
     if (!statement.unit.empty() && signal.unit != statement.unit) signal.unit = statement.unit;
+    judgeNumber(signal, number, follows && !is_other, place);
     if (!follows || signal.number != number) {
       signal.changed = place.time;
       signal.is_stuck = false;
     }
     signal.number = number;
   } else {
+    signal.is_other_unit = false;
     const std::string_view text = kind == SignalKind::text ? statement.text
                                   : number != 0            ? std::string_view("true")
                                                            : std::string_view("false");
     judgeState(signal, text, follows, place);
     if (signal.text != text) signal.text = text;
+    if (signal.expected != nullptr && isOfNumbers(*signal.expected) &&
+        std::ranges::find(signal.expected->values, text) == signal.expected->values.end() &&
+        signal.not_numbers.hit(place)) {
+      signal.not_number = text;
+    }
   }
   if (signal.expected != nullptr && signal.expected->rate_hz && !place.is_restated) {
     judgeRate(signal, place);
@@ -130,9 +177,17 @@ void SignalJudge::judgeNumber(Signal& signal, double number, bool follows,
                               const PacketPlace& place) const {
   if (signal.expected == nullptr) return;
   const CellSignal& expected = *signal.expected;
+  // With a range, `values` are what may stand in place of a number.
+  if (!expected.range && (!expected.values.empty() || !expected.transitions.empty())) {
+    fmt::memory_buffer text;
+    fmt::format_to(std::back_inserter(text), "{}", number);
+    const std::string_view written(text.data(), text.size());
+    judgeState(signal, written, follows, place);
+    if (signal.text != written) signal.text = written;
+  }
+  if (signal.is_other_unit && !expected.unit.empty()) return;
   if (expected.range) {
-    const double beyond =
-        std::max(expected.range->first - number, number - expected.range->second);
+    const double beyond = std::max(expected.range->first - number, number - expected.range->second);
     if (beyond > 0) signal.range.hit(place, beyond, number);
   }
   if (expected.jump && follows) {
@@ -149,9 +204,8 @@ void SignalJudge::judgeState(Signal& signal, std::string_view text, bool follows
     const std::pair<std::string, std::string> key(from, to);
     if (wrong.contains(key) || wrong.size() < kMaxWrong) wrong[key].hit(place);
   };
-  if (!expected.values.empty() && std::ranges::find(expected.values, text) == expected.values.end()) {
-    hit(signal.values, {}, text);
-  }
+  const bool is_listed = std::ranges::find(expected.values, text) != expected.values.end();
+  if (!expected.values.empty() && !is_listed) hit(signal.values, {}, text);
   if (!follows || expected.transitions.empty() || signal.text == text) return;
   const bool is_allowed = std::ranges::any_of(expected.transitions, [&](const auto& each) {
     return each.first == signal.text && each.second == text;
@@ -161,14 +215,17 @@ void SignalJudge::judgeState(Signal& signal, std::string_view text, bool follows
 
 void SignalJudge::judgeRate(Signal& signal, const PacketPlace& place) const {
   const auto [low, high] = *signal.expected->rate_hz;
-  if (!std::exchange(signal.is_counted, true) || signal.stretch != place.stretch) {
+  const bool goes_on =
+      signal.is_counted && signal.source == place.source && signal.stretch == place.stretch;
+  signal.is_counted = true;
+  if (!goes_on) {
     signal.window_began = place.time;
     signal.window_count = 0;
     return;
   }
   ++signal.window_count;
   const double window_s = secondsOf(place.time - signal.window_began);
-  if (window_s < (low > 0 ? std::max(kWindow_s, kWindowValues / low) : kWindow_s)) return;
+  if (window_s < kWindow_s || static_cast<double>(signal.window_count) < kWindowValues) return;
   const double rate_hz = static_cast<double>(signal.window_count) / window_s;
   const double off = std::max(low * (1 - kRateSlack) - rate_hz, rate_hz - high * (1 + kRateSlack));
   if (off > 0) signal.rate.hit(place, off, rate_hz);
@@ -176,13 +233,29 @@ void SignalJudge::judgeRate(Signal& signal, const PacketPlace& place) const {
   signal.window_count = 0;
 }
 
+bool SignalJudge::Motion::changes(std::size_t what, std::size_t value) {
+  const auto [known, is_new] = values.try_emplace(what, value);
+  return is_new || std::exchange(known->second, value) != value;
+}
+
 void SignalJudge::takeMotion(const Statement& statement, const PacketPlace& place) {
-  if (motions_.empty()) return;
+  if (motions_.empty() || !isDeviceValue(statement.kind)) return;
   const auto found = motions_.find(statement.name);
   if (found == motions_.end()) return;
   Motion& motion = found->second;
-  const std::size_t hash = hashOf(statement);
-  if (std::exchange(motion.hash, hash) == hash) return;
+  bool moves = false;
+  if (statement.kind == StatementKind::joint) {
+    for (std::size_t i = 0; i < statement.names.size(); ++i) {
+      moves = motion.changes(hashOf(statement.names[i]), hashOf(statement.numbers.subspan(i, 1))) ||
+              moves;
+    }
+  } else {
+    const std::size_t carrier =
+        hashOf(statement.carrier.first) ^ (hashOf(statement.carrier.second) << 1U);
+    moves = motion.changes(static_cast<std::size_t>(statement.kind),
+                           hashOf(statement.numbers) ^ carrier);
+  }
+  if (!moves) return;
   if (place.time - motion.last > kRest) motion.began = place.time;
   motion.last = place.time;
   auto at = signals_.lower_bound(KeyView(found->first, {}, {}));
@@ -203,10 +276,15 @@ void SignalJudge::takeMotion(const Statement& statement, const PacketPlace& plac
 
 void SignalJudge::forget(std::string_view device) {
   auto at = signals_.lower_bound(KeyView(device, {}, {}));
-  for (; at != signals_.end() && at->first.device == device; ++at) at->second.has_value = false;
+  while (at != signals_.end() && at->first.device == device) {
+    at->second.has_value = at->second.is_counted = at->second.is_other_unit = false;
+    at->second.writer = TwoSources::kNobody;
+    at = at->second.isClean() ? signals_.erase(at) : std::next(at);
+  }
 }
 
-void SignalJudge::reportOne(const Key& key, const Signal& signal, Findings& findings) const {
+void SignalJudge::reportOne(const Key& key, const Signal& signal,
+                            const std::vector<std::string>& sources, Findings& findings) const {
   const std::string name = nameOf(key.device, key.link, key.name);
   const std::string said = signal.expected != nullptr && !signal.expected->label.empty()
                                ? name + " (" + signal.expected->label + ")"
@@ -221,10 +299,18 @@ void SignalJudge::reportOne(const Key& key, const Signal& signal, Findings& find
   };
   add(signal.kinds, "signal.kind",
       fmt::format("{} is first a {} and then a {}", said, signal.first_kind, signal.other_kind));
+  const bool is_unjudged = signal.expected != nullptr && !signal.expected->unit.empty() &&
+                           (signal.expected->range || signal.expected->jump);
   add(signal.units, "signal.unit",
-      fmt::format("{} is in {}, and in {}", said, signal.first_unit, signal.other_unit));
+      fmt::format("{} is in {}, and in {}{}", said, signal.first_unit, signal.other_unit,
+                  is_unjudged ? "; the numbers in another unit are not judged" : ""));
+  signal.two_writers.report(name, said + " is", sources, findings);
   if (signal.expected == nullptr) return;
   const CellSignal& expected = *signal.expected;
+  add(signal.not_numbers, "signal.kind",
+      fmt::format("{} is {}, where the cell expects a number; range, jump and stuck_s do not judge "
+                  "it",
+                  said, quoted(signal.not_number)));
   const std::string& unit = expected.unit.empty() ? signal.unit : expected.unit;
   addWorst(signal.range, "signal.range", [&] {
     return fmt::format("{} is {}, where the cell expects {}", said,
@@ -235,9 +321,10 @@ void SignalJudge::reportOne(const Key& key, const Signal& signal, Findings& find
                        withUnit(signal.jump.value, unit), withUnit(*expected.jump, unit));
   });
   addWorst(signal.stuck, "signal.stuck", [&] {
-    return fmt::format("{} repeats one value for {:.3g} s while {} moves; {:.3g} s are expected at "
-                       "most",
-                       said, signal.stuck.value, plainText(key.device), *expected.stuck_s);
+    return fmt::format(
+        "{} repeats one value for {:.3g} s while {} moves; {:.3g} s are expected at "
+        "most",
+        said, signal.stuck.value, plainText(key.device), *expected.stuck_s);
   });
   addWorst(signal.rate, "signal.rate", [&] {
     return fmt::format("{} is stated {:.3g} times a second, where the cell expects {}", said,
@@ -245,8 +332,7 @@ void SignalJudge::reportOne(const Key& key, const Signal& signal, Findings& find
   });
   for (const auto& [value, tally] : signal.values) {
     add(tally, "signal.unknown-value",
-        fmt::format("{} is {}, which the cell does not expect", said,
-                    quoted(value.second)));
+        fmt::format("{} is {}, which the cell does not expect", said, quoted(value.second)));
   }
   for (const auto& [change, tally] : signal.transitions) {
     add(tally, "signal.transition",
@@ -255,27 +341,46 @@ void SignalJudge::reportOne(const Key& key, const Signal& signal, Findings& find
   }
 }
 
-void SignalJudge::report(Findings& findings) const {
-  for (const auto& [key, signal] : signals_) reportOne(key, signal, findings);
+std::string SignalJudge::missingText(const CellSignal& expected, const std::string& name) const {
+  const bool is_taken = std::ranges::any_of(signals_, [&](const auto& each) {
+    return each.first.device == expected.device && each.first.link == expected.link &&
+           patternMatches(expected.name, each.first.name);
+  });
+  return is_taken ? fmt::format(
+                        "an earlier [[signal]] of the cell fits every {}: this one judges nothing",
+                        plainText(name))
+                  : fmt::format("the cell expects {}, which no packet states", plainText(name));
+}
+
+void SignalJudge::report(const std::vector<std::string>& sources, Findings& findings) const {
+  if (too_many_.count > 0) {
+    findings.push_back(too_many_.finding(
+        "packet.too-many", "signals",
+        fmt::format("the state holds {} signals, and further ones are stated: they are in no state "
+                    "and are not judged",
+                    limits::kSignals)));
+  }
+  for (const auto& [key, signal] : signals_) reportOne(key, signal, sources, findings);
   for (const CellSignal& expected : cell_.signals) {
     if (expected.optional) continue;
-    const bool came = std::ranges::any_of(
-        signals_, [&](const auto& each) { return each.second.expected == &expected; });
-    if (came) continue;
-    const std::string name = nameOf(expected.device, expected.link, expected.name);
-    findings.push_back(makeFinding(
-        "signal.missing", name, fmt::format("the cell expects {}, which no packet states", name)));
+    if (came_.contains(&expected)) continue;
+    // The name is a pattern, as the cell has it.
+    std::string name = nameOf(expected.device, expected.link, "x");
+    name.pop_back();
+    name += expected.name;
+    findings.push_back(makeFinding("signal.missing", name, missingText(expected, name)));
   }
 }
 
 void SignalJudge::dropFindings() {
+  std::erase_if(signals_, [](const auto& each) { return !each.second.has_value; });
+  // What came still holds while it has a value.
+  came_.clear();
   for (auto& [key, signal] : signals_) {
-    signal.kinds = signal.units = {};
-    signal.range = signal.jump = signal.rate = signal.stuck = {};
-    signal.is_stuck = false;
-    signal.values.clear();
-    signal.transitions.clear();
+    signal.drop();
+    if (signal.expected != nullptr) came_.insert(signal.expected);
   }
+  too_many_ = {};
 }
 
 }  // namespace rocinante

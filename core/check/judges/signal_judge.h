@@ -3,12 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "core/cell/cell.h"
+#include "core/check/judges/sender_judge.h"
 #include "core/check/judges/tally.h"
 #include "core/packet/packet.h"
 
@@ -28,14 +31,12 @@ class SignalJudge {
   /// The device was removed, and its signals with it.
   void forget(std::string_view device);
 
-  void report(Findings& findings) const;
+  /// `sources`: their names, by number.
+  void report(const std::vector<std::string>& sources, Findings& findings) const;
   /// Forgets what was found; the signals are followed on.
   void dropFindings();
 
  private:
-  /// Signals that are followed; only a hostile session has more.
-  static constexpr std::size_t kMaxSignals = 10'000;
-
   struct Key {
     std::string device, link, name;
   };
@@ -44,7 +45,9 @@ class SignalJudge {
         : device(of_device), link(of_link), name(of_name) {}
     KeyView(const Key& key) : device(key.device), link(key.link), name(key.name) {}
     std::string_view device, link, name;
-    auto operator<=>(const KeyView&) const = default;
+    bool operator<(const KeyView& o) const {
+      return std::tie(device, link, name) < std::tie(o.device, o.link, o.name);
+    }
   };
   struct Order {
     using is_transparent = void;
@@ -73,22 +76,34 @@ class SignalJudge {
 
     LogTime window_began{};
     std::uint64_t window_count = 0;
-    bool is_counted = false;
+    bool is_counted = false;  ///< a window has begun
 
-    Tally kinds, units;
+    bool is_other_unit = false;  ///< than the cell's: not judged as a number
+    std::uint32_t writer = TwoSources::kNobody;
+
+    TwoSources two_writers;
+    Tally kinds, units, not_numbers;
     std::string other_kind, other_unit;  ///< of the first one
-    std::string first_kind, first_unit;
+    std::string first_kind, first_unit, not_number;
     Worst range, jump, rate, stuck;
     Wrong values, transitions;
+    /// Nothing is lost when it is forgotten.
+    bool isClean() const;
+    void drop();
   };
   using Signals = std::map<Key, Signal, Order>;
 
   /// Of a device with signals that may be stuck.
   struct Motion {
-    std::size_t hash = 0;
-    LogTime began{}, last{};  ///< of its changes without a pause
+    std::map<std::size_t, std::size_t> values;  ///< what was stated last, by what it is; hashes
+    LogTime began{}, last{};                    ///< of its changes without a pause
+    /// False when it repeats what was stated last.
+    bool changes(std::size_t what, std::size_t value);
   };
 
+  /// The first of the cell that fits, or null.
+  const CellSignal* expectedOf(const PathView& path, std::string_view name);
+  /// Null when as many are followed as a state has at most, which refuses further ones.
   Signal* signalNamed(const PathView& path, std::string_view name);
   void judge(Signal& signal, const Statement& statement, std::size_t index,
              const PacketPlace& place) const;
@@ -96,10 +111,14 @@ class SignalJudge {
   void judgeState(Signal& signal, std::string_view text, bool follows,
                   const PacketPlace& place) const;
   void judgeRate(Signal& signal, const PacketPlace& place) const;
-  void reportOne(const Key& key, const Signal& signal, Findings& findings) const;
+  void reportOne(const Key& key, const Signal& signal, const std::vector<std::string>& sources,
+                 Findings& findings) const;
+  std::string missingText(const CellSignal& expected, const std::string& name) const;
 
   const Cell& cell_;
   Signals signals_;
+  std::set<const CellSignal*> came_;
+  Tally too_many_;
   std::map<std::string, Motion, std::less<>> motions_;
 };
 

@@ -44,13 +44,16 @@ void StaticItems::take(const Statement& statement, LogTime time) {
   if (statement.kind == StatementKind::remove || statement.kind == StatementKind::erase) {
     return forget(statement);
   }
-  if (!isStatic(statement)) {
-    if (statement.is_default) items_.erase(keyOf(statement, statement.names.front()));
+  if (!isSignal(statement.kind)) {
+    if (isStatic(statement)) take(statement, {}, time);
     return;
   }
-  if (!isSignal(statement.kind)) return take(statement, {}, time);
-  for (std::size_t i = 0; i < statement.signal_kinds.size(); ++i) {
-    if (statement.signal_kinds[i] != SignalKind::number) take(statement, statement.names[i], time);
+  for (std::size_t i = 0; i < statement.names.size(); ++i) {
+    if (!statement.is_default && statement.signal_kinds[i] != SignalKind::number) {
+      take(statement, statement.names[i], time);
+    } else if (!items_.empty()) {
+      items_.erase(keyOf(statement, statement.names[i]));
+    }
   }
 }
 

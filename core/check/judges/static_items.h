@@ -17,7 +17,7 @@ class StaticItems {
   /// restated.
   static bool isStatic(const Statement& statement);
 
-  /// Of what is not static only that a signal is cancelled counts.
+  /// Of what is not static only that a signal is no state any more counts.
   void take(const Statement& statement, LogTime time);
   /// When the item that was not said for longest was last said; empty without items, and when there
   /// are more than are followed.

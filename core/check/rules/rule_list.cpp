@@ -164,7 +164,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"packet.other-kinematics", kError, "the sender holds another version of the model"},
     {"packet.repeated-joint", kError, "one statement names a joint twice"},
     {"packet.too-many", kError, "a packet exceeds a limit of the packet format"},
-    {"packet.two-sources", kWarning, "two sources write one device"},
+    {"packet.two-sources", kWarning, "two sources write the same thing"},
     {"packet.undrivable-joint", kWarning, "a value for a joint that is fixed or mimics another"},
     {"packet.unknown-device", kError, "statements about a device that the cell does not have"},
     {"packet.unknown-joint", kError, "a joint that the model does not have"},

@@ -46,7 +46,6 @@ class JointTranslation final : public TopicTranslation {
     for (std::vector<double>& values : values_) cursor.numbers(values);
     if (!cursor.atEnd()) return Outcome::malformed;
     for (const std::string& sentence : left_out_) note(sentence);
-    if (values_[0].empty() && names_ > 0) note("joint states without positions");
     for (std::size_t i = 0; i < values_.size(); ++i) {
       if (values_[i].empty()) continue;
       passive_[i] += passive_names_;
@@ -57,7 +56,10 @@ class JointTranslation final : public TopicTranslation {
     }
     begin(header.stamp_ns);
     say(header.stamp_ns);
-    if (packet_.statements.empty()) return Outcome::nothing;
+    if (packet_.statements.empty()) {
+      if (values_[0].empty() && names_ > 0) note("joint states without positions");
+      return Outcome::nothing;
+    }
     out = {packet_text_.text(), &packet_};
     return Outcome::packet;
   }

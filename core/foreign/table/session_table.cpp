@@ -17,11 +17,16 @@
 namespace rocinante {
 namespace {
 
-/// Signals with texts that are named; the log has them all.
-constexpr std::size_t kMostTexts = 1000;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 7> kPoseColumns = {":x",  ":y",  ":z", ":qx",
                                                           ":qy", ":qz", ":qw"};
+
+/// When one of them was stated last, in packets.
+std::uint64_t lastOf(const Signals& signals) {
+  std::uint64_t last = 0;
+  for (const auto& [name, item] : signals) last = std::max(last, item.said.packet);
+  return last;
+}
 
 bool readsBackAsItself(std::string_view device) { return device.find('.') == device.npos; }
 
@@ -41,7 +46,10 @@ void SessionTable::notice(const SessionState& state, LogTime moment) {
   for (const auto& [name, device] : state.devices()) {
     if (device.last_write == moment && chosen(name)) noticeDevice(name, device);
   }
-  if (patterns_.empty()) noticeSignals({}, state.signals(), of_none_);
+  if (patterns_.empty() && lastOf(state.signals()) != noticed_of_none_) {
+    noticed_of_none_ = lastOf(state.signals());
+    noticeSignals({}, state.signals(), of_none_);
+  }
 }
 
 void SessionTable::noticeAll(const SessionState& state) {
@@ -55,11 +63,9 @@ void SessionTable::noticeSignals(const std::string& device, const Signals& said,
                                  SignalColumns& columns) {
   if (!with_signals_) return;
   for (const auto& [name, item] : said) {
-    if (item.value.kind == SignalKind::text) {
-      if (texts_.size() < kMostTexts) texts_.insert(signalNameText(device, name));
-    } else if (!columns.contains(name)) {
-      columns.emplace(name, 0);
-    }
+    const bool is_text = item.value.kind == SignalKind::text;
+    SignalColumns& known = is_text ? texts_[device] : columns;
+    if (!known.contains(name)) known.emplace(name, 0);
   }
 }
 
@@ -150,6 +156,14 @@ void SessionTable::layOut() {
   layOutSignals({}, of_none_);
 }
 
+std::vector<std::string> SessionTable::texts() const {
+  std::vector<std::string> names;
+  for (const auto& [device, of_device] : texts_) {
+    for (const auto& [name, place] : of_device) names.push_back(signalNameText(device, name));
+  }
+  return names;
+}
+
 std::string SessionTable::otherDevices() const {
   if (patterns_.empty()) return {};
   std::vector<std::string_view> others;
@@ -161,8 +175,7 @@ std::string SessionTable::otherDevices() const {
 
 bool SessionTable::wasWritten(const SessionState& state, LogTime moment) {
   if (!of_none_.empty()) {
-    std::uint64_t last = 0;
-    for (const auto& [name, item] : state.signals()) last = std::max(last, item.said.packet);
+    const std::uint64_t last = lastOf(state.signals());
     if (std::exchange(said_of_none_, last) != last) return true;
   }
   for (const auto& [name, device] : devices_) {

@@ -53,7 +53,7 @@ class SessionTable {
   /// where that is.
   std::vector<std::string> gaps() const;
   /// Signals with texts, which have no column, each once: "signal arm mode".
-  const std::set<std::string>& texts() const { return texts_; }
+  std::vector<std::string> texts() const;
   /// Of a table without columns: which devices no pattern matches, "; there are arm, gantry", or
   /// the one that was probably meant. Empty: every device was chosen.
   std::string otherDevices() const;
@@ -81,8 +81,7 @@ class SessionTable {
   void addJoint(Device& device, std::string_view joint);
   void noticeSignals(const std::string& device, const Signals& said, SignalColumns& columns);
   void layOutSignals(const std::string& device, SignalColumns& columns);
-  static void fillSignals(const SignalColumns& columns, const Signals& said,
-                          std::span<double> row);
+  static void fillSignals(const SignalColumns& columns, const Signals& said, std::span<double> row);
   void fillJoints(const Device& device, const DeviceState& state, std::span<double> row) const;
   void fillPose(const std::string& name, const SessionState& state, const PoseValue& pose,
                 std::span<double> row);
@@ -92,11 +91,12 @@ class SessionTable {
   std::map<std::string, bool, std::less<>> chosen_;  ///< the answers of the patterns
   bool with_signals_;
   Devices devices_;
-  SignalColumns of_none_;           ///< signals of no device
-  std::size_t first_of_none_ = 0;   ///< their first column
-  std::uint64_t said_of_none_ = 0;  ///< when one of them was stated last, in packets
+  SignalColumns of_none_;          ///< signals of no device
+  std::size_t first_of_none_ = 0;  ///< their first column
+  /// When one of them was stated last, in packets: as noticed, and as filled.
+  std::uint64_t noticed_of_none_ = 0, said_of_none_ = 0;
   std::vector<std::string> columns_;
-  std::set<std::string> texts_;
+  std::map<std::string, SignalColumns, std::less<>> texts_;  ///< by device
   std::set<std::string> carried_;  ///< devices with poses that are not known in the world
 };
 

@@ -59,8 +59,15 @@ std::optional<Nanoseconds> tableSeconds(std::string_view text, int down) {
   return Nanoseconds(negative ? -count : count);
 }
 
+bool isSignalColumn(std::string_view name) {
+  constexpr std::string_view kBegin = "signal ";
+  // A name of a device may have blanks, but those of a signal's column are written as in packets.
+  return name.starts_with(kBegin) && std::ranges::count(name, ' ') == 2 && !name.ends_with(' ') &&
+         name[kBegin.size()] != ' ';
+}
+
 std::optional<TableColumn> tableColumn(std::string_view name) {
-  if (name.starts_with(kSignalColumn)) return std::nullopt;
+  if (isSignalColumn(name)) return std::nullopt;
   for (std::size_t part = 0; part < kPoseEndings.size(); ++part) {
     const std::string_view ending = kPoseEndings[part];
     if (!name.ends_with(ending) || name.size() == ending.size()) continue;
@@ -91,7 +98,7 @@ std::optional<std::size_t> plainPosePart(std::string_view name) {
 std::string_view notAValue(std::string_view name) {
   if (timeUnitOf(name)) return "another time";
   if (name.starts_with(kClearanceColumn)) return "a distance";
-  if (name.starts_with(kSignalColumn)) return "signals are not read";
+  if (isSignalColumn(name)) return "signals are not read";
   if (!name.starts_with('/')) return {};
   if (name.ends_with("/velocity")) return "velocities are not read";
   if (name.ends_with("/effort")) return "efforts are not read";

@@ -17,8 +17,8 @@ inline constexpr std::array<std::string_view, 7> kPoseEndings = {":x",  ":y",  "
 /// Begins a column of distances, which says nothing about a device; device names hold no slash.
 inline constexpr std::string_view kClearanceColumn = "clearance/";
 
-/// Begins a column of a signal, `signal PATH NAME`.
-inline constexpr std::string_view kSignalColumn = "signal ";
+/// Whether the column is that of a signal, `signal PATH NAME`.
+bool isSignalColumn(std::string_view name);
 
 /// A column that names its device, or the ROS topic that it comes from. Borrowed from the name.
 struct TableColumn {

@@ -916,8 +916,7 @@ RK_SOURCE_API const char *rk_result_text(int result) {
       "done",
       "a name is not 1 to 255 bytes of UTF-8 without control characters",
       "a number is not finite or not below 2^53",
-      "a text is longer than 4096 bytes, not UTF-8, or has control characters; or a unit is not 1 "
-      "to 32 printable ASCII bytes without spaces and quotes",
+      "a text is longer than 4096 bytes, not UTF-8, or has control characters; or a unit is none",
       "the length of a quaternion differs from 1 by more than 0.001",
       "an argument is missing or out of range",
       "no such device: its handle was forgotten or never given",
@@ -1361,6 +1360,7 @@ RK_SOURCE_API int rk_source_signal(rk_source *source, rk_path path, const char *
         return RK_BAD_TEXT;
       }
     }
+    if (size == 0) return RK_BAD_TEXT;
     draft.text = unit;
     draft.text_size = size;
   }

@@ -15,10 +15,9 @@ for device in [*state["devices"], state]:
 rocinante log table s.mcap --signals
 rocinante log table s.mcap --signals --device arm -o s.npz
 python3 -c '
-import numpy
-table = numpy.load("s.npz")
-print({name: table[name].tolist() for name in table.files if name.startswith("signal")})'
+import zipfile
+print(zipfile.ZipFile("s.npz").namelist())'
 rocinante log table s.mcap >/dev/null
 rocinante log cut s.mcap --from 0.15s -o later.mcap
-rocinante log state later.mcap --at 0.16 | grep signal
-rocinante log diff s.mcap later.mcap | grep -c signal
+rocinante log state later.mcap --at 0.2 | grep signal
+{ rocinante log diff s.mcap later.mcap || true; } | grep -c signal

@@ -17,7 +17,8 @@ class LimitSuggestionTest : public test::RunTest {
   /// The demo's session with a sensor's noise, degrees, and a pause that differs, seconds.
   SessionTrack recorded(unsigned seed, double noise_deg, double pause_s) {
     std::mt19937 random(seed);
-    std::normal_distribution<double> noise(0, noise_deg * std::numbers::pi / 180);
+    // Of a width above zero: a distribution has no other.
+    std::normal_distribution<double> noise(0, std::max(noise_deg, 1e-12) * std::numbers::pi / 180);
     const double pause = std::uniform_real_distribution<double>(0, pause_s)(random);
     SaidSession session = session_;
     for (std::size_t joint = 0; joint < 6; ++joint) {

@@ -97,7 +97,8 @@ TEST_F(RunMutations, WhatIsTakenOutIsFound) {
     return kind.first.starts_with("order ") || kind.first.starts_with("view ");
   });
   ASSERT_GE(kinds.size(), 6U);
-  for (const auto& [kind, times] : kinds) {
+  for (const auto& said_kind : kinds) {
+    const std::string& kind = said_kind.first;
     SaidSession changed = session_;
     for (auto& said : changed.packets) {
       std::string body;
@@ -106,7 +107,7 @@ TEST_F(RunMutations, WhatIsTakenOutIsFound) {
       });
       said.body = body;
     }
-    EXPECT_NE(judged(changed), whole_) << kind << ", " << times << " times";
+    EXPECT_NE(judged(changed), whole_) << kind << ", " << said_kind.second << " times";
   }
 }
 

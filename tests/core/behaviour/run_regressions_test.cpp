@@ -150,6 +150,32 @@ TEST_F(RunRegressions, AnotherStartIsSilentWhenAlignedByEvents) {
   expectSilent("an earlier start", judgeRun({}, {&*accepted}, *run));
 }
 
+/// What one log states as it begins may have been stated before the other one, for 2 s: not for
+/// ever.
+TEST_F(RunRegressions, WhatIsStatedAtTheBeginningAndNeverInTheRunIsFound) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  const SaidSession session = SaidSession::read(kDemo / "session.mcap");
+  const auto plain = trackOf(cell, session);
+  for (const double until_s : {9.0, 1e9}) {
+    SaidSession colored = session;
+    colored.say("painter", session.packets.front().at_s + 0.01, "color gantry #ff000080");
+    colored.say("my%20plan", session.packets.front().at_s + 0.01,
+                "line one #ff0000 0 0 0 1 0 0\nline two #ff0000 0 0 0 1 0 0");
+    if (until_s < 1e9) colored.say("painter", until_s, "color gantry default");
+    if (until_s < 1e9) colored.say("my%20plan", until_s, "erase *");
+    const auto with = trackOf(cell, colored);
+    ASSERT_TRUE(plain.ok() && with.ok());
+    for (const auto& [accepted, run] : {std::pair(&*plain, &*with), std::pair(&*with, &*plain)}) {
+      const std::string found = textOfFindings(judgeRun({}, {accepted}, *run));
+      for (const char* fact :
+           {"color of gantry", "drawing/my plan-extra/one", "drawing/my plan-extra/two"}) {
+        EXPECT_NE(found.find(fact), std::string::npos)
+            << fact << " until " << until_s << ": " << found;
+      }
+    }
+  }
+}
+
 /// What was carried, drawn or hidden before a recorder began, and ends before its source restates
 /// it, is unknown to it.
 TEST_F(RunRegressions, ARecorderThatBeginsLateKnowsNothingOfWhatEndsSoon) {
@@ -219,11 +245,11 @@ TEST_F(RunRegressions, PartsOfADrawingMayComeApart) {
   EXPECT_TRUE(judged.findings.front().what.starts_with("drawing/planner-extra/trace: moved by"))
       << judged.findings.front().what;
   // A part that is missing.
-  std::erase_if(moved.packets, [](const auto& said) {
-    return said.body.starts_with("line trace:2/3");
-  });
+  std::erase_if(moved.packets,
+                [](const auto& said) { return said.body.starts_with("line trace:2/3"); });
   const RunJudgement gap = judgeRun({}, {&*accepted}, *trackOf(cell, moved));
-  EXPECT_NE(textOfFindings(gap).find("drawing/planner-extra/trace part 2: nothing"), std::string::npos)
+  EXPECT_NE(textOfFindings(gap).find("drawing/planner-extra/trace part 2: nothing"),
+            std::string::npos)
       << textOfFindings(gap);
 }
 
@@ -240,9 +266,8 @@ TEST_F(RunRegressions, AWarpForgivesADelayUpToItsMostAlsoAtTheTail) {
     // Within 0.4 s.
     const auto delayed = [&](double by_s) {
       SaidSession later = session;
-      later.times("", [&](double at) {
-        return at + by_s * std::clamp((at - from_s) / 0.4, 0.0, 1.0);
-      });
+      later.times("",
+                  [&](double at) { return at + by_s * std::clamp((at - from_s) / 0.4, 0.0, 1.0); });
       return *trackOf(cell, later);
     };
     for (const double by_s : {0.05, 0.12, 0.18}) {

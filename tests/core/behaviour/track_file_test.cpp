@@ -92,7 +92,7 @@ TEST_F(TrackFile, IsRefusedWhenItsPlacesAreOutside) {
 }
 
 TEST(SampleStore, GivesBackWhatItTookFromMemoryOrAFile) {
-  for (const std::size_t count : {1'000, 3'000'000}) {  // 24 kB, 72 MB
+  for (const std::size_t count : {std::size_t{1'000}, std::size_t{3'000'000}}) {  // 24 kB, 72 MB
     SampleStore store;
     std::vector<double> block(3'000);
     for (std::size_t i = 0; i < count * 3 / block.size(); ++i) {

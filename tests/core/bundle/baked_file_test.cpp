@@ -37,7 +37,7 @@ TEST(BakedFileTest, HasTheBytesOfItsPage) {
   const Bytes bytes = bakedFile(someKey(), {{3, bytesOf("abc")}});
   std::string expected = "\x8BRKCELL\n";
   expected += std::string(
-      "\3\0\0\0"
+      "\4\0\0\0"
       "\1\0\0\0",
       8);
   expected += "\1\2\3\4\5\6\7\10\11\12\13\14\15\16\17\20";
@@ -104,7 +104,7 @@ TEST(BakedFileTest, ForgedTablesAreRefused) {
 
 TEST(BakedFileTest, AnotherFormatIsNamed) {
   EXPECT_EQ(faultOf(withTable(twoSections(), 8, 9)),
-            "the baked cell has format 9, this version reads 3 (f)");
+            "the baked cell has format 9, this version reads 4 (f)");
   EXPECT_EQ(faultOf(bytesOf("solid arm")), "this is not a baked cell (f)");
 }
 

@@ -132,7 +132,7 @@ TEST(CheckProgram, JudgesWhatARelaySends) {
   EXPECT_THAT(judged.out, HasSubstr("[packet.joint-count]"));
   EXPECT_THAT(judged.out, HasSubstr("1 packet of 1 source"));
   EXPECT_THAT(judged.out, Not(HasSubstr("[packet.not-a-packet]")));
-  relay.with([](const test::FakeRelay& each) { EXPECT_EQ(each.wanted.source, "me"); });
+  relay.with([](const test::FakeRelay& each) { EXPECT_EQ(each.wanted.wish.source, "me"); });
 }
 
 TEST(CheckProgram, AnInterruptionTellsWhatWasFoundAndIsNeverYes) {

@@ -87,13 +87,14 @@ void makeSignals(OwnedStatement& owned) {
   for (std::size_t i = 0; i < owned.names.size(); ++i) {
     const auto kind = static_cast<SignalKind>(*rc::gen::inRange(0, is_one ? 3 : 2));
     owned.kinds.push_back(kind);
-    owned.numbers.push_back(kind == SignalKind::number ? *number()
+    owned.numbers.push_back(kind == SignalKind::number    ? *number()
                             : kind == SignalKind::boolean ? *rc::gen::inRange(0, 2)
                                                           : 0);
   }
   if (owned.kinds[0] == SignalKind::text) s.text = owned.keep(*text());
   const bool has_unit = is_one && owned.kinds[0] == SignalKind::number;
-  if (has_unit && *rc::gen::arbitrary<bool>()) s.unit = owned.keep(*rc::gen::element<std::string>("kg", "N.m", "%", "m/s"));
+  if (has_unit && *rc::gen::arbitrary<bool>())
+    s.unit = owned.keep(*rc::gen::element<std::string>("kg", "N.m", "%", "m/s"));
   s.signal_kinds = owned.kinds;
 }
 

@@ -133,9 +133,9 @@ class RandomSession {
       case 15:
         return "event \"e\"";
       case 16:
-        return joined({"signal ", signalPath(), " ", joint(), " ",
-                       pick({"1.5", "-2 kg", "7 N.m", "true", "false", "\"auto\"", "\"\"",
-                             "default"})});
+        return joined(
+            {"signal ", signalPath(), " ", joint(), " ",
+             pick({"1.5", "-2 kg", "7 N.m", "true", "false", "\"auto\"", "\"\"", "default"})});
       case 17:
       case 18:
         return joined({"signals ", signalPath(), " ", joint(), "=", number(), " ", joint(), "=",

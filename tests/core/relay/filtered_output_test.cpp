@@ -63,8 +63,8 @@ TEST(FilteredOutput, ConflatesNumbersOfSignalsAndPassesEachState) {
     const std::string n = std::to_string(i);
     const std::string mode = i == 4 ? "\"fault\"" : "\"auto\"";
     net.receive(1 + i * 0.01, "RK1 s@a " + n + " -\nsignal arm mode " + mode +
-                                  "\nsignals arm load=" + n + " busy=" +
-                                  (i % 2 == 0 ? "true" : "false") + "\n");
+                                  "\nsignals arm load=" + n +
+                                  " busy=" + (i % 2 == 0 ? "true" : "false") + "\n");
   }
   net.passTime(1.9);
   std::string heard;
@@ -84,14 +84,15 @@ TEST(FilteredOutput, SignalsGoWithTheirDevice) {
   RelayedListeners net;
   const auto id = net.open(filteredBy({{}, {"arm"}, ~0U}));
   const auto kinds = net.open(filteredBy({{}, {}, statementKindsOf("signal").value()}));
-  net.receive(1, "RK1 s@a 1 -\nsignal leg mode \"x\"\nsignals leg load=1\nsignals arm load=2 a=true\n"
-                 "joints arm 1\nsignal - estop true\n");
+  net.receive(1,
+              "RK1 s@a 1 -\nsignal leg mode \"x\"\nsignals leg load=1\nsignals arm load=2 a=true\n"
+              "joints arm 1\nsignal - estop true\n");
   EXPECT_THAT(net.listeners[id].heard,
               ElementsAre("RK1 s@a 1 - via=site:1:0\nsignal arm a true\nsignal - estop true\n"
                           "signal arm load 2\njoints arm 1\n"));
   EXPECT_THAT(net.listeners[kinds].heard,
-              ElementsAre(testing::AllOf(HasSubstr("signal leg load 1"), HasSubstr("leg mode \"x\""),
-                                         Not(HasSubstr("joints")))));
+              ElementsAre(testing::AllOf(HasSubstr("signal leg load 1"),
+                                         HasSubstr("leg mode \"x\""), Not(HasSubstr("joints")))));
 }
 
 TEST(FilteredOutput, ForwardsNoPartAndRestatesByItself) {

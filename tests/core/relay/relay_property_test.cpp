@@ -43,11 +43,11 @@ std::vector<Case> cases() {
     std::istringstream words(line);
     std::string what, owner, kind, name;
     words >> what >> owner >> kind >> name;
-    const bool of_path = kind == "show" || kind == "hide" || kind == "color";
+    const bool of_path = kind == "show" || kind == "hide" || kind == "color" || kind == "signal";
     const bool of_device = kind == "add" || kind == "remove" || kind == "joints" ||
                            kind == "joint" || kind == "order" || kind == "pose";
     if (what != "item" || of_device) return what == "source" || name == "tank";
-    if (!of_path || name.starts_with("layer/")) return true;
+    if (!of_path || name.starts_with("layer/") || name == "-") return true;
     return name.substr(0, name.find('/')) == "tank";
   };
   return all;
@@ -102,6 +102,10 @@ RC_GTEST_PROP(RelayProperty, WhatIsInsertedIsSentOrCounted, (std::uint64_t seed)
       "event \"inserted\"",
       "view inserted 0 0 1 0 0 0 45",
       "order inserted a b",
+      "signal inserted load 1 kg",
+      "signals inserted load=1 busy=true",
+      "signal - mode \"inserted\"",
+      "signal inserted mode default",
       "wobble inserted",
       "joints inserted nan",
       "pose inserted 0 0 0 0 0 0 0",

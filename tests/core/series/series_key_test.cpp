@@ -20,8 +20,9 @@ TEST(SeriesKey, TextIsReadBack) {
 }
 
 TEST(SeriesKey, OtherTextIsRefused) {
-  for (const char* text : {"", "arm", "arm.", ".j", "arm:w", ":x", "rate/", "rates", "signal arm",
-                           "signal layer/x y", "signal a b c", "signal arm x 1\nremove arm"}) {
+  for (const char* text :
+       {"", "arm", "arm.", ".j", "arm:w", ":x", "rate/", "rates", "signal arm", "signal layer/x y",
+        "signal a b c", "signal arm load 5", "signal arm x 1\nremove arm"}) {
     EXPECT_FALSE(parseSeriesKey(text).has_value()) << text;
   }
 }

@@ -148,7 +148,9 @@ class ExpectedState {
       s.is_default = words[4] == "-";
       s.rgba = rgbaOf(words[4]);
     } else if (verb == "signal") {
-      s.kind = StatementKind::signal;
+      // A number without a unit keeps the one that it has.
+      const bool keeps_unit = words[4] == "number" && words[6] == "-";
+      s.kind = keeps_unit ? StatementKind::signals : StatementKind::signal;
       s.name = {};
       s.path = carrierOf(words, 1);
       s.is_default = words[4] == "default";

@@ -28,14 +28,14 @@ TEST(FileChanges, AnotherNameIsNoChange) {
   };
   EXPECT_THAT(lines({{"a.urdf", "1"}, {"b.stl", "2"}}, {{"arm.urdf", "1"}, {"b.stl", "2"}}),
               ElementsAre());
-  EXPECT_THAT(lines({{"a.urdf", "1"}}, {{"arm.urdf", "2"}}),
-              ElementsAre("a.urdf: the model is no longer part of the cell",
-                          "arm.urdf: the model is new"));
+  EXPECT_THAT(
+      lines({{"a.urdf", "1"}}, {{"arm.urdf", "2"}}),
+      ElementsAre("a.urdf: the model is no longer part of the cell", "arm.urdf: the model is new"));
   EXPECT_THAT(lines({{"a.urdf", "1"}}, {{"a.urdf", "1"}, {"copy.urdf", "1"}}),
               ElementsAre("copy.urdf: the model is new"));
-  EXPECT_THAT(lines({{"a.urdf", "1"}}, {{"a.png", "1"}}),
-              ElementsAre("a.png: the texture is new",
-                          "a.urdf: the model is no longer part of the cell"));
+  EXPECT_THAT(
+      lines({{"a.urdf", "1"}}, {{"a.png", "1"}}),
+      ElementsAre("a.png: the texture is new", "a.urdf: the model is no longer part of the cell"));
 }
 
 TEST(FileChanges, ACommentIsNoChange) {

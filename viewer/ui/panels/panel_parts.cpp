@@ -82,10 +82,10 @@ std::string shortened(const std::string& text, float room) {
     --bytes;
     // Not inside of a character.
     if ((static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) continue;
-    const std::string part = text.substr(0, bytes) + "…";
+    const std::string part = text.substr(0, bytes) + "..";
     if (ImGui::CalcTextSize(part.c_str()).x <= room) return part;
   }
-  return "…";
+  return "..";
 }
 
 }  // namespace rocinante

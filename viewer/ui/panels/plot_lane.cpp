@@ -41,8 +41,7 @@ void scaleLane(PlotLane& lane) {
 /// Of the signal now; empty for anything else.
 std::string signalUnit(const ViewModel& model, const SeriesKey& key) {
   if (key.kind != SeriesKey::Kind::signal) return {};
-  const Item<SignalValue>* const said =
-      model.state().findSignal(key.name, {key.link, key.part});
+  const Item<SignalValue>* const said = model.state().findSignal(key.name, {key.link, key.part});
   return said == nullptr ? std::string() : said->value.unit;
 }
 

@@ -221,6 +221,10 @@ void drawSceneTab(ViewModel& model, float bottom, ViewerRequests& requests) {
   drawInsets(model);
   drawOthers(model);
   drawLayers(model);
+  const Signals& of_none = model.received().signals();
+  if (!of_none.empty() && ImGui::CollapsingHeader("Signals", ImGuiTreeNodeFlags_DefaultOpen)) {
+    drawSignals(model, {}, {}, of_none);
+  }
   drawDevices(model, bottom);
 }
 

@@ -11,7 +11,10 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMaxRowsShown = 8;
+constexpr std::size_t kMaxSignalRows = 8;
+constexpr float kLeastWidth = 230;
+/// Of a text, more than a row has room for.
+constexpr std::size_t kShownBytes = 256;
 
 std::string valueText(const SignalValue& value) {
   switch (value.kind) {
@@ -23,7 +26,7 @@ std::string valueText(const SignalValue& value) {
     case SignalKind::text:
       break;
   }
-  return plainText(value.text);
+  return plainText(std::string_view(value.text).substr(0, kShownBytes));
 }
 
 void drawSignal(ViewModel& model, const std::string& device, const SignalName& name,
@@ -57,10 +60,13 @@ void drawSignals(ViewModel& model, const std::string& device, const std::string&
   }
   if (rows.empty()) return;
   const float pitch = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-  const auto shown = static_cast<float>(std::min(rows.size(), kMaxRowsShown));
-  if (!ImGui::BeginTable("signals", 2, ImGuiTableFlags_ScrollY, ImVec2(0, shown * pitch + px(4)))) {
-    return;
-  }
+  const auto shown = static_cast<float>(std::min(rows.size(), kMaxSignalRows));
+  // A panel that fits its contents gives a table no width of its own.
+  const float width = std::max(ImGui::GetContentRegionAvail().x, px(kLeastWidth));
+  const ImVec2 size(width, shown * pitch + px(4));
+  if (!ImGui::BeginTable("signals", 2, ImGuiTableFlags_ScrollY, size)) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, width * 0.55F);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(rows.size()), pitch);
   while (clipper.Step()) {

@@ -93,7 +93,6 @@ void drawSourceRow(const SourceRow& row) {
 }  // namespace
 
 void drawSourcesTab(ViewModel& model, SteadyTime now) {
-  drawSignals(model, {}, {}, model.received().signals());
   std::vector<SourceRow> rows = model.sourceRows(now);
   if (rows.empty()) {
     ImGui::TextDisabled("nothing has come yet");

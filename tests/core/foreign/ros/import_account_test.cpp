@@ -158,9 +158,11 @@ TEST_F(ImportAccount, CountsTheFieldsThatNoPacketSays) {
                                   {"/odom", "nav_msgs/msg/Odometry", "cdr", odometry.bytes(), 2}}),
                    &cell_);
   const auto texts = textsOf(made.report.account);
-  EXPECT_THAT(texts, Contains("4 values `velocity` (packets have no speeds of joints; the first "
-                              "at /joint_states)"));
-  EXPECT_THAT(texts, Contains("1 value `twist` (packets have no speeds; at /odom)"));
+  EXPECT_THAT(made.packets(), Contains(HasSubstr(".velocity=0.1")));
+  EXPECT_THAT(texts,
+              Contains("2 values `velocity` (of fixed and mimic joints, which the model moves; "
+                       "the first at /joint_states)"));
+  EXPECT_THAT(texts, Contains("1 value `twist` (speeds of frames are not imported; at /odom)"));
   EXPECT_THAT(texts, Contains("1 value `covariance` (packets have no covariances; at /odom)"));
 }
 

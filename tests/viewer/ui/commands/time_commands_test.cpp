@@ -61,7 +61,7 @@ TEST_F(TimeCommands, PlotsWhatThereIs) {
 
 TEST_F(TimeCommands, ATableOfWhatIsSeen) {
   const std::string path = (folder_ / "t.csv").string();
-  EXPECT_EQ(run("table " + path), "a table needs a plotted joint or pose");
+  EXPECT_EQ(run("table " + path), "a table needs a plotted joint, pose or signal");
   run("plot arm.turn");
   run("plot rate");
   EXPECT_EQ(run("show-time 0 2s"), "");
