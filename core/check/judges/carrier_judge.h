@@ -33,7 +33,7 @@ class CarrierJudge {
   const Cell& cell_;
   /// Each from its least name: a b, of "a on b on a".
   std::map<std::vector<std::string>, Tally> loops_;
-  Tally others_;  ///< loops beyond the number that is told apart
+  Tally others_;  ///< loops beyond the number that is listed
 };
 
 }  // namespace rocinante

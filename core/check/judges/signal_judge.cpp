@@ -24,7 +24,7 @@ constexpr double kWindowValues = 20;
 constexpr double kRateSlack = 0.05;
 /// A device that does not change for this long rests.
 constexpr Nanoseconds kRest = std::chrono::milliseconds(250);
-/// Wrong values and changes of one signal that are told apart.
+/// Wrong values and changes of one signal that are listed.
 constexpr std::size_t kMaxWrong = 16;
 
 std::string nameOf(const std::string& device, const std::string& link, const std::string& name) {
