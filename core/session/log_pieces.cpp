@@ -1,5 +1,7 @@
 #include "core/session/log_pieces.h"
 
+#include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "core/log/log_profile.h"
@@ -14,6 +16,12 @@ constexpr std::size_t kMaxOthers = 10'000;
 
 bool follows(const LogSummary& next, const LogSummary& finished) {
   return next.messages > 0 && next.session_id == finished.session_id && next.start >= finished.end;
+}
+
+fs::file_time_type fileTimeOf(LogTime time) {
+  const auto ago = std::chrono::system_clock::now().time_since_epoch() - time.time_since_epoch();
+  return fs::file_time_type::clock::now() -
+         std::chrono::duration_cast<fs::file_time_type::duration>(ago);
 }
 
 }  // namespace
@@ -35,7 +43,8 @@ Result<std::optional<LogReader>> NextPiece::after(const LogReader& finished) {
   const fs::path own = finished.name();
   const fs::path folder = own.has_parent_path() ? own.parent_path() : fs::path(".");
   std::error_code fault;
-  const fs::file_time_type ended = fs::last_write_time(own, fault);
+  const fs::file_time_type ended =
+      std::min(fs::last_write_time(own, fault), fileTimeOf(finished.summary().end));
   std::optional<LogReader> next;
   for (fs::directory_iterator each(folder, fault), end; !fault && each != end;
        each.increment(fault)) {
@@ -43,7 +52,8 @@ Result<std::optional<LogReader>> NextPiece::after(const LogReader& finished) {
     const fs::path& path = each->path();
     if (path.extension() != own.extension() || path.filename() == own.filename()) continue;
     const fs::file_time_type changed = fs::last_write_time(path, gone);
-    // It is written after the other was finished; one second for coarse file times.
+    // It is written after the other's last message, and after the other's file unless that is a
+    // copy made later; one second for coarse file times.
     if (gone || changed + std::chrono::seconds(1) < ended) continue;
     const auto known = others_.find(path);
     if (known != others_.end() && known->second == changed) continue;

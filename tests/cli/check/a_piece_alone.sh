@@ -20,6 +20,7 @@ judge() {
 echo "-- beside the others"
 judge p-001.mcap
 cp p-001.mcap first.mcap
+touch -d "1 hour" first.mcap  # as if the copy had been made much later than the next piece was
 echo "-- the first, by another name beside the others"
 judge first.mcap
 mkdir first last
