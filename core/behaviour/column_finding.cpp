@@ -15,7 +15,15 @@ constexpr std::int64_t kCurvePoints = 400;
 
 double roundedFigure(double value) { return std::round(value * 1e4) / 1e4; }
 
+/// A signal may be of any size: six digits.
+double roundedNumber(double value) {
+  if (!std::isfinite(value) || value == 0) return value;
+  const double digit = std::pow(10, std::floor(std::log10(std::abs(value))) - 5);
+  return digit > 0 ? std::round(value / digit) * digit : value;
+}
+
 double scaleOf(const TrackColumn& column) {
+  if (column.kind == TrackColumn::Kind::number) return 1;
   return column.kind == TrackColumn::Kind::length ? kMillimetres : kDegrees;
 }
 
@@ -69,7 +77,10 @@ std::string sentenceOf(const JudgedColumn& judged, const ColumnMeasure& measure)
 }  // namespace
 
 RunCurve runCurve(const RunTimes& times, const std::vector<ColumnSamples>& accepted,
-                  const ColumnSamples& run, double scale, std::int64_t reach, double limit) {
+                  const ColumnSamples& run, const TrackColumn& column, std::int64_t reach,
+                  double limit) {
+  const double scale = scaleOf(column);
+  const auto rounded = column.kind == TrackColumn::Kind::number ? roundedNumber : roundedFigure;
   RunCurve curve;
   const std::int64_t stretch = times.end() / kCurvePoints + 1;
   for (std::int64_t from = 0; from < times.end(); from += stretch) {
@@ -89,16 +100,18 @@ RunCurve runCurve(const RunTimes& times, const std::vector<ColumnSamples>& accep
     double value = std::numeric_limits<double>::quiet_NaN();
     if (own.any) value = own.most[0] - most > least - own.least[0] ? own.most[0] : own.least[0];
     curve.seconds.push_back(roundedFigure(secondsOf(times.sinceOrigin(from))));
-    curve.least.push_back(roundedFigure(base * scale + least));
-    curve.most.push_back(roundedFigure(base * scale + most));
-    curve.value.push_back(roundedFigure(base * scale + value));
+    curve.least.push_back(rounded(base * scale + least));
+    curve.most.push_back(rounded(base * scale + most));
+    curve.value.push_back(rounded(base * scale + value));
   }
   return curve;
 }
 
 RunFinding findingAt(const JudgedColumn& judged, std::int64_t time) {
   RunFinding finding;
-  finding.kind = judged.column.width() == 7 ? RunFinding::Kind::pose : RunFinding::Kind::joint;
+  finding.kind = judged.column.kind == TrackColumn::Kind::number ? RunFinding::Kind::signal
+                 : judged.column.width() == 7                    ? RunFinding::Kind::pose
+                                                                 : RunFinding::Kind::joint;
   finding.item = judged.item;
   finding.first_accepted = finding.at_accepted = finding.until_accepted =
       judged.times.sinceOrigin(time);
@@ -117,8 +130,8 @@ RunFinding findingOf(const JudgedColumn& judged, const ColumnMeasure& measure, s
   finding.what = sentenceOf(judged, measure);
   finding.accept = acceptingLimit(judged.item, measure);
   if (judged.column.width() == 1) {
-    finding.curve = runCurve(judged.times, judged.accepted, judged.run, scaleOf(judged.column),
-                             reach, measure.limit);
+    finding.curve =
+        runCurve(judged.times, judged.accepted, judged.run, judged.column, reach, measure.limit);
   }
   return finding;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/behaviour/column_samples.h"
@@ -13,15 +14,16 @@ namespace rocinante {
 
 struct RunTimes;
 
-/// The band and the run's value over the accepted session, for a column of one number; `scale`
-/// makes it the unit of `limit`. At most a few hundred points: of each stretch the band, and the
+/// The band and the run's value over the accepted session, for a column of one number, in the unit
+/// of `limit`. At most a few hundred points: of each stretch the band, and the
 /// value that is farthest outside. `reach`: how much earlier or later a value may come.
 RunCurve runCurve(const RunTimes& times, const std::vector<ColumnSamples>& accepted,
-                  const ColumnSamples& run, double scale, std::int64_t reach, double limit);
+                  const ColumnSamples& run, const TrackColumn& column, std::int64_t reach,
+                  double limit);
 
 /// The deviation of one measure of a column over time.
 struct ColumnMeasure {
-  const char* unit = "°";
+  std::string unit = "°";
   const char* key = "joint_deg";  ///< of limits
   double limit = 0;
   std::size_t first_component = 0, components = 1;  ///< of an Apart
@@ -55,7 +57,7 @@ struct MotionShape {
   double step_s = 0;
   double scale = 1;  ///< to the unit
   double limit = 0;  ///< in the unit
-  const char* unit = "";
+  std::string_view unit = "";
 };
 
 /// How the two differ, when it has a simple form: "frozen at 12.3°", "its sign is flipped", "offset

@@ -21,7 +21,10 @@ class ColumnJudge {
       : times_(times), item_(std::move(item)), column_(column), accepted_(accepted), run_(run) {
     const RunLimits limits = times.spec.limitsOf(item_);
     reach_ = times.reachOf(limits);
-    if (column.kind == TrackColumn::Kind::pose) {
+    if (column.kind == TrackColumn::Kind::number) {
+      measures_.push_back(
+          {column.unit, "signal", limits.signal.value_or(learntLimit(limits, accepted)), 0, 1, {}});
+    } else if (column.kind == TrackColumn::Kind::pose) {
       measures_.push_back({"mm", "pose_mm", limits.ofPose_mm(), 0, 3, {}});
       measures_.push_back({"°", "pose_deg", limits.ofPose_deg(), 3, 3, {}});
     } else if (column.kind == TrackColumn::Kind::link_pose) {
@@ -66,7 +69,7 @@ class ColumnJudge {
 
   FastMotion fastest() const {
     FastMotion fastest{item_, measures_.front().unit, 0, 0, 0};
-    if (column_.width() != 1) return fastest;
+    if (column_.width() != 1 || column_.kind == TrackColumn::Kind::number) return fastest;
     fastest.figure = accepted_.front().farthestWithin(reach_, fastest.at) *
                      (column_.kind == TrackColumn::Kind::length ? kMillimetres : kDegrees);
     fastest.times_limit = fastest.figure / measures_.front().limit;

@@ -65,6 +65,9 @@ Apart apartOf(TrackColumn::Kind kind, const double* reference, const double* val
     case TrackColumn::Kind::length:
       apart[0] = (value[0] - reference[0]) * kMillimetres;
       break;
+    case TrackColumn::Kind::number:
+      apart[0] = value[0] - reference[0];
+      break;
     case TrackColumn::Kind::pose:
     case TrackColumn::Kind::link_pose:
       for (std::size_t i = 0; i < 3; ++i) apart[i] = (value[i] - reference[i]) * kMillimetres;
@@ -86,13 +89,10 @@ void ApartRange::add(const Apart& apart) {
   }
 }
 
-ColumnSamples::ColumnSamples(const SessionTrack& track, const DeviceTrack* device,
-                             const TrackColumn* column, const std::vector<std::int64_t>& times) {
-  if (device == nullptr || column == nullptr) return;
-  column_ = *column;
-  width_ = column->width();
-  shared_times_ = &times;
-  load(track, device->series[column->series]);
+ColumnSamples::ColumnSamples(const SessionTrack& track, const TrackSeries& series,
+                             const TrackColumn& column, const std::vector<std::int64_t>& times)
+    : column_(column), width_(column.width()), shared_times_(&times) {
+  load(track, series);
   const bool is_whole =
       std::none_of(values_.begin(), values_.end(), [](double value) { return std::isinf(value); });
   if (!is_whole) {
@@ -303,6 +303,37 @@ double ColumnSamples::farthestWithin(std::int64_t reach, std::int64_t& when) con
     when = time(i);
   }
   return farthest;
+}
+
+std::pair<double, double> ColumnSamples::extremes() const {
+  std::pair<double, double> found{0, 0};
+  bool any = false;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!isStated(i)) continue;
+    const double its = *value(i);
+    found = any ? std::pair(std::min(found.first, its), std::max(found.second, its))
+                : std::pair(its, its);
+    any = true;
+  }
+  return found;
+}
+
+double ColumnSamples::noise() const {
+  // Of white noise the second difference has six times the variance, and its median lies at 0.6745
+  // deviations.
+  constexpr double kDeviations = 0.6745 * 2.449489742783178;
+  constexpr std::size_t kFewest = 16;
+  std::vector<double> bends;
+  const std::size_t stride = size() / kIntervalsLooked + 1;
+  for (std::size_t i = 1; i + 1 < size(); i += stride) {
+    if (!isSmooth(i - 1) || !isSmooth(i)) continue;
+    const double bend = *value(i - 1) - 2 * *value(i) + *value(i + 1);
+    if (std::isfinite(bend)) bends.push_back(std::abs(bend));
+  }
+  if (bends.size() < kFewest) return 0;
+  const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
+  std::ranges::nth_element(bends, middle);
+  return *middle / kDeviations;
 }
 
 std::vector<std::int64_t> alignedTimes(const SessionTrack& track, const TrackSeries& series,

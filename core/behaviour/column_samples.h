@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/behaviour/session_track.h"
@@ -33,8 +34,9 @@ struct ApartRange {
 /// nothing is stated from here on. The last value holds. Not for sharing between threads.
 class ColumnSamples {
  public:
-  /// `times` of the column's series, borrowed. Empty when `column` is null.
-  ColumnSamples(const SessionTrack& track, const DeviceTrack* device, const TrackColumn* column,
+  ColumnSamples() = default;
+  /// `times` of the series, which has the column, borrowed.
+  ColumnSamples(const SessionTrack& track, const TrackSeries& series, const TrackColumn& column,
                 const std::vector<std::int64_t>& times);
 
   std::size_t size() const { return times().size(); }
@@ -58,6 +60,11 @@ class ColumnSamples {
   bool isLost(std::int64_t time, std::int64_t& from, std::int64_t& until) const;
   /// The farthest that a column of one number moves within a time, and when.
   double farthestWithin(std::int64_t reach, std::int64_t& when) const;
+  /// Of a column of one number: the least and the most that is stated; 0 where nothing is.
+  std::pair<double, double> extremes() const;
+  /// Of a column of one number: the standard deviation of what changes from packet to packet and
+  /// goes on nowhere, by the median; 0 for a smooth or a stepped curve, and of few values.
+  double noise() const;
 
  private:
   const std::vector<std::int64_t>& times() const {

@@ -57,37 +57,6 @@ std::vector<double> drawingShape(const std::vector<double>& points) {
   return shape;
 }
 
-bool NumberSignals::take(const Statement& statement) {
-  auto device = kinds_.find(statement.path.first);
-  if (device == kinds_.end()) device = kinds_.try_emplace(std::string(statement.path.first)).first;
-  Names& names = device->second;
-  bool says_fact = statement.is_default;
-  for (std::size_t i = 0; i < statement.signal_kinds.size(); ++i) {
-    const std::string_view link = statement.path.second;
-    auto known = names.find(SignalNameView(link, statement.names[i]));
-    if (known == names.end()) {
-      SignalName name{std::string(link), std::string(statement.names[i])};
-      known = names.emplace(std::move(name), Kind()).first;
-    }
-    Kind& kind = known->second;
-    const bool is_number = statement.signal_kinds[i] == SignalKind::number;
-    says_fact = says_fact || !is_number || !kind.is_number;
-    kind = {is_number, kind.was_number || is_number};
-  }
-  return says_fact;
-}
-
-void NumberSignals::addTo(Account& account) const {
-  for (const auto& [device, names] : kinds_) {
-    for (const auto& [name, kind] : names) {
-      if (!kind.was_number) continue;
-      account.leaveOut({.kind = "signal",
-                        .name = signalNameText(device, name),
-                        .reason = "numbers of signals are not judged"});
-    }
-  }
-}
-
 void FactRecorder::set(const std::string& name, LogTime time, std::string text,
                        std::vector<double> shape) {
   auto& changes = facts_[name];
@@ -127,11 +96,13 @@ void FactRecorder::note(const SessionState& state, LogTime time, bool is_restate
       [](const JointItem&) {},
       [](const ViewItem&) {},
       [&](const SignalItem& item) {
-        // Numbers are no facts.
-        if (item.item.value.kind == SignalKind::number) return;
-        const std::string text = statementText(item);
+        const SignalValue& value = item.item.value;
         const std::string name = signalNameText(item.device, item.name);
-        set(name, time, text.substr(name.size() + 1));
+        if (value.kind != SignalKind::number) {
+          set(name, time, statementText(item).substr(name.size() + 1));
+        } else if (!value.unit.empty()) {
+          set("unit of " + name, time, value.unit);
+        }
       },
   };
   eachItem(state, set_fact);

@@ -7,7 +7,6 @@
 
 #include "core/behaviour/session_track.h"
 #include "core/packet/session_state.h"
-#include "core/report/account.h"
 
 namespace rocinante {
 
@@ -19,25 +18,10 @@ std::string drawingStyle(const Drawing& drawing, const std::vector<double>& part
 /// (48), the first and the last among them. A point between those is seen only by extents and mean.
 std::vector<double> drawingShape(const std::vector<double>& points);
 
-/// Which signals of a session are numbers: these no judge compares, and they are no facts.
-class NumberSignals {
- public:
-  /// True when the statement says a fact: a state, or a number where there was none.
-  bool take(const Statement& statement);
-  /// Names all that ever were numbers.
-  void addTo(Account& account) const;
-
- private:
-  struct Kind {
-    bool is_number = false, was_number = false;
-  };
-  using Names = std::map<SignalName, Kind, SignalOrder>;
-  std::map<std::string, Names, std::less<>> kinds_;  ///< by device
-};
-
 /// Keeps the facts of a session, each change once. Each part of a drawing is a fact, since one may
 /// come earlier than another: "drawing/planner/path", and with a tab, which no name has,
-/// "drawing/planner/path\t2".
+/// "drawing/planner/path\t2". Of a signal that is a number its unit is one: "unit of signal arm
+/// load".
 class FactRecorder {
  public:
   using Facts = std::map<std::string, std::vector<FactChange>, std::less<>>;

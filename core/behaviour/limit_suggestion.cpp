@@ -49,7 +49,9 @@ void dropWhatHolds(const RunSpec& spec, std::map<std::string, OwnLimits, std::le
     const bool turn = keep(own.turn_deg, known.turn_deg);
     const bool pose = keep(own.pose_mm, known.ofPose_mm());
     const bool pose_turn = keep(own.pose_deg, known.ofPose_deg());
-    entry = joint || position || turn || pose || pose_turn ? std::next(entry) : limits.erase(entry);
+    const bool signal = keep(own.signal, known.signal.value_or(0));
+    entry = joint || position || turn || pose || pose_turn || signal ? std::next(entry)
+                                                                     : limits.erase(entry);
   }
 }
 
@@ -82,6 +84,10 @@ LimitSuggestion limitsOf(const RunSpec& spec, const Sessions& sessions) {
       OwnLimits& own = found.own_limits[finding.item];
       const bool is_length = finding.unit == "mm";
       const bool is_pose = finding.kind == RunFinding::Kind::pose;
+      if (finding.kind == RunFinding::Kind::signal) {
+        raise(own.signal, limitFor(*finding.largest));
+        continue;
+      }
       const bool is_own_pose = is_pose && finding.item.find('/') == std::string::npos;
       raise(is_own_pose ? (is_length ? own.pose_mm : own.pose_deg)
             : is_length ? own.position_mm
@@ -109,6 +115,8 @@ std::string entriesOf(const OwnLimits& limits) {
   add("turn_deg", limits.turn_deg);
   add("pose_mm", limits.pose_mm);
   add("pose_deg", limits.pose_deg);
+  add("signal", limits.signal);
+  add("signal_share", limits.signal_share);
   add("event_ms", limits.event_ms);
   return text;
 }
@@ -130,6 +138,7 @@ RunSpec LimitSuggestion::appliedTo(RunSpec spec) const {
     if (limits.turn_deg) own.turn_deg = std::max(known.turn_deg, *limits.turn_deg);
     if (limits.pose_mm) own.pose_mm = std::max(known.ofPose_mm(), *limits.pose_mm);
     if (limits.pose_deg) own.pose_deg = std::max(known.ofPose_deg(), *limits.pose_deg);
+    if (limits.signal) own.signal = std::max(known.signal.value_or(0), *limits.signal);
   }
   return spec;
 }
@@ -143,6 +152,7 @@ std::string LimitSuggestion::toml(const RunSpec& spec) const {
   if (run.link_turns) ofRun.turn_deg = run.turn_deg;
   ofRun.pose_mm = run.pose_mm;
   ofRun.pose_deg = run.pose_deg;
+  if (run.signal_share != kRunFloors.signal_share) ofRun.signal_share = run.signal_share;
   if (run.event_ms > kRunFloors.event_ms) ofRun.event_ms = run.event_ms;
   std::string text = entriesOf(ofRun);
   for (const auto& [item, limits] : applied.own_limits) {

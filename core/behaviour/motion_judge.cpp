@@ -51,16 +51,16 @@ DeviceMotion::DeviceMotion(const RunTimes& times, std::string device)
 
 ColumnOutcome DeviceMotion::judge(const TrackColumn& column,
                                   std::vector<RunFinding>& findings) const {
-  static const std::vector<std::int64_t> kNone;
   const bool is_link = column.kind == TrackColumn::Kind::link_pose;
   const auto samplesOf = [&](const SessionTrack& track, std::size_t session) {
     const auto device = track.devices.find(device_);
     const TrackColumn* its =
         device == track.devices.end() ? nullptr : device->second.find(column.part, is_link);
     if (its == nullptr || its->kind != column.kind || !its->is_stated) {
-      return ColumnSamples(track, nullptr, nullptr, kNone);
+      return ColumnSamples();
     }
-    return ColumnSamples(track, &device->second, its, series_times_[session][its->series]);
+    return ColumnSamples(track, device->second.series[its->series], *its,
+                         series_times_[session][its->series]);
   };
   std::vector<ColumnSamples> accepted;
   for (std::size_t i = 0; i < times_.accepted.size(); ++i) {

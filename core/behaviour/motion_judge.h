@@ -103,6 +103,14 @@ inline constexpr std::uint64_t kBatchRows = 8'000'000;
 FastMotion judgeDevices(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged,
                         std::uint64_t batch_rows = kBatchRows);
 
+/// How far a signal's number may leave the band where no limit in its unit is written: a share of
+/// the range that the accepted sessions have together, and what lies in their noise.
+double learntLimit(const RunLimits& limits, const std::vector<ColumnSamples>& accepted);
+
+/// Judges the numbers of all signals that some session has, each as a column of its own, and adds
+/// what it judged and found to `judged`. `parallel` may be empty.
+void judgeNumbers(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged);
+
 /// Of the bends in time; of very long sessions a multiple of it.
 inline constexpr Nanoseconds kWarpStep = std::chrono::milliseconds(20);
 

@@ -43,8 +43,9 @@ class WarpGrid {
   std::vector<double> values(const SessionTrack& track, const DeviceTrack& device,
                              const TrackColumn& column, const TimeMap& map,
                              std::size_t more) const {
-    const auto times = alignedTimes(track, device.series[column.series], map, start_);
-    const ColumnSamples samples(track, &device, &column, times);
+    const TrackSeries& series = device.series[column.series];
+    const auto times = alignedTimes(track, series, map, start_);
+    const ColumnSamples samples(track, series, column, times);
     std::vector<double> values(samples_ + 2 * more, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto sample = static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(more);

@@ -12,14 +12,12 @@
 namespace rocinante {
 namespace {
 
-std::string_view deviceOf(std::string_view item) { return item.substr(0, item.find('/')); }
-
 bool isOfDevice(const LeftOut& left_out, std::string_view device) {
   return left_out.name == device ||
          (left_out.name.starts_with(device) && left_out.name[device.size()] == '/');
 }
 
-/// The joint values and poses that a session states. A fact may have the name of a pose.
+/// The joint values, poses and numbers that a session states. A fact may have the name of a pose.
 std::set<std::string> motionsOf(const SessionTrack& track) {
   std::set<std::string> items;
   for (const auto& [name, device] : track.devices) {
@@ -27,6 +25,7 @@ std::set<std::string> motionsOf(const SessionTrack& track) {
       if (column.is_stated) items.insert(itemOf(name, column));
     }
   }
+  for (const auto& [item, series] : track.numbers) items.insert(item);
   return items;
 }
 
@@ -58,6 +57,8 @@ std::string itemOfFact(std::string_view fact) {
   const std::size_t of = fact.find(" of ");
   return std::string(of == std::string_view::npos ? fact : fact.substr(of + 4));
 }
+
+std::string unitFact(std::string_view signal) { return "unit of " + std::string(signal); }
 
 bool isStated(const DeviceTrack& device) {
   return std::ranges::any_of(device.columns, &TrackColumn::is_stated);
@@ -108,7 +109,7 @@ std::vector<std::string> namesThatMatchNothing(const RunSpec& spec, const Cell& 
                                                const std::set<std::string>& items) {
   std::set<std::string> known = namesOf(cell);
   known.insert(items.begin(), items.end());
-  for (const std::string& item : items) known.emplace(deviceOf(item));
+  for (const std::string& item : items) known.emplace(deviceOfItem(item));
   const std::vector<std::string_view> names(known.begin(), known.end());
   std::vector<std::string> complaints;
   const auto complain = [&](const char* key, const std::string& name) {

@@ -14,7 +14,8 @@ namespace rocinante {
 /// What a judgement looked at, and what not: a verdict that does not carry it is worth nothing
 /// (docs/decisions/040).
 struct RunCoverage {
-  std::set<std::string> judged;  ///< items: "arm/elbow", "arm", "event/picked", "drawing/p/path"
+  /// Items: "arm/elbow", "arm", "event/picked", "drawing/p/path", "signal arm current".
+  std::set<std::string> judged;
   std::set<std::string> lost;    ///< accepted, and neither judged now nor masked
   std::set<std::string> masked;  ///< for the whole session
   Account left_out{};            ///< statements of the session under test that no item shows
@@ -29,6 +30,13 @@ std::string itemOf(std::string_view device, const TrackColumn& column);
 std::string itemOf(const Event& event);
 /// "visibility of arm/link3" is the item arm/link3, "drawing/planner/path\t2" the drawing.
 std::string itemOfFact(std::string_view fact);
+
+/// The fact that says in what a signal is: "unit of signal arm load". Its item is the signal.
+std::string unitFact(std::string_view signal);
+
+/// Why a signal of an import that no accepted session has is not judged: a newer version makes more
+/// of the same recording.
+inline constexpr const char* kNotAcceptedSignal = "no accepted session states it";
 
 /// True when any column of the device has a value anywhere in the session.
 bool isStated(const DeviceTrack& device);

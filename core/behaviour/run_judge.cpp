@@ -123,11 +123,30 @@ void keepFirstPart(std::vector<RunFinding>& findings, std::size_t before) {
   findings.pop_back();
 }
 
+/// A fact of a signal that no accepted session states as that. Of a number, whose fact is its unit,
+/// judgeNumbers() tells.
+bool isOfNewSignal(const RunTimes& times, const std::string& fact) {
+  const std::string item = itemOfFact(fact);
+  if (!item.starts_with("signal ")) return false;
+  const auto has = [&](const SessionTrack* track) {
+    return fact == item ? track->facts.contains(fact) || track->numbers.contains(item)
+                        : track->numbers.contains(item);
+  };
+  return std::ranges::none_of(times.accepted, has) || (fact != item && !has(&times.run));
+}
+
 void judgeMotion(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged) {
   const bool is_short = judgeShare(times, judged);
   addFastest(times, judgeDevices(times, parallel, judged), judged);
+  judgeNumbers(times, parallel, judged);
   for (const std::string& fact : factsOf(times)) {
     if (times.spec.isMaskedThroughout(itemOfFact(fact))) continue;
+    if (isOfNewSignal(times, fact)) {
+      if (times.run.is_imported && fact == itemOfFact(fact)) {
+        judged.coverage.left_out.leaveOut({"signal", fact, kNotAcceptedSignal});
+      }
+      if (times.run.is_imported || fact != itemOfFact(fact)) continue;
+    }
     const std::size_t before = judged.findings.size();
     judgeFact(times, fact, judged.findings);
     if (isFurtherPart(fact)) {
@@ -223,7 +242,8 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
   }
   sortByCause(judged.findings);
   addNotes(times, judged);
-  if (!run.left_out.empty()) judged.notes.push_back(accountSentence(run.left_out));
+  const Account& left_out = judged.coverage.left_out;
+  if (!left_out.empty()) judged.notes.push_back(accountSentence(left_out));
   judged.rule = runRule(judged);
   return judged;
 }

@@ -43,6 +43,8 @@ std::string_view nameOf(RunFinding::Kind kind) {
       return "joint";
     case RunFinding::Kind::pose:
       return "pose";
+    case RunFinding::Kind::signal:
+      return "signal";
     case RunFinding::Kind::fact:
       return "fact";
     case RunFinding::Kind::drawing:
@@ -52,11 +54,16 @@ std::string_view nameOf(RunFinding::Kind kind) {
 }
 
 std::string figureText(double figure, std::string_view unit) {
+  // Of motions nothing is so small or large; of signals anything is.
+  if (unit != "ms" && figure != 0 && (figure < 0.00995 || figure >= 1e7)) {
+    return fmt::format("{:.3g}{}{}", figure, unit.empty() || unit == "°" ? "" : " ", unit);
+  }
   const int digits = unit == "ms" || figure >= 99.95 ? 0
                      : figure >= 9.995               ? 1
                      : figure >= 0.0995              ? 2
                                                      : 3;
-  return fmt::format("{:.{}f}{}{}", figure, digits, unit == "°" || unit == "/s" ? "" : " ", unit);
+  return fmt::format("{:.{}f}{}{}", figure, digits,
+                     unit.empty() || unit == "°" || unit == "/s" ? "" : " ", unit);
 }
 
 }  // namespace rocinante

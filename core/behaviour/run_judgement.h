@@ -29,10 +29,20 @@ std::vector<RunSpan> joined(std::vector<RunSpan> spans, Nanoseconds reach);
 
 /// Something in which a run leaves what was accepted.
 struct RunFinding {
-  enum class Kind : std::uint8_t { model, coverage, event, rate, joint, pose, fact, drawing };
+  enum class Kind : std::uint8_t {
+    model,
+    coverage,
+    event,
+    rate,
+    joint,
+    pose,
+    signal,
+    fact,
+    drawing
+  };
   Kind kind = Kind::joint;
-  std::string item;  ///< "arm/elbow", "arm", "arm/hand", "event/picked", "drawing/planner/path"
-  std::string unit;  ///< "°", "mm", "ms", "/s"; empty without a figure
+  std::string item;  ///< "arm/elbow", "arm", "arm/hand", "event/picked", "signal arm current"
+  std::string unit;  ///< "°", "mm", "ms", "/s", a signal's; empty without one
   std::string what;  ///< one sentence, with both times
   std::optional<double> largest;  ///< beyond the accepted band
   double limit = 0;

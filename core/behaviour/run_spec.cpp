@@ -26,6 +26,15 @@ std::optional<RunAlign> runAlignNamed(std::string_view name) {
   return std::nullopt;
 }
 
+std::string_view deviceOfItem(std::string_view item) {
+  constexpr std::string_view kSignal = "signal ";
+  if (item.starts_with(kSignal)) {
+    item.remove_prefix(kSignal.size());
+    item = item.substr(0, item.find(' '));
+  }
+  return item.substr(0, item.find('/'));
+}
+
 std::string maskText(const RunMask& mask) {
   std::string text = mask.item;
   if (mask.from != Nanoseconds::min()) text += " from " + secondsText(mask.from) + " s";
@@ -43,20 +52,26 @@ RunLimits RunSpec::limitsOf(std::string_view item) const {
     found.turn_deg = own->second.turn_deg.value_or(found.turn_deg);
     if (own->second.pose_mm) found.pose_mm = own->second.pose_mm;
     if (own->second.pose_deg) found.pose_deg = own->second.pose_deg;
+    if (own->second.signal) found.signal = own->second.signal;
+    // A share of its own is nearer than a limit of its device.
+    if (own->second.signal_share) {
+      found.signal_share = *own->second.signal_share;
+      found.signal = own->second.signal;
+    }
     found.event_ms = own->second.event_ms.value_or(found.event_ms);
     found.link_positions = found.link_positions || own->second.position_mm;
     found.link_turns = found.link_turns || own->second.turn_deg;
   };
-  apply(item.substr(0, item.find('/')));
-  if (item.find('/') != std::string_view::npos) apply(item);
+  const std::string_view device = deviceOfItem(item);
+  apply(device);
+  if (device != item) apply(item);
   return found;
 }
 
 namespace {
 
 bool covers(const RunMask& mask, std::string_view item) {
-  return patternMatches(mask.item, item) ||
-         patternMatches(mask.item, item.substr(0, item.find('/')));
+  return patternMatches(mask.item, item) || patternMatches(mask.item, deviceOfItem(item));
 }
 
 }  // namespace

@@ -28,6 +28,10 @@ struct RunLimits {
   /// The stated poses of devices, where `pose_mm` and `pose_deg` are written; else as the two
   /// above.
   std::optional<double> pose_mm{}, pose_deg{};
+  /// Numbers of signals: in their unit, where it is written; else a share of the range that they
+  /// have in the accepted sessions, and what their noise spans.
+  std::optional<double> signal{};
+  double signal_share = 0.1;
   double event_ms = 20;  ///< events, and how much earlier or later a value may come
   /// `position_mm` and `turn_deg` are written: links are judged by them.
   bool link_positions = false, link_turns = false;
@@ -35,12 +39,13 @@ struct RunLimits {
   double ofPose_mm() const { return pose_mm.value_or(position_mm); }
   double ofPose_deg() const { return pose_deg.value_or(turn_deg); }
 };
-/// No limit may be smaller: recordings of one motion differ by so much.
+/// No limit may be smaller, those of signals excepted: recordings of one motion differ by so much.
 inline constexpr RunLimits kRunFloors{};
 
 /// Limits of a device or an item; empty ones are the run's.
 struct OwnLimits {
-  std::optional<double> joint_deg, position_mm, turn_deg, pose_mm, pose_deg, event_ms;
+  std::optional<double> joint_deg, position_mm, turn_deg, pose_mm, pose_deg, event_ms, signal,
+      signal_share;
 };
 
 /// What is not judged.
@@ -48,6 +53,10 @@ struct RunMask {
   std::string item = "*";  ///< a pattern of RunFinding::item; a device covers everything of it
   Nanoseconds from = Nanoseconds::min(), until = Nanoseconds::max();  ///< since the accepted origin
 };
+
+/// The device that an item is about: "arm" of "arm/elbow" and of "signal arm/tool0 force"; "-" of a
+/// signal of none.
+std::string_view deviceOfItem(std::string_view item);
 
 /// "arm/wrist from 2 s until 4 s".
 std::string maskText(const RunMask& mask);
@@ -57,10 +66,11 @@ struct RunSpec {
   RunAlign align = RunAlign::events;
   Nanoseconds warp{std::chrono::milliseconds(200)};  ///< for RunAlign::warp
   RunLimits limits;
-  std::map<std::string, OwnLimits, std::less<>> own_limits;  ///< by DEVICE or DEVICE/JOINT
+  std::map<std::string, OwnLimits, std::less<>>
+      own_limits;  ///< by DEVICE, DEVICE/JOINT or "signal PATH NAME"
   std::vector<RunMask> masks;
 
-  /// Of an item "DEVICE/PART": its own, else its device's, else the run's.
+  /// Of an item "DEVICE/PART" or "signal PATH NAME": its own, else its device's, else the run's.
   RunLimits limitsOf(std::string_view item) const;
   bool isMasked(std::string_view item, Nanoseconds since_origin) const;
   /// For the whole session.

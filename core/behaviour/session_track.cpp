@@ -69,6 +69,7 @@ Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path&
   std::set<std::string, std::less<>> octets;
   for (const LogChannel& channel : reader->channels()) {
     if (channel.decoded()) octets.emplace(profile::capturedTopic(channel.topic));
+    track.is_imported = track.is_imported || channel.imported();
   }
   const auto shouldBePacket = [&](const LogChannel& channel) {
     return channel.captured() && !channel.imported() &&

@@ -24,6 +24,7 @@ struct TrackColumn {
     angle,       ///< radians
     full_angle,  ///< radians, of a joint that may turn for ever: modulo a turn
     length,      ///< metres
+    number,      ///< of a signal, in its unit
     pose,        ///< of the device in what carries it
     link_pose,   ///< in the device's own space
   };
@@ -32,6 +33,7 @@ struct TrackColumn {
   std::size_t series = 0;  ///< into DeviceTrack::series
   std::size_t offset = 0;  ///< of its first number in a row
   bool is_stated = false;  ///< packets state a value of it somewhere; until then the model's holds
+  std::string unit{};      ///< of a number, as the first packet that has one says it
 
   std::size_t width() const { return kind >= Kind::pose ? 7 : 1; }
 };
@@ -56,7 +58,8 @@ struct DeviceTrack {
 };
 
 /// What a session stated about something that does not move steadily: visibility, colour, presence,
-/// carriers, drawings. Valid from `at` until the next one; an empty text means: nothing.
+/// carriers, drawings, booleans, texts and units of signals. Valid from `at` until the next one; an
+/// empty text means: nothing.
 struct FactChange {
   LogTime at{};
   std::string text;
@@ -71,8 +74,12 @@ struct FactChange {
 struct SessionTrack {
   LogTime origin{}, start{}, end{};
   std::map<std::string, DeviceTrack, std::less<>> devices;
+  /// Of signals, by "signal PATH NAME": one number a row, at least one.
+  std::map<std::string, TrackSeries, std::less<>> numbers;
   std::map<std::string, std::vector<FactChange>, std::less<>> facts;
   std::vector<Event> events;  ///< without marks
+  /// Some packets were made of another program's recording: another version may make more of it.
+  bool is_imported = false;
   /// What packets stated and no device of the cell takes: other devices, values that do not fit.
   Account left_out;
   std::shared_ptr<const SampleBytes> samples = std::make_shared<SampleBytes>();

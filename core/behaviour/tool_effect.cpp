@@ -29,7 +29,8 @@ class JointsOverTime {
     times_ = alignedTimes(run, device.series.front(), its_own, run.start);
     for (const TrackColumn& column : device.columns) {
       if (column.part.empty() || column.kind == TrackColumn::Kind::link_pose) continue;
-      columns_.emplace_back(column, ColumnSamples(run, &device, &column, times_));
+      columns_.emplace_back(column,
+                            ColumnSamples(run, device.series[column.series], column, times_));
     }
   }
 

@@ -16,14 +16,14 @@ namespace rocinante {
 namespace {
 
 /// Goes into keys: to be raised when tracks are made otherwise.
-constexpr int kTrackVersion = 5;
+constexpr int kTrackVersion = 6;
 
 }  // namespace
 
 template <class Fields>
 void fields(Fields& io, Taken<Fields, TrackColumn>& column) {
-  auto& [part, kind, series, offset, is_stated] = column;
-  io(part, kind, series, offset, is_stated);
+  auto& [part, kind, series, offset, is_stated, unit] = column;
+  io(part, kind, series, offset, is_stated, unit);
 }
 
 template <class Fields>
@@ -53,13 +53,14 @@ void fields(Fields& io, Taken<Fields, Event>& event) {
 /// Its samples lie apart.
 template <class Fields>
 void fields(Fields& io, Taken<Fields, SessionTrack>& track) {
-  auto& [origin, start, end, devices, facts, events, left_out, samples] = track;
-  io(origin, start, end, devices, facts, events, left_out);
+  auto& [origin, start, end, devices, numbers, facts, events, is_imported, left_out, samples] =
+      track;
+  io(origin, start, end, devices, numbers, facts, events, is_imported, left_out);
 }
 
 namespace {
 
-constexpr std::string_view kTrackMagic = "rocinante track 8";
+constexpr std::string_view kTrackMagic = "rocinante track 9";
 constexpr std::size_t kChecksumBytes = 16, kSizeBytes = 8;
 constexpr std::size_t kFootBytes = kChecksumBytes + kSizeBytes;
 
@@ -80,6 +81,9 @@ bool isSound(const TrackSeries& series, std::uint64_t bytes) {
 /// What judging relies on.
 bool isSound(const SessionTrack& track, std::uint64_t bytes) {
   if (track.end < track.start) return false;
+  for (const auto& [item, series] : track.numbers) {
+    if (series.width != 1 || !isSound(series, bytes)) return false;
+  }
   return std::ranges::all_of(track.devices, [&](const auto& entry) {
     const DeviceTrack& device = entry.second;
     return std::ranges::all_of(device.series,

@@ -25,7 +25,7 @@ bool isAbsent(const DeviceState* said) {
 
 TrackRecorder::TrackRecorder(const Cell& cell, SessionTrack& track,
                              const std::vector<std::string>& links)
-    : cell_(cell), track_(track), links_(links), facts_(track.facts), unfit_(track) {
+    : cell_(cell), track_(track), links_(links) {
   for (const CellDevice& device : cell.devices) {
     if (const Model* model = cell.modelOf(device)) recording(device.name, model);
   }
@@ -37,6 +37,7 @@ void TrackRecorder::begin(SessionState state) {
   std::vector<std::string> names;
   for (const auto& [name, said] : state_.devices()) names.push_back(name);
   for (const std::string& name : names) addDevice(name, track_.start);
+  numbers_.begin(state_, track_.start);
   facts_.note(state_, track_.start, true);
 }
 
@@ -47,6 +48,7 @@ void TrackRecorder::add(LogTime time, const Packet& packet) {
   says_facts_ = packet.header.part.has_value();
   for (const Statement& statement : packet.statements) read(statement);
   const Applied applied = foldPacket(state_, time, packet, &track_.events);
+  if (numbers_.keep(time, applied == Applied::yes)) says_facts_ = true;
   for (Recording* device : touched_) {
     if (applied == Applied::yes) keep(*device, time, packet.header.restated);
     device->is_touched = device->says_presence = false;
@@ -88,7 +90,7 @@ void TrackRecorder::leaveOutUnread() {
 Status TrackRecorder::finish() {
   if (facts_due_) noteFacts(*facts_due_);
   leaveOutUnread();
-  numbers_.addTo(track_.left_out);
+  numbers_.finish(track_.left_out);
   for (auto& [name, device] : recordings_) {
     for (const std::size_t series : {kJoints, kPose}) store(device, series);
     keepStated(device);
@@ -101,6 +103,7 @@ Status TrackRecorder::finish() {
 }
 
 void TrackRecorder::read(const Statement& statement) {
+  numbers_.read(statement);
   switch (statement.kind) {
     case StatementKind::joints:
     case StatementKind::joint:
@@ -137,12 +140,8 @@ void TrackRecorder::read(const Statement& statement) {
       says_facts_ = true;
       break;
     default:
-      if (isSignal(statement.kind)) {
-        says_facts_ = numbers_.take(statement) || says_facts_;
-      } else if (isOfPath(statement.kind) || isDrawing(statement.kind) ||
-                 statement.kind == StatementKind::erase) {
-        says_facts_ = true;
-      }
+      says_facts_ = says_facts_ || isOfPath(statement.kind) || isDrawing(statement.kind) ||
+                    statement.kind == StatementKind::erase;
   }
 }
 

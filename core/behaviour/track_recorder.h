@@ -8,6 +8,7 @@
 
 #include "core/behaviour/fact_recorder.h"
 #include "core/behaviour/link_tracks.h"
+#include "core/behaviour/number_recorder.h"
 #include "core/behaviour/session_track.h"
 #include "core/behaviour/unfit_values.h"
 #include "core/packet/session_state.h"
@@ -84,10 +85,10 @@ class TrackRecorder {
   std::vector<Recording*> touched_;
   Recording* last_touched_ = nullptr;
   std::vector<std::string> new_names_;
-  FactRecorder facts_;
-  NumberSignals numbers_;
-  UnfitValues unfit_;
+  FactRecorder facts_{track_.facts};
   SampleStore store_;
+  NumberRecorder numbers_{track_.numbers, store_};
+  UnfitValues unfit_{track_};
   std::vector<double> block_;
   bool says_facts_ = false;
   std::optional<LogTime> facts_due_;  ///< when something was stated that is not noted yet

@@ -102,7 +102,7 @@ bool hasLimits(const RunSpec& spec) {
   const RunLimits& limits = spec.limits;
   return !spec.own_limits.empty() || limits.joint_deg > kRunFloors.joint_deg ||
          limits.position_mm > kRunFloors.position_mm || limits.turn_deg > kRunFloors.turn_deg ||
-         limits.event_ms > kRunFloors.event_ms;
+         limits.event_ms > kRunFloors.event_ms || limits.signal_share != kRunFloors.signal_share;
 }
 
 Status refuseFor(const std::vector<std::string>& objections, const OpenedRecording& log,

@@ -36,6 +36,9 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
                              option, least),
                  ""};
   }
+  if (!(limits.signal_share >= 0 && limits.signal_share <= 1e9)) {
+    return Error{ErrorKind::bad_argument, "--signal-share must be at least 0", ""};
+  }
   question.spec.limits = limits;
   question.spec.limits.link_positions = limits.position_mm != kRunFloors.position_mm;
   question.spec.limits.link_turns = limits.turn_deg != kRunFloors.turn_deg;
@@ -72,6 +75,8 @@ cli::CommandLine addSessionCommand(cli::CommandLine app, SessionArguments& argum
   addLimit("--joint-deg", arguments.limits.joint_deg, "largest difference of a joint angle");
   addLimit("--position-mm", arguments.limits.position_mm, "largest difference of a position");
   addLimit("--turn-deg", arguments.limits.turn_deg, "largest difference of an orientation");
+  addLimit("--signal-share", arguments.limits.signal_share,
+           "largest difference of a signal's number, as a share of its accepted range");
   addLimit("--event-ms", arguments.limits.event_ms,
            "how much earlier or later an event or a value may come");
   command

@@ -138,7 +138,7 @@ RunFinding readFinding(const nlohmann::json& json) {
   for (const auto one :
        {RunFinding::Kind::model, RunFinding::Kind::coverage, RunFinding::Kind::event,
         RunFinding::Kind::rate, RunFinding::Kind::joint, RunFinding::Kind::pose,
-        RunFinding::Kind::fact, RunFinding::Kind::drawing}) {
+        RunFinding::Kind::signal, RunFinding::Kind::fact, RunFinding::Kind::drawing}) {
     if (nameOf(one) == kind) finding.kind = one;
   }
   finding.item = readText(json, "item");

@@ -28,8 +28,16 @@ std::optional<double> limitIn(SuiteTable& table, std::string_view key, double fl
   return limit;
 }
 
-constexpr std::array<std::string_view, 6> kLimitKeys = {"joint_deg", "position_mm", "turn_deg",
-                                                        "pose_mm",   "pose_deg",    "event_ms"};
+std::optional<double> signalLimitIn(SuiteTable& table, std::string_view key) {
+  const auto limit = table.number(key);
+  if (limit && !(*limit >= 0 && std::isfinite(*limit))) {
+    table.complain(*table.node(key), fmt::format("`{}` must not be negative", key));
+  }
+  return limit;
+}
+
+constexpr std::array<std::string_view, 7> kLimitKeys = {
+    "joint_deg", "position_mm", "turn_deg", "pose_mm", "pose_deg", "event_ms", "signal_share"};
 
 OwnLimits ownLimits(SuiteTable& table) {
   OwnLimits limits;
@@ -39,6 +47,7 @@ OwnLimits ownLimits(SuiteTable& table) {
   limits.pose_mm = limitIn(table, "pose_mm", kRunFloors.position_mm);
   limits.pose_deg = limitIn(table, "pose_deg", kRunFloors.turn_deg);
   limits.event_ms = limitIn(table, "event_ms", kRunFloors.event_ms);
+  limits.signal_share = signalLimitIn(table, "signal_share");
   return limits;
 }
 
@@ -54,20 +63,23 @@ void readRunLimits(SuiteTable& table, RunSpec& spec) {
   spec.limits.pose_mm = own.pose_mm;
   spec.limits.pose_deg = own.pose_deg;
   spec.limits.event_ms = own.event_ms.value_or(spec.limits.event_ms);
+  spec.limits.signal_share = own.signal_share.value_or(spec.limits.signal_share);
   spec.limits.link_positions = own.position_mm.has_value();
   spec.limits.link_turns = own.turn_deg.has_value();
   for (const TomlNode::Entry& entry : node->entries) {
     if (std::ranges::count(kLimitKeys, entry.key) > 0 || entry.key.starts_with("x-")) continue;
     if (entry.value.kind != TomlNode::Kind::table) {
       table.complain(entry.value,
-                     fmt::format("`{}` is not a limit; limits of a device or joint are a table: "
-                                 "\"arm/elbow\" = {{ joint_deg = 0.5 }}",
+                     fmt::format("`{}` is not a limit; limits of a device, joint or signal are a "
+                                 "table: \"arm/elbow\" = {{ joint_deg = 0.5 }}",
                                  entry.key));
       continue;
     }
     SuiteTable its(entry.value, table.file(), table.fault());
-    its.onlyKeys({"joint_deg", "position_mm", "turn_deg", "pose_mm", "pose_deg", "event_ms"});
-    spec.own_limits[entry.key] = ownLimits(its);
+    its.onlyKeys({"joint_deg", "position_mm", "turn_deg", "pose_mm", "pose_deg", "event_ms",
+                  "signal", "signal_share"});
+    OwnLimits& of_item = spec.own_limits[entry.key] = ownLimits(its);
+    of_item.signal = signalLimitIn(its, "signal");
   }
 }
 

@@ -27,14 +27,17 @@ constexpr int kWidth = 640, kHeight = 400;
 constexpr Nanoseconds kOneMoment = std::chrono::seconds(1);
 
 /// What to draw, without the pixels.
-std::vector<RunPicture> chosenPictures(const RunJudgement& judgement) {
+std::vector<RunPicture> chosenPictures(const Cell& cell, const RunJudgement& judgement) {
   std::vector<RunPicture> chosen;
   for (const RunFinding& finding : judgement.findings) {
-    const bool moves =
-        finding.kind == RunFinding::Kind::joint || finding.kind == RunFinding::Kind::pose;
+    const bool moves = finding.kind == RunFinding::Kind::joint ||
+                       finding.kind == RunFinding::Kind::pose ||
+                       finding.kind == RunFinding::Kind::signal;
     if (!moves || !finding.largest) continue;
     RunPicture picture;
-    picture.device = finding.item.substr(0, finding.item.find('/'));
+    picture.device = deviceOfItem(finding.item);
+    // A signal may be of none.
+    if (cell.findDevice(picture.device) == nullptr) continue;
     picture.at_run = finding.at_run;
     picture.at_accepted = finding.at_accepted;
     const bool is_shown = std::ranges::any_of(chosen, [&](const RunPicture& other) {
@@ -126,7 +129,7 @@ std::string runPictureFile(const JudgedRun& run, std::size_t index) {
 void drawRunPictures(const Cell& cell, const std::filesystem::path& log,
                      const std::filesystem::path& accepted, JudgedRun& run) {
   if (run.verdict != FrameVerdict::different) return;
-  std::vector<RunPicture> pictures = chosenPictures(run.judgement);
+  std::vector<RunPicture> pictures = chosenPictures(cell, run.judgement);
   if (pictures.empty()) return;
   if (Status drawn = drawInto(cell, log, accepted, pictures); !drawn) {
     run.judgement.notes.push_back("no pictures: " + drawn.error().text());

@@ -48,8 +48,9 @@ std::vector<Parting> together(const std::vector<Parting>& by_item) {
 }  // namespace
 
 std::string apartItem(const RunFinding& finding) {
-  const bool is_whole =
-      finding.kind == RunFinding::Kind::event || finding.kind == RunFinding::Kind::drawing;
+  const bool is_whole = finding.kind == RunFinding::Kind::event ||
+                        finding.kind == RunFinding::Kind::drawing ||
+                        finding.item.starts_with("signal ");
   return is_whole ? finding.item : finding.item.substr(0, finding.item.find('/'));
 }
 

@@ -1,0 +1,124 @@
+#include "core/behaviour/number_recorder.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "core/packet/item_text.h"
+#include "core/packet/state_items.h"
+
+namespace rocinante {
+namespace {
+
+constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void NumberRecorder::begin(const SessionState& state, LogTime start) {
+  start_ = start;
+  const auto take = [&](const SignalItem& item) {
+    const SignalValue& value = item.item.value;
+    Signal* const signal = signalOf(item.device, item.name.link, item.name.name);
+    if (signal == nullptr) return;
+    said_.push_back({signal, value.kind == SignalKind::number, value.number, true, value.unit});
+  };
+  eachItem(state, ByKind{take, [](const auto&) {}});
+  keep(start, true);
+}
+
+NumberRecorder::Signal* NumberRecorder::signalOf(std::string_view device, std::string_view link,
+                                                 std::string_view name) {
+  auto of_device = signals_.find(device);
+  if (of_device == signals_.end()) of_device = signals_.try_emplace(std::string(device)).first;
+  auto known = of_device->second.find(SignalNameView(link, name));
+  if (known == of_device->second.end()) {
+    if (count_ == kMaxSignals) {
+      ++beyond_;
+      return nullptr;
+    }
+    ++count_;
+    SignalName its{std::string(link), std::string(name)};
+    Signal signal;
+    signal.item = signalNameText(device, its);
+    known = of_device->second.emplace(std::move(its), std::move(signal)).first;
+  }
+  return &known->second;
+}
+
+void NumberRecorder::read(const Statement& statement) {
+  if (statement.kind == StatementKind::remove) {
+    const auto device = signals_.find(statement.name);
+    if (device == signals_.end()) return;
+    for (auto& [name, signal] : device->second) said_.push_back({&signal});
+    return;
+  }
+  if (!isSignal(statement.kind)) return;
+  const PathView& path = statement.path;
+  for (std::size_t i = 0; i < statement.names.size(); ++i) {
+    Said said{signalOf(path.first, path.second, statement.names[i])};
+    if (said.signal == nullptr) continue;
+    if (!statement.is_default) {
+      said.is_number = statement.signal_kinds[i] == SignalKind::number;
+      said.number = statement.numbers[i];
+      said.has_unit = statement.kind == StatementKind::signal;
+      said.unit = statement.unit;
+    }
+    said_.push_back(said);
+  }
+}
+
+bool NumberRecorder::keep(LogTime time, bool is_folded) {
+  bool says_fact = false;
+  for (const Said& said : said_) {
+    if (!is_folded) break;
+    Signal& signal = *said.signal;
+    if (!said.is_number) {
+      if (std::exchange(signal.is_number, false)) add(signal, time, kUnstated);
+      signal.unit.clear();
+      says_fact = true;
+      continue;
+    }
+    if (said.has_unit && signal.unit != said.unit) {
+      signal.unit = said.unit;
+      says_fact = true;
+    }
+    if (!std::exchange(signal.is_number, true)) says_fact = true;
+    add(signal, time, said.number);
+  }
+  said_.clear();
+  return says_fact;
+}
+
+void NumberRecorder::add(Signal& signal, LogTime time, double value) {
+  signal.times.push_back(std::bit_cast<double>((time - start_).count()));
+  signal.values.push_back(value);
+  if (signal.times.size() == kBlockRows) store(signal);
+}
+
+void NumberRecorder::store(Signal& signal) {
+  if (signal.times.empty()) return;
+  TrackSeries& series = numbers_[signal.item];
+  series.width = 1;
+  series.rows += signal.times.size();
+  series.blocks.push_back(store_.size());
+  for (std::vector<double>* column : {&signal.times, &signal.values}) {
+    store_.append(std::as_bytes(std::span(*column)));
+    column->clear();
+  }
+}
+
+void NumberRecorder::finish(Account& left_out) {
+  for (auto& [device, signals] : signals_) {
+    for (auto& [name, signal] : signals) store(signal);
+  }
+  if (beyond_ == 0) return;
+  left_out.leaveOut({.kind = "signal",
+                     .reason = fmt::format("at most {} signals are judged", kMaxSignals),
+                     .count = beyond_,
+                     .severity = Severity::warning});
+}
+
+}  // namespace rocinante

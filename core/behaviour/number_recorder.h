@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/behaviour/session_track.h"
+#include "core/packet/packet.h"
+#include "core/packet/session_state.h"
+
+namespace rocinante {
+
+/// Keeps the numbers of a session's signals, each signal a series. What is a boolean or a text is a
+/// fact (FactRecorder). One thread.
+class NumberRecorder {
+ public:
+  using Numbers = std::map<std::string, TrackSeries, std::less<>>;
+
+  /// Adds to both, which are borrowed.
+  NumberRecorder(Numbers& numbers, SampleStore& store) : numbers_(numbers), store_(store) {}
+
+  /// What was stated before the first packet, as if at `time`.
+  void begin(const SessionState& state, LogTime start);
+  /// A statement of the packet that is being read; others than of signals are passed over.
+  void read(const Statement& statement);
+  /// The packet was folded, or not: what was read of it is kept, or forgotten. True when it says a
+  /// fact: a state, a unit, or a number where there was none.
+  bool keep(LogTime time, bool is_folded);
+  /// Names what is beyond kMaxSignals.
+  void finish(Account& left_out);
+
+  /// Signals of one session that are judged.
+  static constexpr std::size_t kMaxSignals = 262'144;
+
+ private:
+  struct Signal {
+    std::string item;
+    std::string unit;
+    bool is_number = false;
+    std::vector<double> times, values;  ///< that are not in the store yet
+  };
+  using Signals = std::map<SignalName, Signal, SignalOrder>;
+  struct Said {
+    Signal* signal = nullptr;
+    bool is_number = false;
+    double number = 0;
+    bool has_unit = false;
+    std::string_view unit{};
+  };
+
+  /// Null beyond kMaxSignals.
+  Signal* signalOf(std::string_view device, std::string_view link, std::string_view name);
+  void add(Signal& signal, LogTime time, double value);
+  void store(Signal& signal);
+
+  Numbers& numbers_;
+  SampleStore& store_;
+  LogTime start_{};
+  std::map<std::string, Signals, std::less<>> signals_;  ///< by device
+  std::size_t count_ = 0;
+  std::uint64_t beyond_ = 0;  ///< values of signals beyond the limit
+  std::vector<Said> said_;
+};
+
+}  // namespace rocinante
