@@ -144,7 +144,9 @@ class FactJudge {
     return tab == std::string::npos ? fact : fact.substr(0, tab) + " part " + fact.substr(tab + 1);
   }
   static std::string said(const FactChange& change) {
-    return change.text.empty() ? "nothing" : "\"" + change.text + "\"";
+    if (change.text.empty()) return "nothing";
+    // Texts of signals are quoted.
+    return change.text.front() == '"' ? change.text : "\"" + change.text + "\"";
   }
 
   bool isSame(const FactChange& a, const FactChange& b) const {
