@@ -23,10 +23,11 @@ void NumberRecorder::begin(const SessionState& state, LogTime start) {
     const SignalValue& value = item.item.value;
     Signal* const signal = signalOf(item.device, item.name.link, item.name.name);
     if (signal == nullptr) return;
-    said_.push_back({signal, value.kind == SignalKind::number, value.number, true, value.unit});
+    const bool is_number = value.kind == SignalKind::number;
+    said_.push_back({signal, true, is_number, value.number, true, value.unit});
   };
   eachItem(state, ByKind{take, [](const auto&) {}});
-  keep(start, true);
+  keep(state, start);
 }
 
 NumberRecorder::Signal* NumberRecorder::signalOf(std::string_view device, std::string_view link,
@@ -41,9 +42,9 @@ NumberRecorder::Signal* NumberRecorder::signalOf(std::string_view device, std::s
     }
     ++count_;
     SignalName its{std::string(link), std::string(name)};
-    Signal signal;
-    signal.item = signalNameText(device, its);
-    known = of_device->second.emplace(std::move(its), std::move(signal)).first;
+    known = of_device->second.emplace(std::move(its), Signal()).first;
+    known->second.device = &of_device->first;
+    known->second.name = &known->first;
   }
   return &known->second;
 }
@@ -61,6 +62,7 @@ void NumberRecorder::read(const Statement& statement) {
     Said said{signalOf(path.first, path.second, statement.names[i])};
     if (said.signal == nullptr) continue;
     if (!statement.is_default) {
+      said.is_stated = true;
       said.is_number = statement.signal_kinds[i] == SignalKind::number;
       said.number = statement.numbers[i];
       said.has_unit = statement.kind == StatementKind::signal;
@@ -70,11 +72,20 @@ void NumberRecorder::read(const Statement& statement) {
   }
 }
 
-bool NumberRecorder::keep(LogTime time, bool is_folded) {
+bool NumberRecorder::keep(const SessionState& state, LogTime time) {
   bool says_fact = false;
   for (const Said& said : said_) {
-    if (!is_folded) break;
     Signal& signal = *said.signal;
+    if (!said.is_stated) {
+      says_fact = takeBack(signal, time) || says_fact;
+      continue;
+    }
+    if (!signal.is_stated) {
+      // The state may have had no room for it.
+      if (state.findSignal(*signal.device, *signal.name) == nullptr) continue;
+      signal.is_stated = true;
+      ++stated_;
+    }
     if (!said.is_number) {
       if (std::exchange(signal.is_number, false)) add(signal, time, kUnstated);
       signal.unit.clear();
@@ -89,7 +100,27 @@ bool NumberRecorder::keep(LogTime time, bool is_folded) {
     add(signal, time, said.number);
   }
   said_.clear();
-  return says_fact;
+  if (stated_ + unseen_ == state.signalCount()) return says_fact;
+  takeBackLost(state, time);
+  return true;
+}
+
+bool NumberRecorder::takeBack(Signal& signal, LogTime time) {
+  if (!std::exchange(signal.is_stated, false)) return false;
+  --stated_;
+  signal.unit.clear();
+  if (std::exchange(signal.is_number, false)) add(signal, time, kUnstated);
+  return true;
+}
+
+/// A whole restatement forgets what it does not repeat.
+void NumberRecorder::takeBackLost(const SessionState& state, LogTime time) {
+  for (auto& [device, signals] : signals_) {
+    for (auto& [name, signal] : signals) {
+      if (signal.is_stated && state.findSignal(device, name) == nullptr) takeBack(signal, time);
+    }
+  }
+  unseen_ = state.signalCount() - stated_;
 }
 
 void NumberRecorder::add(Signal& signal, LogTime time, double value) {
@@ -100,7 +131,7 @@ void NumberRecorder::add(Signal& signal, LogTime time, double value) {
 
 void NumberRecorder::store(Signal& signal) {
   if (signal.times.empty()) return;
-  TrackSeries& series = numbers_[signal.item];
+  TrackSeries& series = numbers_[signalNameText(*signal.device, *signal.name)];
   series.width = 1;
   series.rows += signal.times.size();
   series.blocks.push_back(store_.size());

@@ -24,9 +24,11 @@ class NumberRecorder {
   void begin(const SessionState& state, LogTime start);
   /// A statement of the packet that is being read; others than of signals are passed over.
   void read(const Statement& statement);
-  /// The packet was folded, or not: what was read of it is kept, or forgotten. True when it says a
-  /// fact: a state, a unit, or a number where there was none.
-  bool keep(LogTime time, bool is_folded);
+  /// The packet was folded: what was read of it is kept, and what `state` has lost meanwhile is not
+  /// stated any more. True when it says a fact: a state, a unit, or a number where there was none.
+  bool keep(const SessionState& state, LogTime time);
+  /// It was not: what was read of it is forgotten.
+  void drop() { said_.clear(); }
   /// Names what is beyond kMaxSignals.
   void finish(Account& left_out);
 
@@ -35,15 +37,16 @@ class NumberRecorder {
 
  private:
   struct Signal {
-    std::string item;
+    const std::string* device = nullptr;
+    const SignalName* name = nullptr;
     std::string unit;
-    bool is_number = false;
+    bool is_stated = false, is_number = false;
     std::vector<double> times, values;  ///< that are not in the store yet
   };
   using Signals = std::map<SignalName, Signal, SignalOrder>;
   struct Said {
     Signal* signal = nullptr;
-    bool is_number = false;
+    bool is_stated = false, is_number = false;
     double number = 0;
     bool has_unit = false;
     std::string_view unit{};
@@ -51,6 +54,9 @@ class NumberRecorder {
 
   /// Null beyond kMaxSignals.
   Signal* signalOf(std::string_view device, std::string_view link, std::string_view name);
+  /// False when it was not stated.
+  bool takeBack(Signal& signal, LogTime time);
+  void takeBackLost(const SessionState& state, LogTime time);
   void add(Signal& signal, LogTime time, double value);
   void store(Signal& signal);
 
@@ -58,7 +64,8 @@ class NumberRecorder {
   SampleStore& store_;
   LogTime start_{};
   std::map<std::string, Signals, std::less<>> signals_;  ///< by device
-  std::size_t count_ = 0;
+  std::size_t count_ = 0, stated_ = 0;
+  std::size_t unseen_ = 0;    ///< signals of the state that are not in `stated_`
   std::uint64_t beyond_ = 0;  ///< values of signals beyond the limit
   std::vector<Said> said_;
 };

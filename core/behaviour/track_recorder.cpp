@@ -48,7 +48,6 @@ void TrackRecorder::add(LogTime time, const Packet& packet) {
   says_facts_ = packet.header.part.has_value();
   for (const Statement& statement : packet.statements) read(statement);
   const Applied applied = foldPacket(state_, time, packet, &track_.events);
-  if (numbers_.keep(time, applied == Applied::yes)) says_facts_ = true;
   for (Recording* device : touched_) {
     if (applied == Applied::yes) keep(*device, time, packet.header.restated);
     device->is_touched = device->says_presence = false;
@@ -57,8 +56,10 @@ void TrackRecorder::add(LogTime time, const Packet& packet) {
   }
   if (applied != Applied::yes) {
     new_names_.clear();
+    numbers_.drop();
     return;
   }
+  if (numbers_.keep(state_, time)) says_facts_ = true;
   for (const std::string& name : std::exchange(new_names_, {})) addDevice(name, time);
   if (!says_facts_) return;
   facts_are_restated_ = packet.header.restated && (!facts_due_ || facts_are_restated_);

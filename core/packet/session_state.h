@@ -240,6 +240,8 @@ class SessionState {
     const auto found = signals.find(name);
     return found == signals.end() ? nullptr : &found->second;
   }
+  /// Of all devices and of none.
+  std::size_t signalCount() const { return signal_count_; }
   const std::map<std::string, SourceState, std::less<>>& sources() const { return sources_; }
 
   /// Counters and faults since the state was made; never part of the identity.

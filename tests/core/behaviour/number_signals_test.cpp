@@ -12,6 +12,7 @@
 #include "core/behaviour/run_coverage.h"
 #include "core/behaviour/run_judge.h"
 #include "core/packet/decoder.h"
+#include "core/session/message_folder.h"
 #include "tests/core/behaviour/run_test.h"
 
 namespace rocinante {
@@ -250,29 +251,38 @@ TEST(NumberRecorder, KeepsWhatWasFoldedAndNothingElse) {
   NumberRecorder::Numbers numbers;
   SampleStore store;
   NumberRecorder recorder(numbers, store);
+  SessionState state;
   recorder.begin({}, LogTime());
   const auto decoder = makeDecoder("rk1");
   const auto say = [&](const std::string& body, bool is_folded) {
-    const std::string text = "RK1 a 1 -\n" + body;
+    const std::string text = "RK1 a - -" + body;
     const Packet* const packet = decoder->decode(bytesOf(text));
     for (const Statement& statement : packet->statements) recorder.read(statement);
-    return recorder.keep(LogTime(std::chrono::seconds(1)), is_folded);
+    const LogTime time(std::chrono::seconds(1));
+    if (is_folded && foldPacket(state, time, *packet) == Applied::yes) {
+      return recorder.keep(state, time);
+    }
+    recorder.drop();
+    return false;
   };
-  EXPECT_TRUE(say("signal arm load 5 kg\n", true)) << "it is a number now";
-  EXPECT_FALSE(say("signals arm load=6 \n", true)) << "and stays one";
-  EXPECT_FALSE(say("signal arm load \"heavy\"\n", false)) << "a packet behind newer ones";
-  EXPECT_FALSE(say("signal arm load 7 kg\n", true));
-  EXPECT_TRUE(say("signal arm load 7 g\n", true)) << "another unit";
-  EXPECT_TRUE(say("signal arm load \"heavy\"\n", true));
-  EXPECT_TRUE(say("signals arm load=8\n", true));
-  EXPECT_TRUE(say("remove arm\n", true));
-  EXPECT_FALSE(say("remove other\n", true));
+  EXPECT_TRUE(say("\nsignal arm load 5 kg\n", true)) << "it is a number now";
+  EXPECT_FALSE(say("\nsignals arm load=6 \n", true)) << "and stays one";
+  EXPECT_FALSE(say("\nsignal arm load \"heavy\"\n", false)) << "a packet behind newer ones";
+  EXPECT_FALSE(say("\nsignal arm load 7 kg\n", true));
+  EXPECT_TRUE(say("\nsignal arm load 7 g\n", true)) << "another unit";
+  EXPECT_TRUE(say("\nsignal arm load \"heavy\"\n", true));
+  EXPECT_TRUE(say("\nsignals arm load=8\n", true));
+  EXPECT_TRUE(say("\nremove arm\n", true));
+  EXPECT_FALSE(say("\nremove other\n", true));
+  EXPECT_TRUE(say("\nsignal arm load 9 kg\nsignal arm mode \"up\"\n", true));
+  EXPECT_TRUE(say(" restated part=a:1/1\nsignal arm mode \"up\"\n", true))
+      << "a whole restatement forgets the load";
   Account left_out;
   recorder.finish(left_out);
   EXPECT_TRUE(left_out.empty());
   ASSERT_EQ(numbers.size(), 1U);
-  // 5, 6, 7, 7, none, 8, none.
-  EXPECT_EQ(numbers.at("signal arm load").rows, 7U);
+  // 5, 6, 7, 7, none, 8, none, 9, none.
+  EXPECT_EQ(numbers.at("signal arm load").rows, 9U);
 }
 
 TEST_F(NumberSignals, LimitsAreSuggestedFromRecordings) {

@@ -2,6 +2,9 @@
 // it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "core/behaviour/run_coverage.h"
 #include "tests/core/behaviour/run_test.h"
 
@@ -33,6 +36,23 @@ std::string kindOf(const std::string& line) {
   return verb == "event" ? line : (verb == "joint" ? "joints" : verb) + " " + name;
 }
 
+/// With a load that sways, a mode and a switch.
+SaidSession withSignals(SaidSession session) {
+  bool is_first = true;
+  for (auto& said : session.packets) {
+    if (said.source != "arm") continue;
+    const double load = 2 + std::sin(said.at_s);
+    said.body += fmt::format("signals arm load={:.6f}\n", load);
+    // What a whole restatement does not say is forgotten.
+    const bool is_restated = said.header.find("restated") != std::string::npos;
+    if (!std::exchange(is_first, false) && !is_restated) continue;
+    said.body += fmt::format("signal arm load {:.6f} kg\n", load) +
+                 "signal - mode \"auto\"\nsignals arm/link3 on=true\n";
+  }
+  EXPECT_FALSE(is_first);
+  return session;
+}
+
 class RunMutations : public test::RunTest {
  protected:
   RunMutations() : accepted_(trackOf(cell_, session_)) { whole_ = judged(session_); }
@@ -44,7 +64,7 @@ class RunMutations : public test::RunTest {
   }
 
   const Cell cell_ = cellAt(kDemo / "demo.cell.toml");
-  const SaidSession session_ = SaidSession::read(kDemo / "session.mcap");
+  const SaidSession session_ = withSignals(SaidSession::read(kDemo / "session.mcap"));
   const Result<SessionTrack> accepted_;
   std::string whole_;
 };
@@ -71,6 +91,19 @@ TEST_F(RunMutations, AStatementTooManyIsFoundOrNamed) {
                                 "label note 0 0 1 \"x\"",
                                 "event \"inserted\"",
                                 "wobble arm",
+                                "signal arm load 90 kg",
+                                "signals arm load=90",
+                                "signals arm load=-90",
+                                "signal arm load 2 N",
+                                "signal arm load default",
+                                "signal arm load \"none\"",
+                                "signals arm load=nan",
+                                "signal - mode \"fault\"",
+                                "signal - mode default",
+                                "signals arm/link3 on=false",
+                                "signal arm fresh 1 V",
+                                "signal nowhere speed 3",
+                                "signals arm loed=1",
                                 "order arm joint1 joint2\njoints arm 1 2"}) {
     for (int i = 0; i < 3; ++i) {
       SaidSession changed = session_;
