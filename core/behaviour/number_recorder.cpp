@@ -32,21 +32,29 @@ void NumberRecorder::begin(const SessionState& state, LogTime start) {
 
 NumberRecorder::Signal* NumberRecorder::signalOf(std::string_view device, std::string_view link,
                                                  std::string_view name) {
-  auto of_device = signals_.find(device);
-  if (of_device == signals_.end()) of_device = signals_.try_emplace(std::string(device)).first;
-  auto known = of_device->second.find(SignalNameView(link, name));
-  if (known == of_device->second.end()) {
+  if (last_device_ == nullptr || last_device_->first != device) {
+    auto of_device = signals_.find(device);
+    if (of_device == signals_.end()) of_device = signals_.try_emplace(std::string(device)).first;
+    last_device_ = &*of_device;
+    next_ = last_device_->second.begin();
+  }
+  // Neighbours in a statement are usually neighbours in the map.
+  Signals& signals = last_device_->second;
+  const bool is_next =
+      next_ != signals.end() && next_->first.name == name && next_->first.link == link;
+  if (!is_next) next_ = signals.find(SignalNameView(link, name));
+  if (next_ == signals.end()) {
     if (count_ == kMaxSignals) {
       ++beyond_;
       return nullptr;
     }
     ++count_;
     SignalName its{std::string(link), std::string(name)};
-    known = of_device->second.emplace(std::move(its), Signal()).first;
-    known->second.device = &of_device->first;
-    known->second.name = &known->first;
+    next_ = signals.emplace(std::move(its), Signal()).first;
+    next_->second.device = &last_device_->first;
+    next_->second.name = &next_->first;
   }
-  return &known->second;
+  return &(next_++)->second;
 }
 
 void NumberRecorder::read(const Statement& statement) {

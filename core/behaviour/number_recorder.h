@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/behaviour/session_track.h"
@@ -64,6 +65,8 @@ class NumberRecorder {
   SampleStore& store_;
   LogTime start_{};
   std::map<std::string, Signals, std::less<>> signals_;  ///< by device
+  std::pair<const std::string, Signals>* last_device_ = nullptr;
+  Signals::iterator next_;  ///< behind the last signal that was said of it
   std::size_t count_ = 0, stated_ = 0;
   std::size_t unseen_ = 0;    ///< signals of the state that are not in `stated_`
   std::uint64_t beyond_ = 0;  ///< values of signals beyond the limit

@@ -1,7 +1,8 @@
 // A session of 10 minutes at 6,000 packets a second (six arms of six joints), judged against a band
 // of five accepted ones, as `golden run` judges it: its log is read, each accepted log is hashed,
 // and its track comes from the cache (the first time it is made). What can be done side by side is,
-// as there: the bar is of two cores. usage: run_bench [SECONDS [FOLDER]]
+// as there: the bar is of two cores. With SIGNALS each packet says so many numbers beside, without
+// a bar. usage: run_bench [SECONDS [FOLDER [SIGNALS]]]
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -30,9 +31,9 @@ constexpr std::size_t kAccepted = 5;
 constexpr double kBarSeconds = 6;
 
 /// Sessions of one motion: each begins a little later, and its encoders have noise of their own.
-/// `late_s`: the whole motion.
+/// `signals`: numbers beside the joints. `late_s`: the whole motion.
 void writeLog(const std::filesystem::path& path, std::int64_t packets, std::uint64_t session,
-              double late_s = 0) {
+              std::size_t signals, double late_s = 0) {
   std::uint64_t chance = 0x9E3779B97F4A7C15U * (session + 1);
   SessionWriter writer(bench::need(LogWriter::create(path, {}, "run bench")), {});
   std::vector<ChannelId> channels;
@@ -60,6 +61,15 @@ void writeLog(const std::filesystem::path& path, std::int64_t packets, std::uint
                           1.5 * std::sin((t - late_s) * (0.3 + 0.17 * phase) + phase) + noise);
     }
     text += "\n";
+    if (signals > 0) text += fmt::format("signals arm{}", arm);
+    for (std::size_t signal = 0; signal < signals; ++signal) {
+      const double phase = static_cast<double>(signal);
+      chance = chance * 6364136223846793005U + 1442695040888963407U;
+      const double noise = (static_cast<double>(chance >> 40U) / double(1U << 24U) - 0.5) * 2;
+      text += fmt::format(" s{:02}.effort={:.4f}", signal,
+                          40 * std::sin((t - late_s) * (0.4 + 0.07 * phase) + phase) + noise);
+    }
+    if (signals > 0) text += "\n";
     if (arm == 0 && sequence % 20'000 == 10'000) text += "event \"reached\"\n";
     bench::need(writer.write(channels[arm], static_cast<std::uint32_t>(sequence),
                              LogTime(Nanoseconds(kOriginNs + shift_ns + ns + 200'000)),
@@ -118,12 +128,13 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder =
       argc > 2 ? std::filesystem::path(argv[2])
                : std::filesystem::temp_directory_path() / fmt::format("run_bench_{}", ::getpid());
+  const std::size_t signals = argc > 3 ? static_cast<std::size_t>(std::atoll(argv[3])) : 0;
   std::filesystem::create_directories(folder);
   bench::writeArms(folder, kArms, kJoints);
   std::vector<std::filesystem::path> logs;
   for (std::size_t i = 0; i <= kAccepted; ++i) {
     logs.push_back(folder / fmt::format("{}.mcap", i));
-    if (!std::filesystem::exists(logs.back())) writeLog(logs.back(), seconds * kRateHz, i);
+    if (!std::filesystem::exists(logs.back())) writeLog(logs.back(), seconds * kRateHz, i, signals);
   }
   const Cell cell = bench::need(loadCell(folder / "cell.toml", {}));
   const TrackCache cache(folder / "tracks");
@@ -133,7 +144,7 @@ int main(int argc, char** argv) {
   tell("tracks from the cache", again);
   fmt::print("{} findings\n", again.findings);
   logs[0] = folder / "late.mcap";
-  if (!std::filesystem::exists(logs[0])) writeLog(logs[0], seconds * kRateHz, 9, 0.05);
+  if (!std::filesystem::exists(logs[0])) writeLog(logs[0], seconds * kRateHz, 9, signals, 0.05);
   const Judged late = judgeOnce(cell, logs, cache);
   tell("all of it 50 ms late", late);
   const bool is_met = again.sum() * 600 <= kBarSeconds * static_cast<double>(seconds);
