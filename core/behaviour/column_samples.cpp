@@ -323,10 +323,15 @@ double ColumnSamples::noise() const {
   // deviations.
   constexpr double kDeviations = 0.6745 * 2.449489742783178;
   constexpr std::size_t kFewest = 16;
+  // What is sent when it changes comes at no rate, and its steps are no noise.
+  const auto isUsual = [&](std::int64_t interval) {
+    return 2 * interval > usual_ &&
+           static_cast<double>(interval) < kLost * static_cast<double>(usual_);
+  };
   std::vector<double> bends;
   const std::size_t stride = size() / kIntervalsLooked + 1;
   for (std::size_t i = 1; i + 1 < size(); i += stride) {
-    if (!isSmooth(i - 1) || !isSmooth(i)) continue;
+    if (!isUsual(time(i) - time(i - 1)) || !isUsual(time(i + 1) - time(i))) continue;
     const double bend = *value(i - 1) - 2 * *value(i) + *value(i + 1);
     if (std::isfinite(bend)) bends.push_back(std::abs(bend));
   }

@@ -63,7 +63,7 @@ class ColumnSamples {
   /// Of a column of one number: the least and the most that is stated; 0 where nothing is.
   std::pair<double, double> extremes() const;
   /// Of a column of one number: the standard deviation of what changes from packet to packet and
-  /// goes on nowhere, by the median; 0 for a smooth or a stepped curve, and of few values.
+  /// goes on nowhere, by the median; 0 for a smooth or a stepped curve, and for few values.
   double noise() const;
 
  private:

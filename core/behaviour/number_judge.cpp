@@ -58,7 +58,7 @@ void judge(const RunTimes& times, NumberToJudge& number) {
 }  // namespace
 
 double learntLimit(const RunLimits& limits, const std::vector<ColumnSamples>& accepted) {
-  constexpr double kDeviations = 4;  // beyond what the values about it span anyway
+  constexpr double kDeviations = 6;  // of the difference of two values, 4.2
   constexpr double kRounding = 1e-9;
   std::optional<std::pair<double, double>> all;
   double noise = 0;

@@ -130,8 +130,23 @@ TEST_F(NumberSignals, WhatIsLateOrFreshlyNoisyIsTheSame) {
     expectSilent("nothing but noise",
                  judged(resting, withNoise(0.3, seed, [](double) { return 4; })));
   }
-  const RunJudgement louder = judged(accepted, withNoise(9, 3));
-  EXPECT_EQ(louder.findings.size(), 1U) << "six times the noise is not the same";
+  const RunJudgement louder = judged(accepted, withNoise(15, 3));
+  EXPECT_EQ(louder.findings.size(), 1U) << "ten times the noise is not the same";
+  // A sensor that is read once a second.
+  const auto reading = [](unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, 0.05);
+    SaidSession session = drive(torque);
+    for (int i = 0; i < 60; ++i) {
+      session.say("battery", 0.05 + i / 10.0,
+                  fmt::format("signal - voltage {:.4f} V", 24 + noise(random)));
+    }
+    session.times("", [](double at_s) { return at_s * 10; });
+    return session;
+  };
+  for (unsigned seed = 2; seed < 12; ++seed) {
+    expectSilent("a slow sensor", judged(reading(1), reading(seed)));
+  }
 }
 
 TEST_F(NumberSignals, ASetPointThatIsSentWhenItChangesMayBeLateAndNotDifferent) {
