@@ -20,7 +20,7 @@ namespace rocinante {
 enum class [[nodiscard]] SourceResult : std::int32_t{
     done = 0,
     bad_name = -1,      ///< not 1 to 255 bytes of UTF-8 without control characters
-    bad_number = -2,    ///< not finite, or not below 2^53 in magnitude
+    bad_number = -2,    ///< not finite, or (but for signals) not below 2^53
     bad_text = -3,      ///< over 4,096 bytes, not UTF-8, or with control characters; a bad unit
     bad_pose = -4,      ///< the quaternion's length differs from 1 by more than 0.001
     bad_argument = -5,  ///< missing or out of range
@@ -60,9 +60,10 @@ struct SourceSettings {
 /// networks end up with the same state.
 ///
 /// Metres, radians; numbers have nine decimals, correctly rounded (ties to even), without trailing
-/// zeros. After open() nothing allocates, throws or reads a clock: time is O(values) to set,
-/// O(changes) to flush, and O(items) in the flush that begins a restatement. One thread at a time.
-/// The same in C, byte for byte: rocinante_source.h.
+/// zeros; those of signals the fewest digits that read back as the same. After open() nothing
+/// allocates, throws or reads a clock: time is O(values) to set, O(changes) to flush, and O(items)
+/// in the flush that begins a restatement. One thread at a time. The same in C, byte for byte:
+/// rocinante_source.h.
 class Source {
  public:
   /// Sends one datagram; false when it could not. It is then lost like any other, and the next

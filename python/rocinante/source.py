@@ -6,6 +6,7 @@ import os
 import socket
 import time
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any, Iterable, Mapping, Sequence
 
 _MOST_BYTES = 1200      # of a datagram: no network fragments it
@@ -25,6 +26,19 @@ def _number(value: float) -> str:
         raise ValueError(f"not a finite number: {value}")
     text = f"{value:.9f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
+
+
+def _exact(value: float) -> str:
+    """The fewest digits that read back as the same number; with an exponent below 1e-5 and from 2^53 on."""
+    if not math.isfinite(value):
+        raise ValueError(f"not a finite number: {value}")
+    number = float(value)
+    if number.is_integer() and abs(number) < 2**53:
+        return str(int(number))
+    digits = Decimal(repr(number))
+    if 1e-5 <= abs(number) < 2**53:
+        return f"{digits:f}"
+    return f"{digits.normalize():e}".replace("e+", "e")
 
 
 def _string(text: str) -> str:
@@ -132,8 +146,8 @@ class Source:
                *, deadband: float = 0.0) -> None:
         """A value that is no joint: of "DEVICE", "DEVICE/LINK", or None for neither. A number goes out when
         it differs by more than `deadband` from the one sent last, and is restated as it is; its unit is
-        1 to 32 printable ASCII characters without spaces and quotes, by default the one it has. It has nine
-        decimals: state 1e-12 A as 1 pA. A value of None: nothing is said of it any more."""
+        1 to 32 printable ASCII characters without spaces and quotes, by default the one it has. Receivers get
+        the same number to the last bit. A value of None: nothing is said of it any more."""
         key = ("signal", path or "", name)
         words = f"signal {_signal_path(path)} {_name(name)}"
         if value is None:
@@ -151,7 +165,7 @@ class Source:
         was = self._numbers.get(key)
         if unit is None and was is not None:
             unit = was.unit
-        line = f"{words} {_number(value)}" + (f" {unit}" if unit else "")
+        line = f"{words} {_exact(value)}" + (f" {unit}" if unit else "")
         if was is None or was.unit != unit or abs(value - was.sent) > deadband:
             self._say(key, line)
         else:

@@ -109,8 +109,21 @@ def test_everything_is_said_again_in_parts_that_fit():
     assert all(len(text.encode()) <= 1200 for text in whole.values())
 
 
+@pytest.mark.parametrize("value, text", [
+    (1e-12, "1e-12"), (0.1 + 0.2, "0.30000000000000004"), (-1.5e-7, "-1.5e-7"), (1e-5, "0.00001"), (7, "7"),
+    (100000.0, "100000"), (2.0**53, "9.007199254740992e15"), (-0.0, "0"), (5e-324, "5e-324")])
+def test_a_signal_arrives_to_the_last_bit(value, text):
+    receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    receiver.bind(("127.0.0.1", 0))
+    with rocinante.Source("a", receiver.getsockname()) as source:
+        source.signal("arm", "current", value, "A")
+        source.flush()
+    assert receiver.recv(65536).decode().splitlines()[1] == f"signal arm current {text} A"
+    assert float(text) == value
+
+
 @pytest.mark.parametrize("wrong", [
-    lambda s: s.joints("arm", [float("nan")]), lambda s: s.joints("", [1]), lambda s: s.joints("arm", []),
+    lambda s: s.joints("arm", [float("nan")]), lambda s: s.signal("arm", "x", float("inf")), lambda s: s.joints("", [1]), lambda s: s.joints("arm", []),
     lambda s: s.color("arm", "red"), lambda s: s.event("\x01"), lambda s: s.pose("arm", [1, 2]),
     lambda s: s.joints("arm", [0.123456789] * 400)])
 def test_what_a_packet_cannot_say_is_refused(wrong):

@@ -17,7 +17,8 @@
  * Units: metres, radians, nanoseconds; x forward, y left, z up; quaternions are qx qy qz qw.
  * Numbers are sent with nine decimals, correctly rounded (ties to even), without trailing zeros.
  * They must be finite and below 2^53 = 9007199254740992 in magnitude; others are refused
- * (RK_BAD_NUMBER). Names and texts are UTF-8 ended by a NUL, and copied.
+ * (RK_BAD_NUMBER). Those of signals only need to be finite, and have the fewest digits that read
+ * back as the same number: 0.1, 1e-12. Names and texts are UTF-8 ended by a NUL, and copied.
  *
  * Every function is bounded in time; setting is O(values), flushing O(what changed), and the flush
  * that begins a restatement O(items). At most 6 KB of stack. A source is used by one thread at a
@@ -333,6 +334,169 @@ static inline char *rk_put_number(char *at, double number) {
     at = rk_put_unsigned(at, whole);
   }
   return rk_put_decimals(at, (uint32_t)units);
+}
+
+/* ---- Numbers of signals: exact, with the fewest digits. ---- */
+
+/* The largest have 1,140 bits: the smallest number, scaled to its first digit. */
+enum { RK_LONG_WORDS = 37 };
+typedef struct rk_long {
+  uint32_t words[RK_LONG_WORDS]; /* the lowest first; those from `used` on are unset */
+  int used;
+} rk_long;
+
+static inline void rk_long_times(rk_long *number, uint32_t factor) {
+  uint64_t carry = 0;
+  int i;
+  for (i = 0; i < number->used; ++i) {
+    carry += (uint64_t)number->words[i] * factor;
+    number->words[i] = (uint32_t)carry;
+    carry >>= 32;
+  }
+  if (carry != 0) number->words[number->used++] = (uint32_t)carry;
+}
+
+static inline void rk_long_times_ten_to(rk_long *number, int power) {
+  for (; power >= 9; power -= 9) rk_long_times(number, 1000000000u);
+  for (; power > 0; --power) rk_long_times(number, 10);
+}
+
+/* mantissa * 2^power */
+static inline rk_long rk_long_of(uint64_t mantissa, int power) {
+  rk_long number;
+  number.used = 0;
+  for (; power >= 32; power -= 32) number.words[number.used++] = 0;
+  number.words[number.used++] = (uint32_t)mantissa;
+  number.words[number.used++] = (uint32_t)(mantissa >> 32);
+  rk_long_times(&number, (uint32_t)1 << power);
+  while (number.used > 0 && number.words[number.used - 1] == 0) --number.used;
+  return number;
+}
+
+static inline uint32_t rk_long_word(const rk_long *number, int place) {
+  return place < number->used ? number->words[place] : 0;
+}
+
+/* The sign of a + b - c. */
+static inline int rk_long_sum_compare(const rk_long *a, const rk_long *b, const rk_long *c) {
+  int place = a->used > b->used ? a->used : b->used;
+  int64_t rest = 0; /* of c above, in units of this word */
+  if (c->used > place) place = c->used;
+  while (--place >= 0) {
+    rest = rest * ((int64_t)1 << 32) + rk_long_word(c, place) - (int64_t)rk_long_word(a, place) -
+           rk_long_word(b, place);
+    if (rest > 2) return -1; /* the words below carry less than 2 */
+    if (rest < 0) return 1;
+  }
+  return rest > 0 ? -1 : 0;
+}
+
+/* a -= b, which is not larger. */
+static inline void rk_long_subtract(rk_long *a, const rk_long *b) {
+  uint64_t borrow = 0;
+  int i;
+  for (i = 0; i < a->used; ++i) {
+    const uint64_t less = rk_long_word(b, i) + borrow;
+    borrow = a->words[i] < less;
+    a->words[i] -= (uint32_t)less;
+  }
+  while (a->used > 0 && a->words[a->used - 1] == 0) --a->used;
+}
+
+/* The fewest digits that read back as the same finite number above 0, of those the nearest; at most
+ * 17. Returns how many; the number is 0.DIGITS * 10^point. After Steele and White, "How to print
+ * floating-point numbers accurately", 1990: the number is rest / unit, and its neighbours are 2 *
+ * above and 2 * below away. */
+static inline int rk_digits(double number, char *digits, int *point) {
+  const rk_long zero = {{0}, 0};
+  rk_long rest, unit, above, below;
+  uint64_t bits, mantissa;
+  int exponent, is_even, is_lowest, length, count = 0, power;
+  memcpy(&bits, &number, sizeof bits);
+  exponent = (int)(bits >> 52 & 0x7FF);
+  mantissa = bits & 0xFFFFFFFFFFFFFu;
+  is_even = (mantissa & 1) == 0;
+  is_lowest = mantissa == 0 && exponent > 1; /* the number below is half as far away */
+  if (exponent > 0) mantissa |= (uint64_t)1 << 52;
+  exponent = (exponent > 0 ? exponent : 1) - 1075;
+  for (length = 0; length < 53 && mantissa >> length != 0;) ++length;
+  rest = rk_long_of(mantissa << 2, exponent > 0 ? exponent : 0);
+  above = rk_long_of(2, exponent > 0 ? exponent : 0);
+  below = rk_long_of(is_lowest ? 1 : 2, exponent > 0 ? exponent : 0);
+  unit = rk_long_of(4, exponent < 0 ? -exponent : 0);
+  /* Of the first digit; perhaps one too low. log10(2) = 0.30103. */
+  power = (exponent + length - 1) * 30103;
+  power = power < 0 ? -((99999 - power) / 100000) : power / 100000;
+  if (power > 0) rk_long_times_ten_to(&unit, power);
+  if (power < 0) {
+    rk_long_times_ten_to(&rest, -power);
+    rk_long_times_ten_to(&above, -power);
+    rk_long_times_ten_to(&below, -power);
+  }
+  for (;;) {
+    rk_long ten_units = unit;
+    rk_long_times(&ten_units, 10);
+    if (rk_long_sum_compare(&rest, &above, &ten_units) < (is_even ? 0 : 1)) break;
+    unit = ten_units;
+    ++power;
+  }
+  *point = power + 1;
+  for (;;) {
+    char digit = '0';
+    int is_low_enough, is_high_enough;
+    while (rk_long_sum_compare(&rest, &zero, &unit) >= 0) {
+      rk_long_subtract(&rest, &unit);
+      ++digit;
+    }
+    is_low_enough = rk_long_sum_compare(&rest, &zero, &below) < (is_even ? 1 : 0);
+    is_high_enough = rk_long_sum_compare(&rest, &above, &unit) >= (is_even ? 0 : 1);
+    if (is_low_enough || is_high_enough) {
+      const int half = rk_long_sum_compare(&rest, &rest, &unit);
+      if (!is_low_enough || (is_high_enough && (half > 0 || (half == 0 && (digit & 1) != 0)))) {
+        ++digit;
+      }
+    }
+    digits[count++] = digit;
+    if (is_low_enough || is_high_enough) return count;
+    rk_long_times(&rest, 10);
+    rk_long_times(&above, 10);
+    rk_long_times(&below, 10);
+  }
+}
+
+static inline int rk_is_finite(double number) {
+  return number >= -1.7976931348623157e308 && number <= 1.7976931348623157e308;
+}
+
+/* With an exponent below 1e-5 and from 2^53 on. */
+static inline char *rk_put_exact(char *at, double number) {
+  const double size = number < 0 ? -number : number;
+  char digits[20];
+  int count, point, i;
+  if (size < 9007199254740992.0) {
+    /* Without rounding, nine decimals of at most 15 digits are the shortest. */
+    if (size == (double)(uint64_t)size) return rk_put_number(at, number);
+    if (size >= 1e-5 && size < 1e6 && (double)(uint64_t)(size * 1e9 + 0.5) / 1e9 == size) {
+      return rk_put_number(at, number);
+    }
+  }
+  count = rk_digits(size, digits, &point);
+  if (number < 0) *at++ = '-';
+  if (size >= 1e-5 && size < 9007199254740992.0) {
+    if (point <= 0) at = rk_put_word(at, "0.");
+    for (i = point; i < 0; ++i) *at++ = '0';
+    for (i = 0; i < count; ++i) {
+      if (i == point && i > 0) *at++ = '.';
+      *at++ = digits[i];
+    }
+    return at;
+  }
+  *at++ = digits[0];
+  if (count > 1) *at++ = '.';
+  at = rk_put_bytes(at, digits + 1, (size_t)count - 1);
+  *at++ = 'e';
+  if (point < 1) *at++ = '-';
+  return rk_put_unsigned(at, (uint64_t)(point < 1 ? 1 - point : point - 1));
 }
 
 static inline size_t rk_numbers_size(const double *values, size_t count) {
@@ -688,11 +852,14 @@ static inline char *rk_put_signal(char *at, const rk_item *item) {
   if (item->form == RK_NUMBER && item->part_count != RK_WHOLE) {
     at = rk_put_key(at, "signals", item);
     *at++ = '=';
-    return rk_put_number(at, item->values[0]);
+    return rk_put_exact(at, item->values[0]);
   }
   at = rk_put_key(at, "signal", item);
   if (item->form == RK_BOOL) return rk_put_word(at, item->values[0] != 0 ? " true" : " false");
-  if (item->form == RK_NUMBER) at = rk_put_numbers(at, item->values, 1);
+  if (item->form == RK_NUMBER) {
+    *at++ = ' ';
+    at = rk_put_exact(at, item->values[0]);
+  }
   if (item->text_size == 0) return at;
   *at++ = ' ';
   return rk_put_bytes(at, item->text, item->text_size);
@@ -797,8 +964,15 @@ static inline int rk_draft_string(rk_source *s, rk_draft *draft, const char *tex
   return RK_OK;
 }
 
-static inline int rk_check(const rk_source *s, size_t key_size, const rk_draft *draft) {
+static inline int rk_check(const rk_source *s, rk_kind kind, size_t key_size,
+                           const rk_draft *draft) {
   size_t i, bytes;
+  if (kind == RK_SIGNAL) {
+    /* Its next numbers are not measured: there is room for the longest. */
+    bytes = rk_line_bound(key_size, draft->text_size, draft->form == RK_NUMBER ? 1 : 0);
+    if (!rk_is_finite(draft->values[0])) return RK_BAD_NUMBER;
+    return bytes <= s->line_most ? RK_OK : RK_TOO_LONG;
+  }
   for (i = 0; i < draft->value_count; ++i) {
     if (!rk_is_number(draft->values[i])) return RK_BAD_NUMBER;
   }
@@ -874,7 +1048,7 @@ static inline int rk_fill(rk_source *s, rk_item *item, const rk_draft *draft) {
 static inline int rk_say(rk_source *s, rk_item *item, const rk_draft *draft) {
   int result;
   if (rk_is_same(item, draft)) return RK_OK;
-  result = rk_check(s, item->key_size, draft);
+  result = rk_check(s, (rk_kind)item->kind, item->key_size, draft);
   if (result == RK_OK) result = rk_fill(s, item, draft);
   if (result == RK_OK) rk_queue(s, item);
   return result;
@@ -885,7 +1059,7 @@ static inline int rk_say_new(rk_source *s, rk_kind kind, const char *key, size_t
                              rk_slot *slot, rk_item *before, const rk_draft *draft,
                              rk_item **made) {
   rk_item *item;
-  int result = rk_check(s, key_size, draft);
+  int result = rk_check(s, kind, key_size, draft);
   if (result != RK_OK) return result;
   item = rk_new_item(s, kind, key, key_size);
   if (item == NULL) return RK_FULL;
@@ -1147,7 +1321,7 @@ RK_SOURCE_API int rk_source_joints(rk_source *source, rk_device device, const do
     /* What nearly every call is, with as little memory read as can be. */
     rk_item *const joints = slot->joints;
     if (rk_are_same(joints->values, values, count)) return RK_OK;
-    result = rk_check(source, joints->key_size, &draft);
+    result = rk_check(source, RK_JOINTS, joints->key_size, &draft);
     if (result != RK_OK) return result;
     memcpy(joints->values, values, count * sizeof *values);
     rk_queue(source, joints);
@@ -1156,7 +1330,7 @@ RK_SOURCE_API int rk_source_joints(rk_source *source, rk_device device, const do
   if (slot->order == NULL) {
     /* Positions: an order that a receiver may know of an earlier run is cancelled first. */
     rk_draft none = rk_draft_of(RK_NOTHING);
-    result = rk_check(source, slot->device->key_size, &draft);
+    result = rk_check(source, RK_JOINTS, slot->device->key_size, &draft);
     if (result == RK_OK) {
       result = rk_say_of_device(source, RK_ORDER, slot, &slot->order, slot->device, &none);
     }
@@ -1284,7 +1458,7 @@ RK_SOURCE_API int rk_source_color_default(rk_source *source, rk_path path) {
 static inline int rk_say_once(rk_source *s, rk_kind kind, const char *key, size_t key_size,
                               const rk_draft *draft) {
   rk_item *item;
-  int result = rk_check(s, key_size, draft);
+  int result = rk_check(s, kind, key_size, draft);
   if (result != RK_OK) return result;
   item = rk_new_item(s, kind, key, key_size);
   if (item == NULL) return RK_FULL;
@@ -1335,7 +1509,7 @@ static inline int rk_say_signal(rk_source *s, rk_path path, const char *name, do
         draft->text_size > 0 && (draft->text_size != item->text_size ||
                                  memcmp(draft->text, item->text, draft->text_size) != 0);
     if (!is_unit_new) {
-      if (!rk_is_number(values[0])) return RK_BAD_NUMBER;
+      if (!rk_is_finite(values[0])) return RK_BAD_NUMBER;
       item->values[0] = values[0];
       if (change > deadband || change < -deadband) rk_queue(s, item);
       return RK_OK;

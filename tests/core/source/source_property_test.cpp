@@ -4,8 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <charconv>
+#include <cmath>
 #include <random>
 
+#include "core/packet/text_number.h"
 #include "tests/core/source/source_driver.h"
 
 #define RK_SOURCE_STATIC
@@ -124,6 +126,71 @@ RC_GTEST_PROP(SourceNumber, IsTheStandardLibrarysNineDecimals, ()) {
       }
     }
   }
+}
+
+std::string significantOf(std::string_view text) {
+  std::string digits;
+  for (const char each : text.substr(0, text.find('e'))) {
+    if (each >= '0' && each <= '9' && (each != '0' || !digits.empty())) digits += each;
+  }
+  digits.erase(digits.find_last_not_of('0') + 1);
+  return digits;
+}
+
+RC_GTEST_PROP(SourceSignal, SaysTheFewestDigitsThatReadBack, ()) {
+  std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+  std::string said;
+  const auto keep = [&](std::span<std::byte> datagram) {
+    said = textOf(datagram);
+    return true;
+  };
+  SourceSettings settings;
+  settings.source = "s";
+  settings.restate = 0s;
+  Result<Source> source = Source::open(settings, keep);
+  for (int i = 0; i < 100; ++i) {
+    const std::uint64_t bits = random();
+    const auto integer = static_cast<std::int32_t>(random());
+    for (const double number :
+         {std::bit_cast<double>(bits), integer / 1e8, integer * 1e-17, integer / 1e-9,
+          static_cast<double>(bits), static_cast<double>(bits % (1ULL << 53U)) / 16,
+          std::ldexp(1.0, static_cast<int>(bits % 2098) - 1074)}) {
+      said.clear();
+      const SourceResult result = source->setSignal({}, "x", number);
+      if (!std::isfinite(number)) {
+        RC_ASSERT(result == SourceResult::bad_number);
+        continue;
+      }
+      RC_ASSERT(source->flush(WallTime(Nanoseconds(1))) == SourceResult::done);
+      if (said.empty()) continue;  // the number of before
+      const std::string text = said.substr(said.find_last_of("= ") + 1);
+      RC_ASSERT(text.size() <= 25U);
+      const char* at = text.data();
+      double read = 0;
+      RC_ASSERT(readNumber(at, text.data() + text.size() - 1, read));
+      RC_ASSERT(at == text.data() + text.size() - 1);
+      RC_ASSERT(read == number);
+      std::array<char, 64> shortest{};
+      const auto end = std::to_chars(shortest.data(), shortest.data() + shortest.size(), number,
+                                     std::chars_format::scientific);
+      RC_ASSERT(significantOf(text) == significantOf({shortest.data(), end.ptr}));
+    }
+  }
+}
+
+TEST(SourceSignal, AnExponentIsForWhatNineDecimalsCannotSay) {
+  const auto text = [](double number) {
+    std::array<char, 32> bytes{};
+    return std::string(bytes.data(), rk_put_exact(bytes.data(), number));
+  };
+  EXPECT_EQ(text(1e-12), "1e-12");
+  EXPECT_EQ(text(-1.5e-7), "-1.5e-7");
+  EXPECT_EQ(text(1e-5), "0.00001");
+  EXPECT_EQ(text(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(text(100000), "100000");
+  EXPECT_EQ(text(1700000000.25), "1700000000.25");
+  EXPECT_EQ(text(0x1p53), "9.007199254740992e15");
+  EXPECT_EQ(text(-0.0), "0");
 }
 
 TEST(SourceMemoryMacro, IsEnoughForArmsWithOrdersAndPoses) {
