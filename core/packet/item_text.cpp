@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/bytes.h"
 #include "core/base/pattern.h"
 #include "core/packet/packet_limits.h"
 #include "core/packet/packet_text.h"
@@ -121,6 +122,19 @@ std::string signalNameText(std::string_view device, const SignalName& name) {
   std::string text = statementText(SignalItem{of, name, Item<SignalValue>()});
   text.resize(text.rfind(' '));
   return text;
+}
+
+std::optional<NamedSignal> signalNamed(std::string_view text) {
+  if (!text.starts_with("signal ")) return std::nullopt;
+  PacketTextDecoder decoder;
+  const std::string packet = "RK1 - - -\n" + std::string(text) + " 0\n";
+  const Packet* const read = decoder.decode(bytesOf(packet));
+  if (read == nullptr || !read->faults.empty() || read->statements.size() != 1) return std::nullopt;
+  const Statement& said = read->statements.front();
+  NamedSignal named{std::string(said.path.first),
+                    {std::string(said.path.second), std::string(said.names.front())}};
+  return signalNameText(named.device, named.name) == text ? std::optional(std::move(named))
+                                                          : std::nullopt;
 }
 
 std::string statementText(const ViewItem& item) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,6 +45,14 @@ std::string statementText(const ViewItem& item);
 std::string statementText(const SignalItem& item);
 /// "signal PATH NAME": what a signal of `device`, or of none when that is empty, is called.
 std::string signalNameText(std::string_view device, const SignalName& name);
+/// A signal and whose it is; `device` is empty for one of none.
+struct NamedSignal {
+  std::string device;
+  SignalName name;
+  bool operator==(const NamedSignal&) const = default;
+};
+/// Reads signalNameText(); empty for anything else, also another spelling.
+std::optional<NamedSignal> signalNamed(std::string_view text);
 
 /// `SOURCE[@RUN] SEQUENCE TIME`, a header's text after its "RK1": what the state knows of a source.
 std::string sourceText(std::string_view name, const SourceState& source);

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/bytes.h"
 #include "core/packet/item_text.h"
-#include "core/packet/packet_text.h"
 
 namespace rocinante {
 namespace {
@@ -18,19 +16,6 @@ std::optional<SeriesKey> countKey(std::string_view text, std::string_view word,
     return std::nullopt;
   }
   return SeriesKey{kind, std::string(text.substr(word.size() + 1))};
-}
-
-/// "signal PATH NAME", as a packet would say it.
-std::optional<SeriesKey> signalKey(std::string_view text) {
-  if (!text.starts_with("signal ")) return std::nullopt;
-  PacketTextDecoder decoder;
-  const std::string packet = "RK1 - - -\n" + std::string(text) + " 0\n";
-  const Packet* const read = decoder.decode(bytesOf(packet));
-  if (read == nullptr || !read->faults.empty() || read->statements.size() != 1) return std::nullopt;
-  const Statement& statement = read->statements.front();
-  SeriesKey key{SeriesKey::Kind::signal, std::string(statement.path.first),
-                std::string(statement.names.front()), std::string(statement.path.second)};
-  return key.text() == text ? std::optional(std::move(key)) : std::nullopt;
 }
 
 }  // namespace
@@ -67,7 +52,9 @@ std::array<double, 7> poseNumbers(const Pose& pose) {
 std::optional<SeriesKey> parseSeriesKey(std::string_view text) {
   if (auto rate = countKey(text, "rate", SeriesKey::Kind::rate)) return rate;
   if (auto loss = countKey(text, "loss", SeriesKey::Kind::loss)) return loss;
-  if (auto signal = signalKey(text)) return signal;
+  if (const auto signal = signalNamed(text)) {
+    return SeriesKey{SeriesKey::Kind::signal, signal->device, signal->name.name, signal->name.link};
+  }
   const std::size_t colon = text.rfind(':');
   if (colon != text.npos && colon > 0 && posePart(text.substr(colon + 1))) {
     return SeriesKey{SeriesKey::Kind::pose, std::string(text.substr(0, colon)),
