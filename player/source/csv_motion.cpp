@@ -42,7 +42,7 @@ class Reader {
     // A byte order mark is not part of the first column's name.
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
     if (const Status header = readHeader(); !header) return header.error();
-    if (const Status chosen = chooseColumns(columns); !chosen) return chosen.error();
+    if (const Status chosen = chooseColumns(columns, device); !chosen) return chosen.error();
     if (const Status shared = shareOut(device); !shared) return shared.error();
     latest_.assign(columns_at_.size(), kNoValue);
     bool says_anything = false;
@@ -52,6 +52,7 @@ class Reader {
       says_anything |= std::ranges::any_of(row, [](double each) { return !std::isnan(each); });
     }
     if (motion_.times.empty()) return fault("there is no row below the header", 1);
+    says_anything |= !motion_.signals.changes().empty();
     if (!says_anything) return fault("no row has a value for all joints of a device", 1);
     return std::move(motion_);
   }
@@ -82,8 +83,9 @@ class Reader {
   }
 
   Status readHeader();
-  Status chooseColumns(const std::vector<std::string>& columns);
-  void leaveTextOut();
+  Status chooseColumns(const std::vector<std::string>& columns, const std::string& device);
+  void findSignals(const std::string& device, bool are_chosen);
+  NamedSignal signalOf(std::string_view name, const std::string& device) const;
   Status shareOut(const std::string& device);
   void shareOutAlone(const std::string& device);
   Status addColumn(std::size_t index);
@@ -132,7 +134,7 @@ Status Reader::readHeader() {
   return {};
 }
 
-Status Reader::chooseColumns(const std::vector<std::string>& columns) {
+Status Reader::chooseColumns(const std::vector<std::string>& columns, const std::string& device) {
   if (columns.empty()) {
     for (std::size_t i = 0; i < names().size(); ++i) {
       if (i == header_.time) continue;
@@ -144,7 +146,6 @@ Status Reader::chooseColumns(const std::vector<std::string>& columns) {
         columns_at_.push_back(i);
       }
     }
-    leaveTextOut();
   }
   for (const std::string& wanted : columns) {
     const auto found = std::find(names().begin(), names().end(), wanted);
@@ -157,21 +158,47 @@ Status Reader::chooseColumns(const std::vector<std::string>& columns) {
     }
     columns_at_.push_back(at);
   }
-  if (columns_at_.empty()) return fault("the table has no joint column", 1);
+  findSignals(device, !columns.empty());
+  if (columns_at_.empty() && motion_.signals.columns().empty())
+    return fault("the table has no joint column", 1);
   motion_.column_count = columns_at_.size();
   return {};
 }
 
-/// Columns whose first value is text are remarks, and those without a value have nothing to send.
-void Reader::leaveTextOut() {
+/// What a column that is no joint states.
+NamedSignal Reader::signalOf(std::string_view name, const std::string& device) const {
+  const auto column = tableColumn(name);
+  if (column && !column->quantity.empty()) {
+    return {device, {"", std::string(column->joint) + std::string(column->quantity)}};
+  }
+  const bool is_of_device = column && !column->pose_part && !column->device.empty();
+  if (!device.empty() || !is_of_device) return {device, {"", std::string(name)}};
+  return {std::string(column->device), {"", std::string(column->joint)}};
+}
+
+/// Takes the columns of signals from the others: those that are named so, and those whose first
+/// value is no number. Those without a value have nothing to send.
+void Reader::findSignals(const std::string& device, bool are_chosen) {
   const auto rest = rest_;
   const auto line = line_;
   TableNumbers read = read_;
-  std::vector<std::size_t> undecided = columns_at_;
   const auto leaveColumnOut = [&](std::size_t column, std::string_view reason) {
     leaveOut(column, reason, tableColumn(names()[column]) ? Severity::warning : Severity::note);
     std::erase(columns_at_, column);
   };
+  const auto addSignal = [&](std::size_t column, NamedSignal signal) {
+    const std::string_view refused = motion_.signals.add(std::move(signal), column);
+    if (!refused.empty()) leaveOut(column, refused, Severity::warning);
+    std::erase(columns_at_, column);
+  };
+  for (const std::size_t column : std::vector(columns_at_)) {
+    if (isSignalColumn(names()[column])) {
+      addSignal(column, signalNamed(names()[column]).value_or(NamedSignal()));
+    } else if (const auto words = tableColumn(names()[column]); words && !words->quantity.empty()) {
+      addSignal(column, signalOf(names()[column], device));
+    }
+  }
+  std::vector<std::size_t> undecided = columns_at_;
   bool has_rows = false;
   while (!undecided.empty() && nextLine()) {
     if (!split_ || fields_.size() != names().size()) break;  // readRow() says so
@@ -181,11 +208,11 @@ void Reader::leaveTextOut() {
       const TableValue value = read.read(fields_[column].text, ignored);
       // A number of another kind is a fault, which readRow() names.
       const bool is_text = value == TableValue::text && !beginsAsNumber(fields_[column].text);
-      if (is_text) leaveColumnOut(column, "text");
+      if (is_text) addSignal(column, signalOf(names()[column], device));
       return value != TableValue::nothing;
     });
   }
-  if (has_rows && rest_.empty()) {
+  if (has_rows && rest_.empty() && !are_chosen) {
     for (const std::size_t column : undecided) leaveColumnOut(column, "no row has a value");
   }
   rest_ = rest;
@@ -292,6 +319,18 @@ Status Reader::readRow() {
   if (!motion_.times.empty() && *time < motion_.times.back()) {
     return fault(fmt::format("the time goes back: {} follows a later time", shown(moment.text)),
                  moment.column);
+  }
+  const auto& signals = motion_.signals.columns();
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    const std::size_t at = signals[i].column;
+    auto value = read_.readSignal(fields_[at].unescaped());
+    if (value && !motion_.signals.say(motion_.rowCount(), i, std::move(*value))) {
+      motion_.left_out.leaveOut({.kind = "value",
+                                 .name = names()[at],
+                                 .reason = std::string(kNoSignalText),
+                                 .first = fmt::format("line {}", line_),
+                                 .severity = Severity::warning});
+    }
   }
   for (const std::size_t at : columns_at_) {
     const Result<double> number = numberOf(fields_[at], names()[at]);

@@ -18,6 +18,20 @@ bool isRestated(std::string_view datagram) {
   return datagram.substr(0, datagram.find('\n')).find(" restated") != datagram.npos;
 }
 
+/// Of a source, for the signals and their longest texts.
+std::size_t memoryOf(const CsvSignals& signals) {
+  std::vector<std::size_t> texts(signals.columns().size());
+  for (const CsvSignals::Change& change : signals.changes()) {
+    texts[change.index] = std::max(texts[change.index], change.value.text.size());
+  }
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const auto& [device, name] = signals.columns()[i].signal;
+    bytes += 512 + 4 * (signalNameText(device, name).size() + texts[i]);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 Result<CsvStream> CsvStream::open(const CsvMotion& motion, Options options) {
@@ -37,6 +51,9 @@ CsvStream::CsvStream(const CsvMotion& motion, Options options)
   const Nanoseconds span = motion.times.back() - motion.times.front();
   const auto steps = static_cast<std::int64_t>(motion.rowCount()) - 1;
   period_ = steps > 0 ? span + span / steps : Nanoseconds(std::chrono::seconds(1));
+  for (std::size_t row = 0; row < motion.rowCount() && !speaks_again_; ++row) {
+    speaks_again_ = saysDevices(row) || motion.signals.changesAgain(row);
+  }
 }
 
 Error CsvStream::refusal(SourceResult result, const std::string& where) const {
@@ -56,7 +73,8 @@ Status CsvStream::openSource() {
   settings.restate = options_.restate;
   settings.max_datagram = options_.mtu_bytes;
   settings.memory_bytes = (std::size_t{1} << 18U) + 16 * options_.mtu_bytes +
-                          motion_->devices.size() * 4096 + motion_->column_count * 512;
+                          motion_->devices.size() * 4096 + motion_->column_count * 512 +
+                          memoryOf(motion_->signals);
   const auto keep = [made = made_.get()](std::span<std::byte> datagram) {
     made->emplace_back(textOf(datagram));
     return true;
@@ -98,10 +116,60 @@ Status CsvStream::setRow(std::size_t row) {
     if (result == SourceResult::done) continue;
     return refusal(result, fmt::format("{}, row {}", device.name, row + 1));
   }
+  return setSignals(row);
+}
+
+Status CsvStream::setSignals(std::size_t row) {
+  for (const CsvSignals::Change& change : motion_->signals.of(row)) {
+    const auto& [device, name] = motion_->signals.columns()[change.index].signal;
+    const PathView path{device, name.link};
+    const SignalValue& value = change.value;
+    SourceResult result{};
+    switch (value.kind) {
+      case SignalKind::number:
+        result = source_->setSignal(path, name.name, value.number);
+        break;
+      case SignalKind::boolean:
+        result = source_->setSignal(path, name.name, value.number != 0);
+        break;
+      case SignalKind::text:
+        result = source_->setSignal(path, name.name, value.text);
+    }
+    if (result == SourceResult::done) continue;
+    return refusal(result, fmt::format("{}, row {}", signalNameText(device, name), row + 1));
+  }
   return {};
 }
 
-Nanoseconds CsvStream::rowTime() const { return motion_->times[row_] + period_ * turn_; }
+/// Joints and poses are said in each row that has them.
+bool CsvStream::saysDevices(std::size_t row) const {
+  const std::span<const double> numbers = motion_->row(row);
+  return std::ranges::any_of(motion_->devices, [&](const CsvMotion::Device& device) {
+    return hasValues(numbers, device.joint_columns) || hasValues(numbers, device.pose_columns);
+  });
+}
+
+/// Goes on to the next row that says something; false: no row does.
+bool CsvStream::findRow() {
+  while (true) {
+    for (; row_ < motion_->rowCount(); ++row_) {
+      if (saysDevices(row_)) return true;
+      if (turn_ == 0 ? !motion_->signals.of(row_).empty() : motion_->signals.changesAgain(row_)) {
+        return true;
+      }
+    }
+    if (turn_ + 1 == options_.turns || !speaks_again_) return false;
+    row_ = 0;
+    ++turn_;
+  }
+}
+
+/// Behind the last row that says anything: the end of all turns.
+Nanoseconds CsvStream::rowTime() const {
+  if (row_ < motion_->rowCount()) return motion_->times[row_] + period_ * turn_;
+  if (options_.turns == 0) return Nanoseconds::max();
+  return motion_->times.front() + period_ * options_.turns;
+}
 
 /// In the motion's time, which rounding must not turn back.
 std::optional<Nanoseconds> CsvStream::restatementTime() const {
@@ -114,15 +182,13 @@ Result<std::optional<Due>> CsvStream::due() {
   if (!made_->empty()) {
     return std::optional(Due{LogTime(made_at_), turn_, isRestated(made_->front())});
   }
-  if (row_ == motion_->rowCount()) {
-    if (turn_ + 1 == options_.turns) return std::optional<Due>();
-    row_ = 0;
-    ++turn_;
-  }
+  const bool has_row = findRow();
+  if (!has_row && turn_ + 1 == options_.turns) return std::optional<Due>();
   const auto restatement = restatementTime();
-  if (restatement && *restatement <= rowTime()) {
+  if (restatement && *restatement <= rowTime() && (has_row || *restatement < rowTime())) {
     return std::optional(Due{LogTime(*restatement), turn_, true});
   }
+  if (!has_row) return std::optional<Due>();
   return std::optional(Due{LogTime(rowTime()), turn_, false});
 }
 

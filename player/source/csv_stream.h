@@ -31,8 +31,9 @@ class CutStream final : public DatagramStream {
   LogTime until_;
 };
 
-/// A table of joint values and poses as the datagrams of a Source: first the orders, then what each
-/// row says at the row's time, changed or not, and every `restate` everything again.
+/// A table as the datagrams of a Source: first the orders, then what each row says at the row's
+/// time, joints and poses changed or not, signals where they change, and every `restate` everything
+/// again.
 class CsvStream final : public DatagramStream {
  public:
   struct Options {
@@ -60,6 +61,9 @@ class CsvStream final : public DatagramStream {
 
   Status openSource();
   Status setRow(std::size_t row);
+  Status setSignals(std::size_t row);
+  bool saysDevices(std::size_t row) const;
+  bool findRow();
   Error refusal(SourceResult result, const std::string& where) const;
   Nanoseconds rowTime() const;
   std::optional<Nanoseconds> restatementTime() const;
@@ -70,6 +74,7 @@ class CsvStream final : public DatagramStream {
   Options options_;
   Nanoseconds period_{};
   bool order_said_ = false;
+  bool speaks_again_ = false;  ///< in turns that are not the first
   std::size_t row_ = 0;
   std::uint32_t turn_ = 0;
   /// Made but not taken; behind a pointer, as the source's send function keeps it.

@@ -47,6 +47,13 @@ Result<PlayReport> send(DatagramStream& stream, const std::string& names, SendPl
   return sendPlan(signing, plan, surroundings.stop);
 }
 
+/// A table of several devices has one source, named after the first of them.
+std::string sourceOf(const CsvMotion& motion) {
+  if (!motion.devices.empty()) return motion.devices.front().name;
+  const std::string& device = motion.signals.columns().front().signal.device;
+  return device.empty() ? "table" : device;
+}
+
 /// The motion's end over all its turns, for the progress line.
 LogTime lastOf(LogTime first, Nanoseconds period, std::uint32_t turns) {
   std::int64_t whole = 0;
@@ -108,8 +115,7 @@ Result<PlayReport> sendCsv(const CsvSourceOptions& csv, const SourceOptions& opt
   }
 
   CsvStream::Options how;
-  // A table of several devices has one source, named after the first of them.
-  how.source = csv.source.empty() ? motion->devices.front().name : csv.source;
+  how.source = csv.source.empty() ? sourceOf(*motion) : csv.source;
   how.run = runOf(options);
   how.restate = csv.restate;
   how.speed = options.speed;

@@ -22,6 +22,7 @@ constexpr std::size_t kMaxDepth = 16;
 constexpr std::size_t kMaxKeys = 8;
 constexpr double kJsonBound = 0x1p53;
 constexpr const char* kNoObject = "it is no object";
+constexpr const char* kBeyond = "a number is beyond 2^53";
 constexpr const char* kTooMany = "it has more than 100,000 numbers";
 
 /// What a line says, taken while it is parsed, so that times keep all their digits.
@@ -37,15 +38,15 @@ class JsonRow : public nlohmann::json::json_sax_t {
   std::optional<Nanoseconds> time;
   std::vector<std::string> names;
   std::vector<double> numbers;
+  std::vector<RowTranslation::Word> words;
   std::vector<LeftOutKey> left_out;
   std::vector<std::string> keys;  ///< of the object itself
   bool is_object = false;
   std::string fault;  ///< why it was not read to its end
 
   bool null() override { return takeNothing(); }
-  bool boolean(bool) override {
-    if (!in_array_) leaveOut("true or false");
-    return value();
+  bool boolean(bool truth) override {
+    return takeWord({SignalKind::boolean, truth ? 1.0 : 0.0, {}, {}});
   }
   bool number_integer(number_integer_t number) override {
     return takeNumber(static_cast<double>(number), std::to_string(number));
@@ -163,7 +164,7 @@ class JsonRow : public nlohmann::json::json_sax_t {
   bool takeNumber(double number, const std::string& digits) {
     if (depth_ == 0) return refuse(kNoObject);
     const auto fits = [&](const std::vector<double>& listed) {
-      if (!(std::abs(number) < kJsonBound)) return refuse("a number is beyond 2^53");
+      if (!(std::abs(number) < kJsonBound)) return refuse(kBeyond);
       return listed.size() <= kMaxNumbers || refuse(kTooMany);
     };
     if (in_array_) {
@@ -175,6 +176,7 @@ class JsonRow : public nlohmann::json::json_sax_t {
       takeTime(*unit, digits);
       return true;
     }
+    if (!(std::abs(number) < kJsonBound)) return takeWord({SignalKind::number, number, {}, {}});
     names.push_back(fullName());
     numbers.push_back(number);
     return fits(numbers);
@@ -208,7 +210,17 @@ class JsonRow : public nlohmann::json::json_sax_t {
         break;
     }
     if (in_array_) return key_ != "position" || refuse("`position` has text");
-    leaveOut("text");
+    return takeWord({SignalKind::text, 0, text, {}});
+  }
+
+  /// What is no number, or none that a joint can have.
+  bool takeWord(SignalValue word) {
+    if (!in_array_ && depth_ > 0) {
+      words.push_back({names.size(), std::move(word)});
+      names.push_back(fullName());
+      numbers.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+    if (names.size() > kMaxNumbers) return refuse(kTooMany);
     return value();
   }
 
@@ -279,7 +291,11 @@ class JsonLines final : public LineRecording {
       rows().leaveOut(each.name, each.reason, Severity::note);
     }
     rows().setNames(said.names);
-    const RowTranslation::Outcome outcome = rows().translate(*said.time, said.numbers);
+    const bool is_joint_beyond = std::ranges::any_of(said.words, [&](const auto& word) {
+      return word.value.kind == SignalKind::number && !rows().isSignal(word.place);
+    });
+    if (is_joint_beyond) return Row{*said.time, {}, kBeyond};
+    const RowTranslation::Outcome outcome = rows().translate(*said.time, said.numbers, said.words);
     return Row{*said.time, outcome.packet, outcome.malformed ? kPartOfPoseAlone : ""};
   }
 

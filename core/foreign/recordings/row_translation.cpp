@@ -8,6 +8,7 @@
 
 #include "core/foreign/ros/names.h"
 #include "core/foreign/table/table_column.h"
+#include "core/foreign/table/table_fields.h"
 #include "core/packet/packet_limits.h"
 
 namespace rocinante {
@@ -17,7 +18,6 @@ using Fate = ros::DeviceFinder::Fate;
 
 constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMaxNamed = 1024;
-constexpr std::string_view kNoDevice = "a joint of no device; `log import --device` names one";
 constexpr std::string_view kManyDevices = "a joint of several devices; DEVICE.JOINT names one";
 constexpr std::string_view kPassive = "a fixed or mimic joint";
 constexpr std::string_view kPartOfPose = "a pose needs all seven components";
@@ -44,6 +44,9 @@ void RowTranslation::makePlans() {
   plans_.clear();
   said_.clear();
   unused_.clear();
+  signals_.clear();
+  signal_at_.assign(names_.size(), kNoSignal);
+  word_at_.assign(names_.size(), kNoSignal);
   const ros::DeviceFinder& devices = devices_ != nullptr ? *devices_ : nobody_;
   const auto isDevice = [&](std::string_view name) {
     return !devices.knowsDevices() || devices.deviceOfTopic(name) == name;
@@ -59,6 +62,9 @@ void RowTranslation::makePlans() {
     const auto column = tableColumn(names_[i]);
     if (!reason.empty()) {
       unused_.push_back({i, reason, Severity::note});
+    } else if (isSignalColumn(names_[i])) {
+      auto signal = signalNamed(names_[i]);
+      signal ? addSignal(std::move(*signal), i) : unused_.push_back({i, kNoName});
     } else if (column && column->pose_part && isName(column->device)) {
       addPose(std::string(column->device), *column->pose_part, i);
     } else if (column && !column->topic.empty()) {
@@ -66,7 +72,11 @@ void RowTranslation::makePlans() {
       names.push_back(column->joint);
       places.push_back(i);
     } else if (column && !column->pose_part && isDevice(column->device)) {
-      addJoint(std::string(column->device), std::string(column->joint), i);
+      if (devices.lacksJoint(column->device, column->joint)) {
+        addSignal({std::string(column->device), {"", std::string(column->joint)}}, i);
+      } else {
+        addJoint(std::string(column->device), std::string(column->joint), i);
+      }
     } else {
       auto& [names, places] = plain[topic_];
       names.push_back(names_[i]);
@@ -115,9 +125,17 @@ void RowTranslation::findHomes(std::string_view topic, std::span<const std::stri
   const ros::DeviceFinder& devices = devices_ != nullptr ? *devices_ : nobody_;
   const auto homes = devices.homesOf(topic, names);
   for (std::size_t i = 0; i < homes.size(); ++i) {
+    const auto column = tableColumn(names_[places[i]]);
+    const std::string quantity(column ? column->quantity : "");
     switch (homes[i].fate) {
       case Fate::said:
-        addJoint(homes[i].device, homes[i].name, places[i]);
+        if (devices.lacksJoint(homes[i].device, homes[i].name)) {
+          addSignal({deviceOfPlain(topic), {"", homes[i].name + quantity}}, places[i]);
+        } else if (!quantity.empty()) {
+          addSignal({homes[i].device, {"", homes[i].name + quantity}}, places[i]);
+        } else {
+          addJoint(homes[i].device, homes[i].name, places[i]);
+        }
         break;
       case Fate::ambiguous:
         unused_.push_back({places[i], kManyDevices, Severity::warning});
@@ -127,14 +145,52 @@ void RowTranslation::findHomes(std::string_view topic, std::span<const std::stri
         break;
       case Fate::unknown:
         // As written, so that `check` can name the device that the cell lacks.
-        const auto column = tableColumn(names[i]);
         if (column && !column->pose_part && !column->device.empty()) {
           addJoint(std::string(column->device), std::string(column->joint), places[i]);
         } else {
-          unused_.push_back({places[i], kNoDevice, Severity::warning});
+          addSignal({deviceOfPlain(topic), {"", std::string(names[i]) + quantity}}, places[i]);
         }
     }
   }
+}
+
+/// Of a name that is no joint and names none; empty: of no device.
+std::string RowTranslation::deviceOfPlain(std::string_view topic) const {
+  if (devices_ == nullptr) return {};
+  if (!devices_->fallback().empty()) return devices_->fallback();
+  if (const auto only = devices_->onlyDevice()) return *only;
+  return devices_->deviceOfTopic(topic).value_or("");
+}
+
+/// Why not; empty: it is said.
+std::string_view RowTranslation::placeSignal(NamedSignal signal, std::size_t place) {
+  if (!isName(signal.name.name)) return kNoName;
+  if (!said_.emplace("signal", signalNameText(signal.device, signal.name)).second) return kTwice;
+  signal_at_[place] = signals_.size();
+  signals_.push_back(std::move(signal));
+  return {};
+}
+
+void RowTranslation::addSignal(NamedSignal signal, std::size_t place) {
+  const std::string_view refused = placeSignal(std::move(signal), place);
+  if (!refused.empty()) unused_.push_back({place, refused});
+}
+
+/// What a text or a truth is that stands where a joint or nothing was expected.
+std::size_t RowTranslation::signalOfWord(std::size_t place) {
+  if (isSignal(place)) return signal_at_[place];
+  if (word_at_[place] != kNoSignal) return word_at_[place];
+  const auto column = tableColumn(names_[place]);
+  const bool is_of_device = column && !column->pose_part && !column->device.empty() &&
+                            isName(column->device) &&
+                            (devices_ == nullptr || !devices_->knowsDevices() ||
+                             devices_->deviceOfTopic(column->device) == column->device);
+  NamedSignal signal{deviceOfPlain(topic_), {"", names_[place]}};
+  if (is_of_device) signal = {std::string(column->device), {"", std::string(column->joint)}};
+  const std::string_view refused = placeSignal(std::move(signal), place);
+  if (!refused.empty()) leaveOut(names_[place], refused, Severity::warning);
+  std::swap(word_at_[place], signal_at_[place]);
+  return word_at_[place];
 }
 
 void RowTranslation::leaveOut(std::string_view name, std::string_view reason, Severity severity) {
@@ -228,8 +284,69 @@ bool RowTranslation::sayPose(const DevicePlan& plan, std::span<const double> row
   return true;
 }
 
-RowTranslation::Outcome RowTranslation::translate(Nanoseconds time,
-                                                  std::span<const double> numbers) {
+/// One `signals` statement for neighbours of one device or link; a text has its own.
+void RowTranslation::saySignals(std::span<const double> row, std::span<const Word> words) {
+  const NamedSignal* last = nullptr;
+  const auto flush = [&] {
+    if (said_names_.empty()) return;
+    Statement statement;
+    statement.kind = StatementKind::signals;
+    statement.path = {last->device, last->name.link};
+    statement.names = said_names_;
+    statement.numbers = said_numbers_;
+    statement.signal_kinds = said_kinds_;
+    packet_.add(statement);
+    said_names_.clear();
+    said_numbers_.clear();
+    said_kinds_.clear();
+  };
+  const auto say = [&](const NamedSignal& signal, SignalKind kind, double number) {
+    const bool is_neighbour = last != nullptr && last->device == signal.device &&
+                              last->name.link == signal.name.link &&
+                              said_names_.size() < limits::kSignalValues;
+    if (!is_neighbour) flush();
+    last = &signal;
+    said_names_.push_back(signal.name.name);
+    said_numbers_.push_back(number);
+    said_kinds_.push_back(kind);
+  };
+  said_names_.clear();
+  said_numbers_.clear();
+  said_kinds_.clear();
+  // A word may make a signal of its name.
+  for (const Word& word : words) signalOfWord(word.place);
+  for (std::size_t place = 0; place < row.size(); ++place) {
+    if (isSignal(place) && std::isfinite(row[place])) {
+      say(signals_[signal_at_[place]], SignalKind::number, row[place]);
+    }
+    if (words.empty() || words.front().place != place) continue;
+    const SignalValue& value = words.front().value;
+    words = words.subspan(1);
+    const std::size_t at = signalOfWord(place);
+    if (at == kNoSignal) continue;
+    if (value.kind != SignalKind::text) {
+      say(signals_[at], value.kind, value.number);
+    } else if (!isSignalText(value.text)) {
+      leaveOut(names_[place], kNoSignalText, Severity::warning);
+    } else {
+      const std::string_view name = signals_[at].name.name;
+      constexpr SignalKind kText = SignalKind::text;
+      constexpr double kNothing = 0;
+      Statement statement;
+      statement.kind = StatementKind::signal;
+      statement.path = {signals_[at].device, signals_[at].name.link};
+      statement.names = std::span(&name, 1);
+      statement.numbers = std::span(&kNothing, 1);
+      statement.signal_kinds = std::span(&kText, 1);
+      statement.text = value.text;
+      packet_.add(statement);
+    }
+  }
+  flush();
+}
+
+RowTranslation::Outcome RowTranslation::translate(Nanoseconds time, std::span<const double> numbers,
+                                                  std::span<const Word> words) {
   if (!unused_.empty()) nameUnused(numbers);
   PacketHeader header;
   header.source = source_;
@@ -242,6 +359,7 @@ RowTranslation::Outcome RowTranslation::translate(Nanoseconds time,
       return {{}, true};
     }
   }
+  if (!signals_.empty() || !words.empty()) saySignals(numbers, words);
   if (!packet_.hasStatements()) return {};
   return {packet_.text(), false};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <set>
 #include <span>
 #include <string>
@@ -10,12 +11,13 @@
 #include "core/base/time.h"
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/device_finder.h"
+#include "core/packet/item_text.h"
 #include "core/packet/packet_text.h"
 #include "core/report/account.h"
 
 namespace rocinante {
 
-/// Turns rows of named numbers into packet text: joints and poses of devices
+/// Turns rows of named values into packet text: joints, poses and signals
 /// (docs/other-formats.md, "Tables and JSON lines"). One per recording.
 class RowTranslation {
  public:
@@ -30,12 +32,21 @@ class RowTranslation {
   void setNames(std::span<const std::string_view> names);
   void setNames(std::span<const std::string> names);
 
-  /// NaN: the row does not say it.
+  /// Whether any value fits there, not only a number that a joint can have. After setNames().
+  bool isSignal(std::size_t place) const { return signal_at_[place] != kNoSignal; }
+
+  /// What is said in the place of a number.
+  struct Word {
+    std::size_t place = 0;
+    SignalValue value;
+  };
+  /// In `numbers` NaN: the row does not say it, or says a word.
   struct Outcome {
     std::string_view packet;  ///< borrowed until the next call; empty: nothing to say
     bool malformed = false;   ///< a part of a pose alone
   };
-  Outcome translate(Nanoseconds time, std::span<const double> numbers);
+  Outcome translate(Nanoseconds time, std::span<const double> numbers,
+                    std::span<const Word> words = {});
 
   /// A name whose values are no numbers of a device.
   void leaveOut(std::string_view name, std::string_view reason, Severity severity);
@@ -48,6 +59,8 @@ class RowTranslation {
     std::vector<std::size_t> places;  ///< of a row
     std::vector<std::string> joints;  ///< their names; empty: a pose
   };
+
+  static constexpr std::size_t kNoSignal = std::numeric_limits<std::size_t>::max();
 
   /// A name that no packet has, until it has a value: then it is left out.
   struct Unused {
@@ -62,6 +75,11 @@ class RowTranslation {
                  std::span<const std::size_t> places);
   void addJoint(const std::string& device, const std::string& joint, std::size_t place);
   void addPose(const std::string& device, std::size_t part, std::size_t place);
+  std::string_view placeSignal(NamedSignal signal, std::size_t place);
+  void addSignal(NamedSignal signal, std::size_t place);
+  std::size_t signalOfWord(std::size_t place);
+  std::string deviceOfPlain(std::string_view topic) const;
+  void saySignals(std::span<const double> row, std::span<const Word> words);
   void nameUnused(std::span<const double> numbers);
   bool sayPose(const DevicePlan& plan, std::span<const double> row);
   void sayJoints(const DevicePlan& plan, std::span<const double> row);
@@ -70,11 +88,15 @@ class RowTranslation {
   PacketTextWriter packet_;
   std::vector<std::string_view> said_names_;
   std::vector<double> said_numbers_;
+  std::vector<SignalKind> said_kinds_;
   const ros::DeviceFinder* devices_ = nullptr;
   const ros::DeviceFinder nobody_{nullptr, {}};
   std::vector<std::string> names_;
   std::vector<DevicePlan> plans_;
   std::vector<Unused> unused_;
+  std::vector<NamedSignal> signals_;
+  std::vector<std::size_t> signal_at_;  ///< by place, into `signals_`
+  std::vector<std::size_t> word_at_;    ///< the same, of names whose numbers are no signal
   std::set<std::pair<std::string, std::string>> said_;  ///< devices and joints of the plans
   std::string kind_;
   std::set<std::string, std::less<>> named_;  ///< in the account

@@ -1,11 +1,11 @@
 #include "core/foreign/recordings/table_recording.h"
 
 #include <limits>
+#include <set>
 
 #include "core/base/figure_text.h"
 #include "core/foreign/recordings/line_recording.h"
 #include "core/foreign/table/csv_line.h"
-#include "core/foreign/table/table_column.h"
 #include "core/foreign/table/table_fields.h"
 #include "core/foreign/table/table_header.h"
 
@@ -15,6 +15,8 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 /// Of a name or a value in a sentence.
 constexpr std::size_t kMaxShown = 64;
+/// Of the names that are kept.
+constexpr std::size_t kMaxKept = 100'000;
 constexpr const char* kTableTopic = "/table";
 constexpr const char* kTableDecoder = "csv";
 
@@ -55,9 +57,6 @@ class TableRecording final : public LineRecording {
     };
     if (header_.index != TableHeader::kNone) leaveOut(header_.index, "row numbers", Severity::note);
     for (const ValueColumn& column : columns_) {
-      if (column.is_text) {
-        leaveOut(column.place, "text", column.is_named ? Severity::warning : Severity::note);
-      }
       if (column.is_empty) leaveOut(column.place, "no row has a value", Severity::warning);
     }
     if (!header_.isLong()) return account;
@@ -93,13 +92,12 @@ class TableRecording final : public LineRecording {
   /// A column of the wide form that may have values.
   struct ValueColumn {
     std::size_t place = 0;
-    bool is_named = false;  ///< as a joint or a component of a pose
     bool is_empty = true;   ///< nothing but "no value" so far
-    bool is_text = false;   ///< its first value is: a remark
+    bool is_words = false;  ///< its first value is no number that a joint can have: a signal's
   };
 
   Row translated(Nanoseconds time) {
-    const RowTranslation::Outcome outcome = rows().translate(time, numbers_);
+    const RowTranslation::Outcome outcome = rows().translate(time, numbers_, words_);
     if (outcome.malformed) return {time, {}, kPartOfPoseAlone};
     return {time, outcome.packet};
   }
@@ -116,7 +114,7 @@ class TableRecording final : public LineRecording {
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < header_.names.size(); ++i) {
       if (i == header_.time || i == header_.index) continue;
-      columns_.push_back({i, tableColumn(header_.names[i]).has_value()});
+      columns_.push_back({i});
       names.push_back(header_.names[i]);
     }
     names_.assign(names.begin(), names.end());
@@ -126,45 +124,47 @@ class TableRecording final : public LineRecording {
     // Here the devices are known.
     if (numbers_.empty()) rows().setNames(names_);
     numbers_.clear();
-    for (ValueColumn& column : columns_) {
+    words_.clear();
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      ValueColumn& column = columns_[i];
       double number = kNothing;
-      if (!column.is_text) {
-        switch (read_.read(fields_[column.place].text, number)) {
-          case TableValue::number:
-            column.is_empty = false;
-            break;
-          case TableValue::nothing:
-            number = kNothing;
-            break;
-          case TableValue::text:
-            if (!column.is_empty) return noNumber(time, column.place);
-            column.is_text = true;
-            column.is_empty = false;
-            number = kNothing;
-        }
+      const TableValue value = read_.read(fields_[column.place].text, number);
+      if (value == TableValue::nothing) number = kNothing;
+      if (value == TableValue::text || (column.is_words && value == TableValue::number)) {
+        column.is_words |= column.is_empty;
+        if (!column.is_words && !rows().isSignal(i)) return noNumber(time, column.place);
+        number = kNothing;
+        addWord(i, column.place);
       }
+      column.is_empty &= value == TableValue::nothing;
       numbers_.push_back(number);
     }
     return translated(time);
   }
 
+  void addWord(std::size_t place, std::size_t column) {
+    auto value = read_.readSignal(fields_[column].unescaped());
+    if (value) words_.push_back({place, std::move(*value)});
+  }
+
   Row valueRow(Nanoseconds time) {
     double number = 0;
-    switch (read_.read(fields_[header_.value].text, number)) {
-      case TableValue::number:
-        break;
-      case TableValue::nothing:
-        return {time, {}};
-      case TableValue::text:
-        return noNumber(time, header_.value);
-    }
-    numbers_.assign(1, number);
+    const TableValue value = read_.read(fields_[header_.value].text, number);
+    if (value == TableValue::nothing) return {time, {}};
+    words_.clear();
+    numbers_.assign(1, value == TableValue::number ? number : kNothing);
     std::string name;
     if (header_.device != TableHeader::kNone) name = fields_[header_.device].unescaped();
     if (name.empty()) name = device_;
     if (!name.empty()) name += '.';
     name += fields_[header_.joint].unescaped();
     rows().setNames(std::span<const std::string>(&name, 1));
+    if (value == TableValue::text) {
+      if (!rows().isSignal(0) && with_numbers_.contains(name)) return noNumber(time, header_.value);
+      addWord(0, header_.value);
+    } else if (with_numbers_.size() < kMaxKept) {
+      with_numbers_.insert(std::move(name));
+    }
     return translated(time);
   }
 
@@ -176,6 +176,8 @@ class TableRecording final : public LineRecording {
   std::vector<ValueColumn> columns_;
   std::vector<std::string> names_;  ///< as many
   std::vector<double> numbers_;
+  std::vector<RowTranslation::Word> words_;
+  std::set<std::string> with_numbers_;  ///< names of the long form
 };
 
 Result<std::unique_ptr<ros::BagReader>> tableOf(RecordingBytes bytes, std::string name,

@@ -56,6 +56,7 @@ DeviceFinder::DeviceFinder(const Cell* cell, std::string fallback)
     devices_.insert(device.name);
     const Model* const model = cell->modelOf(device);
     if (model == nullptr) continue;
+    modelled_.insert(device.name);
     for (const rocinante::Joint& joint : model->joints) {
       const bool driven = joint.type != JointType::fixed && !joint.mimic;
       std::vector<std::string> names;
@@ -126,22 +127,28 @@ std::string DeviceFinder::madeUpDevice(std::string_view topic, std::string_view 
   return std::string(parts.size() > 1 ? parts.front() : otherwise);
 }
 
+const DeviceFinder::Joint* DeviceFinder::jointOf(std::string_view device,
+                                                 std::string_view name) const {
+  const auto [first, last] = joints_.equal_range(name);
+  const auto found =
+      std::find_if(first, last, [&](const auto& each) { return each.second.device == device; });
+  return found == last ? nullptr : &found->second;
+}
+
+bool DeviceFinder::lacksJoint(std::string_view device, std::string_view joint) const {
+  return modelled_.contains(device) && jointOf(device, joint) == nullptr;
+}
+
 DeviceFinder::JointHome DeviceFinder::homeOf(std::string_view joint,
                                              const std::optional<std::string>& by_topic) const {
-  const auto find = [this](std::string_view name, std::string_view device) -> const Joint* {
-    const auto [first, last] = joints_.equal_range(name);
-    const auto found =
-        std::find_if(first, last, [&](const auto& each) { return each.second.device == device; });
-    return found == last ? nullptr : &found->second;
-  };
   const auto home = [](const Joint& of, std::string_view name) {
     return JointHome{of.driven ? Fate::said : Fate::passive, of.device, std::string(name)};
   };
   if (const auto both = prefixed(joint)) {
-    if (const Joint* const of = find(both->second, both->first)) return home(*of, both->second);
+    if (const Joint* const of = jointOf(both->first, both->second)) return home(*of, both->second);
   }
   if (by_topic) {
-    if (const Joint* const of = find(joint, *by_topic)) return home(*of, joint);
+    if (const Joint* const of = jointOf(*by_topic, joint)) return home(*of, joint);
   }
   const auto [first, last] = joints_.equal_range(joint);
   if (first == last) return {Fate::unknown, {}, std::string(joint)};

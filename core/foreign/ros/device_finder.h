@@ -48,6 +48,9 @@ class DeviceFinder {
   /// Without a cell: the topic's namespace, or else `otherwise`.
   std::string madeUpDevice(std::string_view topic, std::string_view otherwise) const;
 
+  /// Whether the device has a model, and no joint or value of one of this name.
+  bool lacksJoint(std::string_view device, std::string_view joint) const;
+
   enum class Fate : std::uint8_t {
     said,       ///< of `device`, as joint `name`
     passive,    ///< a fixed or mimic joint: not sent
@@ -67,10 +70,11 @@ class DeviceFinder {
     std::string device;
     bool driven = false;
   };
+  const Joint* jointOf(std::string_view device, std::string_view name) const;
   JointHome homeOf(std::string_view joint, const std::optional<std::string>& by_topic) const;
 
   std::string fallback_;
-  std::set<std::string, std::less<>> devices_;
+  std::set<std::string, std::less<>> devices_, modelled_;
   std::multimap<std::string, Joint, std::less<>> joints_;
   std::multimap<std::string, std::string, std::less<>> roots_;  ///< root link -> device
   std::multimap<std::string, std::string, std::less<>> links_;  ///< any link -> device

@@ -73,12 +73,17 @@ std::optional<TableColumn> tableColumn(std::string_view name) {
     if (!name.ends_with(ending) || name.size() == ending.size()) continue;
     return TableColumn{name.substr(0, name.size() - ending.size()), {}, part, {}};
   }
-  constexpr std::string_view kPosition = "/position";
-  if (name.starts_with('/') && name.ends_with(kPosition)) {
-    const std::string_view path = name.substr(0, name.size() - kPosition.size());
+  struct Quantity {
+    std::string_view ending, quantity;
+  };
+  constexpr std::array<Quantity, 3> kQuantities = {
+      {{"/position", ""}, {"/velocity", ".velocity"}, {"/effort", ".effort"}}};
+  for (const auto& [ending, quantity] : kQuantities) {
+    if (!name.starts_with('/') || !name.ends_with(ending)) continue;
+    const std::string_view path = name.substr(0, name.size() - ending.size());
     const std::size_t slash = path.rfind('/');
     if (slash == path.npos || slash == 0 || slash + 1 == path.size()) return std::nullopt;
-    return TableColumn{{}, path.substr(slash + 1), std::nullopt, path.substr(0, slash)};
+    return TableColumn{{}, path.substr(slash + 1), std::nullopt, path.substr(0, slash), quantity};
   }
   const std::size_t point = name.find('.');
   if (point == name.npos || point == 0 || point + 1 == name.size()) return std::nullopt;
@@ -98,10 +103,6 @@ std::optional<std::size_t> plainPosePart(std::string_view name) {
 std::string_view notAValue(std::string_view name) {
   if (timeUnitOf(name)) return "another time";
   if (name.starts_with(kClearanceColumn)) return "a distance";
-  if (isSignalColumn(name)) return "signals are not read";
-  if (!name.starts_with('/')) return {};
-  if (name.ends_with("/velocity")) return "velocities are not read";
-  if (name.ends_with("/effort")) return "efforts are not read";
   return {};
 }
 

@@ -26,18 +26,20 @@ struct TableColumn {
   std::string_view joint;                ///< empty: a component of the pose
   std::optional<std::size_t> pose_part;  ///< into kPoseEndings
   std::string_view topic = {};
+  /// Of a topic: ".velocity" or ".effort", which is a signal; empty: the position.
+  std::string_view quantity = {};
 };
 
 /// The meaning of "DEVICE.JOINT" (the first point separates), of "DEVICE:x" and so on, and of
-/// "/TOPIC/JOINT/position", as PlotJuggler names the joints of a JointState; empty for a name
-/// without any of them.
+/// "/TOPIC/JOINT/position" (or "velocity", "effort"), as PlotJuggler names the joints of a
+/// JointState; empty for a name without any of them, and for a signal's.
 std::optional<TableColumn> tableColumn(std::string_view name);
 
 /// The component of a pose that a column without a device is, where all seven are there: "tx" or
 /// "x" and so on, as TUM names them; into kPoseEndings.
 std::optional<std::size_t> plainPosePart(std::string_view name);
 
-/// Why a column of this name is no value that moves anything; empty when it may be one.
+/// Why a column of this name is no value of anything; empty when it may be one.
 std::string_view notAValue(std::string_view name);
 
 /// Parses seconds as programs print them ("12.5", "1e-05", "0.30000000000000004"), to the nearest

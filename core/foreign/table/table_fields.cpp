@@ -4,9 +4,13 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <span>
 
+#include "core/base/bytes.h"
 #include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
 #include "core/foreign/table/table_column.h"
+#include "core/packet/packet_limits.h"
 #include "core/packet/text_number.h"
 
 namespace rocinante {
@@ -18,7 +22,19 @@ constexpr auto kNoValues = std::to_array<std::string_view>(
     {"",     "-",    "--",       "---",       "n/a",       "na",        "#n/a", "<na>", "nan",
      "+nan", "-nan", "nan(ind)", "-nan(ind)", "1.#qnan",   "-1.#ind",   "null", "none", "nil",
      "inf",  "+inf", "-inf",     "infinity",  "+infinity", "-infinity", "?"});
-constexpr std::size_t kLongestNoValue = 9;
+constexpr std::size_t kLongestWord = 9;
+constexpr std::array<std::string_view, 1> kTrue = {"true"};
+constexpr std::array<std::string_view, 1> kFalse = {"false"};
+
+/// In any case.
+bool isOneOf(std::span<const std::string_view> words, std::string_view text) {
+  if (text.size() > kLongestWord) return false;
+  std::array<char, kLongestWord> low{};
+  std::ranges::transform(text, low.begin(), [](char each) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(each)));
+  });
+  return std::ranges::find(words, std::string_view(low.data(), text.size())) != words.end();
+}
 
 bool isDigitOrSign(char each) { return (each >= '0' && each <= '9') || each == '+' || each == '-'; }
 
@@ -50,13 +66,12 @@ TimeUnit unitOf(std::string_view number) {
 
 }  // namespace
 
-bool isNoValue(std::string_view text) {
-  if (text.size() > kLongestNoValue) return false;
-  std::array<char, kLongestNoValue> low{};
-  std::ranges::transform(text, low.begin(), [](char each) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(each)));
-  });
-  return std::ranges::find(kNoValues, std::string_view(low.data(), text.size())) != kNoValues.end();
+bool isNoValue(std::string_view text) { return isOneOf(kNoValues, text); }
+
+bool isSignalText(std::string_view text) {
+  const auto is_said = [](char each) { return each == '\t' || each == '\n' || !isControl(each); };
+  return text.size() <= limits::kStringBytes && std::ranges::all_of(text, is_said) &&
+         isUtf8(bytesOf(text));
 }
 
 std::string_view TableNumbers::withPoint(std::string_view text) {
@@ -82,6 +97,20 @@ TableValue TableNumbers::read(std::string_view text, double& number) {
     return std::abs(number) < kTableBound ? TableValue::number : TableValue::text;
   }
   return isNoValue(text) ? TableValue::nothing : TableValue::text;
+}
+
+std::optional<SignalValue> TableNumbers::readSignal(std::string_view text) {
+  SignalValue value;
+  const std::string_view plain = withPoint(text);
+  const char* at = plain.data();
+  const char* const end = at + plain.size();
+  if (readNumber(at, end, value.number) && at == end) return value;
+  if (isNoValue(text)) return std::nullopt;
+  const bool is_true = isOneOf(kTrue, text);
+  if (is_true || isOneOf(kFalse, text)) {
+    return SignalValue{SignalKind::boolean, is_true ? 1.0 : 0.0, {}, {}};
+  }
+  return SignalValue{SignalKind::text, 0, std::string(text), {}};
 }
 
 std::optional<Nanoseconds> TableTimes::read(std::string_view text) {

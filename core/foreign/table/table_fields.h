@@ -7,6 +7,7 @@
 
 #include "core/base/time.h"
 #include "core/foreign/table/table_header.h"
+#include "core/packet/session_state.h"
 
 namespace rocinante {
 
@@ -24,6 +25,9 @@ class TableNumbers {
 
   /// Finite and below 2^53 in magnitude, else it is text.
   TableValue read(std::string_view text, double& number);
+  /// A value of a signal: any finite number; `true` and `false`, in any case, or another text.
+  /// Empty: no value yet. `text` is with quotes taken off.
+  std::optional<SignalValue> readSignal(std::string_view text);
   /// The number as packet text has it; borrowed until the next call.
   std::string_view withPoint(std::string_view text);
 
@@ -44,6 +48,12 @@ class TableTimes {
  private:
   TimeUnit unit_;
 };
+
+/// Whether a signal can have the text: UTF-8 of at most 4,096 bytes, with no control characters but
+/// tabs and line feeds.
+bool isSignalText(std::string_view text);
+inline constexpr std::string_view kNoSignalText =
+    "a text of more than 4,096 bytes, not in UTF-8, or with control characters";
 
 /// A word for "no value": an empty text is one.
 bool isNoValue(std::string_view text);

@@ -1,5 +1,6 @@
 #include "player/source/csv_motion.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,6 +27,60 @@ Result<CsvMotion> readCell(std::string_view text) { return readCsvMotion(text, "
 std::string errorOf(std::string_view text, const std::vector<std::string>& columns = {}) {
   const auto motion = read(text, columns);
   return motion.ok() ? "no error" : motion.error().text();
+}
+
+/// Each signal with its changes: the row, and the value.
+std::string signalsOf(const CsvMotion& motion) {
+  std::string text;
+  for (std::size_t i = 0; i < motion.signals.columns().size(); ++i) {
+    const NamedSignal& signal = motion.signals.columns()[i].signal;
+    text += signalNameText(signal.device, signal.name) + ":";
+    for (const CsvSignals::Change& change : motion.signals.changes()) {
+      if (change.index != i) continue;
+      const SignalValue& value = change.value;
+      text += fmt::format(" {} ", change.row);
+      if (value.kind == SignalKind::number) text += fmt::format("{}", value.number);
+      if (value.kind == SignalKind::boolean) text += value.number != 0 ? "true" : "false";
+      text += value.text;
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(CsvMotion, ColumnsOfSignalsAreNamedOrHaveNoNumbers) {
+  const auto motion =
+      readCell(
+          "t,signal arm load,arm.j1,signal arm/tip f%20x,signal - estop,arm.mode,note,free.text\n"
+          "0,1e-12,1,1e300,true,auto,None,nan\n1,1E-12,2,,False,auto,\"a \"\"b\"\"\",TRUE\n"
+          "2,2,3,-,false,7,n/a,false\n")
+          .value();
+  EXPECT_EQ(signalsOf(motion),
+            "signal arm load: 0 1e-12 2 2\nsignal arm/tip f%20x: 0 1e+300\n"
+            "signal - estop: 0 true 1 false\nsignal arm mode: 0 auto 2 7\n"
+            "signal - note: 1 a \"b\"\nsignal free text: 1 true 2 false\n");
+  EXPECT_THAT(motion.devices[0].joints, ElementsAre("j1"));
+  EXPECT_THAT(motion.row(2), ElementsAre(3));
+  EXPECT_TRUE(motion.left_out.empty());
+  // All but the explicit ones are of the device that is named.
+  EXPECT_EQ(signalsOf(read("t,a,mode,arm.on,signal - x\n0,1,run,true,2\n").value()),
+            "signal - x: 0 2\nsignal arm mode: 0 run\nsignal arm arm.on: 0 true\n");
+  // Only signals are a table, too.
+  EXPECT_EQ(signalsOf(readCell("t,signal - x\n0,2\n").value()), "signal - x: 0 2\n");
+}
+
+TEST(CsvMotion, WhatCannotBeASignalIsNamed) {
+  const std::string odd = "bell \a";
+  const auto motion =
+      readCell("t,arm.j1,signal a%zz x,arm.on,signal arm on,signal arm mode\n0,1,2,true,3," + odd +
+               "\n1,1,2,true,3," + std::string(4097, 'x') + "\n")
+          .value();
+  EXPECT_EQ(signalsOf(motion), "signal arm on: 0 3\nsignal arm mode:\n");
+  EXPECT_EQ(
+      accountSentence(motion.left_out),
+      "left out: 1 column `signal a%zz x` (packets have no such name), 1 column `arm.on` (said "
+      "twice: the first of them counts), 2 values `signal arm mode` (a text of more than "
+      "4,096 bytes, not in UTF-8, or with control characters; the first at line 2)");
 }
 
 TEST(CsvMotion, ReadsTheNumbersOfEachRow) {
@@ -163,10 +218,11 @@ TEST(CsvMotion, ReadsTheDialectsOfTheImport) {
   const auto pandas = read(",timestamp,a,note\n0,1700000000500,1,begins\n").value();
   EXPECT_EQ(pandas.times[0], 1'700'000'000'500ms);
   EXPECT_THAT(pandas.devices[0].joints, ElementsAre("a"));
-  EXPECT_EQ(accountSentence(pandas.left_out),
-            "left out: 1 column (row numbers), 1 column `note` (text)");
+  EXPECT_EQ(accountSentence(pandas.left_out), "left out: 1 column (row numbers)");
+  EXPECT_EQ(signalsOf(pandas), "signal arm note: 0 begins\n");
   const auto juggler = read("__time,/js/shoulder/position,/js/shoulder/effort\n1,2,3\n").value();
   EXPECT_THAT(juggler.devices[0].joints, ElementsAre("shoulder"));
+  EXPECT_EQ(signalsOf(juggler), "signal arm shoulder.effort: 0 3\n");
   const auto tum = read("# timestamp tx ty tz qx qy qz qw\n1.5 1 2 3 0 0 0 1\n").value();
   EXPECT_TRUE(tum.devices[0].joints.empty());
   EXPECT_THAT(tum.devices[0].pose_columns, ElementsAre(0, 1, 2, 3, 4, 5, 6));

@@ -57,6 +57,60 @@ TEST(CsvStream, SaysNothingOfADeviceWhoseFieldsAreEmpty) {
   EXPECT_EQ(all[2].text, "RK1 arm@r 2 1\njoints b 2\n");
 }
 
+std::vector<std::string> linesOf(const std::vector<Sent>& all) {
+  std::vector<std::string> lines;
+  for (const Sent& sent : all) lines.push_back(sent.text.substr(sent.text.find('\n') + 1));
+  return lines;
+}
+
+TEST(CsvStream, SaysASignalWhereItChanges) {
+  const auto motion = motionOf(
+      "t,signal arm load,signal - on,signal arm mode\n"
+      "0,0.1,true,auto\n1,0.1,true,auto\n2,0.30000000000000004,false,\n3,,,\"a b\"\n",
+      "");
+  auto stream = CsvStream::open(motion, someOptions()).value();
+  const auto all = takeAll(stream);
+  EXPECT_THAT(linesOf(all), testing::ElementsAre(
+                                "signal arm load 0.1\nsignal - on true\nsignal arm mode \"auto\"\n",
+                                "signals arm load=0.30000000000000004\nsignal - on false\n",
+                                "signal arm mode \"a b\"\n"));
+  EXPECT_EQ(all[1].time, LogTime(2s));
+}
+
+TEST(CsvStream, ATurnSaysWhatTheLastOneEndedWithout) {
+  auto options = someOptions();
+  options.turns = 3;
+  const auto motion = motionOf("t,signal - a,signal - b\n0,1,5\n1,2,\n2,1,\n", "");
+  auto stream = CsvStream::open(motion, options).value();
+  const std::vector<std::string> lines = linesOf(takeAll(stream));
+  EXPECT_THAT(lines, testing::ElementsAre("signal - a 1\nsignal - b 5\n", "signals - a=2\n",
+                                          "signals - a=1\n", "signals - a=2\n", "signals - a=1\n",
+                                          "signals - a=2\n", "signals - a=1\n"));
+}
+
+TEST(CsvStream, SignalsThatStandStillAreOnlyRestated) {
+  auto options = someOptions();
+  options.turns = 3;
+  const auto motion = motionOf("t,signal - a\n0,1\n1,1\n", "");
+  auto once = CsvStream::open(motion, options).value();
+  EXPECT_THAT(takeAll(once), testing::SizeIs(1));
+  options.restate = 2s;
+  auto stream = CsvStream::open(motion, options).value();
+  const auto all = takeAll(stream);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_TRUE(all[2].restated);
+  EXPECT_EQ(all[2].time, LogTime(4s));
+}
+
+TEST(CsvStream, ARowWithoutAnythingIsNoPacket) {
+  const auto motion = motionOf("t,a,b\n0,,\n1,1,\n2,1,2\n3,,\n");
+  auto options = someOptions();
+  options.turns = 2;
+  auto stream = CsvStream::open(motion, options).value();
+  EXPECT_THAT(linesOf(takeAll(stream)),
+              testing::ElementsAre("order arm a b\n", "joints arm 1 2\n", "joints arm 1 2\n"));
+}
+
 TEST(CsvStream, EveryRowIsAPacketWithoutFaults) {
   const auto motion = motionOf("t,a,b\n0,.5,5.\n1,-0,1e-3\n");
   auto stream = CsvStream::open(motion, someOptions()).value();

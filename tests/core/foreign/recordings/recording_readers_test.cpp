@@ -62,10 +62,10 @@ TEST(TableRecording, MakesAPacketOfEachRowOfManyDevices) {
             "1.000000001,,1e-3,,,,,,,,\"it, says\"\r\n"));
   ASSERT_TRUE(made.ok()) << made.error().text();
   EXPECT_TRUE(made->report.lostNothing());
-  EXPECT_THAT(made->packets,
-              ElementsAre("RK1 decoded:csv:table - 0.5\njoint arm j1=0.25 j2=0\n"
-                          "pose tray 1 2 3 0 0 0 1\n",
-                          "RK1 decoded:csv:table - 1.000000001\njoint arm j2=0.001\n"));
+  EXPECT_THAT(made->packets, ElementsAre("RK1 decoded:csv:table - 0.5\njoint arm j1=0.25 j2=0\n"
+                                         "pose tray 1 2 3 0 0 0 1\nsignal - remark \"begins\"\n",
+                                         "RK1 decoded:csv:table - 1.000000001\njoint arm j2=0.001\n"
+                                         "signal - remark \"it, says\"\n"));
   LogReader reader = openLog(made->log);
   // Times stay those of the table.
   EXPECT_EQ(reader.summary().origin, LogTime{});
@@ -214,13 +214,27 @@ TEST(TableRecording, NamesEveryColumnThatIsLeftOut) {
   EXPECT_THAT(
       saidBy(table(",t,arm.j1,note,empty,clearance/a/b,/js/w/velocity,time_ns_text,other\n"
                    "0,1,0.5,begins,,3,4,x,7\n1,2,0.5,,nan,3,4,,7\n")),
-      ElementsAre("1\njoint arm j1=0.5\n"
-                  "joint robot other=7\n",
-                  "2\njoint arm j1=0.5\njoint robot other=7\n",
-                  "left out: 1 column `clearance/a/b` (a distance), "
-                  "1 column `/js/w/velocity` (velocities are not read), 1 column (row numbers), "
-                  "1 column `note` (text), 1 column `empty` (no row has a value), "
-                  "1 column `time_ns_text` (text)"));
+      ElementsAre("1\njoint arm j1=0.5\njoint robot other=7\nsignal - note \"begins\"\n"
+                  "signal - time_ns_text \"x\"\nsignals robot w.velocity=4\n",
+                  "2\njoint arm j1=0.5\njoint robot other=7\nsignals robot w.velocity=4\n",
+                  "left out: 1 column `clearance/a/b` (a distance), 1 column (row numbers), "
+                  "1 column `empty` (no row has a value)"));
+}
+
+TEST(TableRecording, ColumnsOfSignalsAreSignals) {
+  EXPECT_THAT(
+      saidBy(table("t,signal arm load,signal arm/tip force,signal - estop,signal arm mode,arm.j1\n"
+                   "1,1e-12,1e300,true,auto,0.5\n2,,,FALSE,7,\n3,0.1,-,nan,\"a \"\"b\"\"\",1\n")),
+      ElementsAre("1\njoint arm j1=0.5\nsignals arm load=1e-12\nsignals arm/tip force=1e+300\n"
+                  "signal arm mode \"auto\"\nsignals - estop=true\n",
+                  "2\nsignals - estop=false\nsignals arm mode=7\n",
+                  "3\njoint arm j1=1\nsignal arm mode \"a \\\"b\\\"\"\nsignals arm load=0.1\n"));
+  // What nobody can state is named, as is what another column says already.
+  EXPECT_THAT(saidBy(table("t,signal arm%20x load,signal arm l%zz,arm.on,signal arm on\n"
+                           "1,2,3,true,false\n")),
+              ElementsAre("1\nsignals arm%20x load=2\nsignals arm on=false\n",
+                          "left out: 1 column `signal arm l%zz` (packets have no such name), "
+                          "1 column `arm.on` (said twice: the first of them counts)"));
 }
 
 TEST(TableRecording, ReadsTheJointsThatPlotJugglerNames) {
@@ -315,9 +329,9 @@ TEST(JsonLines, ReadsNumbersAsTextAndWhatHasNoValueYet) {
           "{\"t\":\"0.5\",\"arm\":{\"a\":\"0.2\",\"b\":NaN,\"c\":-Infinity},\"note\":\"NaN is\"}\n"
           "{\"t\":1,\"device\":\"arm\",\"name\":[\"a\",\"b\"],\"position\":[null,3],"
           "\"effort\":[1]}\n")),
-      ElementsAre("0\njoint arm a=0.1\n", "0.5\njoint arm a=0.2\n", "1\njoint arm b=3\n",
-                  "left out: 1 key `arm.on` (true or false), 1 key `note` (text), "
-                  "1 key `effort` (an array)"));
+      ElementsAre("0\njoint arm a=0.1\nsignals arm on=true\n",
+                  "0.5\njoint arm a=0.2\nsignal - note \"NaN is\"\n", "1\njoint arm b=3\n",
+                  "left out: 1 key `effort` (an array)"));
   EXPECT_THAT(saidBy(lines("{\"timestamp\":1700000000500,\"arm\":{\"a\":1}}\n")),
               ElementsAre("1700000000.5\njoint arm a=1\n"));
 }
@@ -330,7 +344,8 @@ TEST(JsonLines, NamesNumbersByTheKeysThatLeadToThem) {
             "{\"t\": 3, \"device\": \"arm\", \"joint\": \"c\", \"value\": 4}\n"));
   ASSERT_TRUE(made.ok()) << made.error().text();
   EXPECT_THAT(made->packets,
-              ElementsAre("RK1 decoded:json:json - 1.000000001\njoint arm j1=0.5 j2=-2\n",
+              ElementsAre("RK1 decoded:json:json - 1.000000001\njoint arm j1=0.5 j2=-2\n"
+                          "signals arm on=true\n",
                           "RK1 decoded:json:json - 3\njoint arm c=4\n",
                           "RK1 decoded:json:json - 1700000000.123456789\njoint arm a=1 b=2.5\n"));
 }
