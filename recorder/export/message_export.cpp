@@ -88,6 +88,22 @@ Status writeRaw(ExportedMcap& out, const LogMessage& message) {
                       raw);
 }
 
+/// Tells the format which signals there are, in a pass of its own. False: it has no place for them.
+Result<bool> knowSignals(MomentWalk& session, SessionFormat& format,
+                         const MessageExportOptions& options) {
+  KnownSignals known;
+  const Result<const SessionState*> first = session.stateAt(options.from);
+  if (!first) return first.error();
+  known.notice(**first);
+  MomentVisitor visitor;
+  visitor.message = [&](const LogMessage&, const Packet* packet) -> Status {
+    if (packet != nullptr) known.notice(*packet);
+    return {};
+  };
+  if (Status seen = session.visit(options.from, options.until, visitor); !seen) return seen.error();
+  return format.knowSignals(known);
+}
+
 }  // namespace
 
 Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell,
@@ -96,6 +112,8 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
   Result<TimedNotes> notes = TimedNotes::of(session, options.from, options.until, options.notes);
   if (!notes) return notes.error();
   MessageExporter exporter(cell, format, out, options.shapes);
+  const Result<bool> has_signals = knowSignals(session, format, options);
+  if (!has_signals) return has_signals.error();
   SessionCensus census;
   const LogSummary& log = session.log().summary();
   std::uint64_t moments = 0;
@@ -137,7 +155,8 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
                                         StatementKind::color, StatementKind::view};
   census.addStatements(report.left_out, kUnknownThere, "the format has nothing for it");
   constexpr std::array kSignals = {StatementKind::signal, StatementKind::signals};
-  census.addStatements(report.left_out, kSignals, "signals are not exported");
+  if (!*has_signals) census.addStatements(report.left_out, kSignals, "signals are not exported");
+  format.addLeftOut(report.left_out);
   addAttachments(report.left_out, session.log(), "not exported; `rocinante log extract` writes it");
   return report;
 }

@@ -1,10 +1,12 @@
 #include "core/foreign/foxglove/foxglove_format.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
 
 #include "core/foreign/bytes/little_endian.h"
+#include "core/foreign/foxglove/signal_json.h"
 #include "core/foreign/proto/proto_schema.h"
 #include "core/foreign/proto/proto_writer.h"
 
@@ -201,6 +203,8 @@ class FoxgloveFormat final : public SessionFormat {
       writer.message(2, [&](ProtoWriter& of) {
         of.text(1, value.name);
         of.presentReal(2, value.value);
+        if (!std::isnan(value.velocity)) of.presentReal(3, value.velocity);
+        if (!std::isnan(value.effort)) of.presentReal(5, value.effort);
       });
     }
     return out.write(topicOf("/joints", device), foxgloveSchema("JointStates"), time, message_);
@@ -247,6 +251,27 @@ class FoxgloveFormat final : public SessionFormat {
     }
     former = std::move(clouds);
     return {};
+  }
+
+  bool knowSignals(const KnownSignals& known) override {
+    for (const auto& [owner, signals] : known.byOwner()) signals_.emplace(owner, signals);
+    return true;
+  }
+
+  Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
+                 std::span<const SaidSignal> said) override {
+    const auto fields = signals_.find(owner);
+    if (fields == signals_.end()) return {};
+    const std::string topic = topicOf("/signals", ownerText(owner));
+    auto schema = signal_schemas_.find(topic);
+    if (schema == signal_schemas_.end()) {
+      const std::string text = fields->second.schema();
+      const ByteView bytes = bytesOf(text);
+      MessageSchema made{"rocinante" + topic, "jsonschema", Bytes(bytes.begin(), bytes.end()),
+                         "json"};
+      schema = signal_schemas_.emplace(topic, std::move(made)).first;
+    }
+    return out.write(topic, schema->second, time, bytesOf(fields->second.message(said)));
   }
 
   Status event(MessageSink& out, LogTime time, EventLevel level, std::string_view name,
@@ -334,6 +359,8 @@ class FoxgloveFormat final : public SessionFormat {
   }
 
   Bytes message_;
+  std::map<SignalOwner, SignalJson> signals_;
+  std::map<std::string, MessageSchema> signal_schemas_;  ///< by topic
   std::set<std::string> scenes_;                         ///< sources with /drawings
   std::map<std::string, std::set<std::string>> clouds_;  ///< by source: ids of the last message
 };

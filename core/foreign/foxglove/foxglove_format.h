@@ -16,8 +16,8 @@ const MessageSchema& foxgloveSchema(std::string_view name);
 
 /// Protobuf messages of package foxglove, for Foxglove, Lichtblick and whatever reads their
 /// schemas: FrameTransforms on /tf/DEVICE, JointStates on /joints/DEVICE, SceneUpdate on
-/// /drawings/SOURCE (lines and labels), PointCloud on /points/SOURCE/ID, Log on /events. Times are
-/// log times.
+/// /drawings/SOURCE (lines and labels), PointCloud on /points/SOURCE/ID, Log on /events. Signals
+/// are JSON on /signals/PATH (signal_json.h), once knowSignals() was called. Times are log times.
 std::unique_ptr<SessionFormat> makeFoxgloveFormat();
 
 }  // namespace rocinante

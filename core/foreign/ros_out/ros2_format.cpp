@@ -1,5 +1,8 @@
 #include "core/foreign/ros_out/ros2_format.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -80,6 +83,8 @@ constexpr Ros2Definition kRos2Definitions[] = {
      "float32 u\nfloat32 v\n" ROCINANTE_ROS2_NEXT "visualization_msgs/MeshFile\n"
      "string filename\nuint8[] data\n" ROCINANTE_ROS2_HEADER},
     {"std_msgs/msg/String", "string data\n"},
+    {"std_msgs/msg/Float64", "float64 data\n"},
+    {"std_msgs/msg/Bool", "bool data\n"},
     {"rcl_interfaces/msg/Log",
      "byte DEBUG=10\nbyte INFO=20\nbyte WARN=30\nbyte ERROR=40\nbyte FATAL=50\n"
      "builtin_interfaces/Time stamp\n"
@@ -160,6 +165,15 @@ void putMarker(CdrWriter& out, LogTime time, const MarkerParts& marker) {
   out.put(false);
 }
 
+/// As many as joints, with NaN for those that are not known; none when none is.
+void putAll(CdrWriter& out, std::span<const NamedValue> values, double NamedValue::*quantity) {
+  const bool is_known = std::ranges::any_of(
+      values, [&](const NamedValue& value) { return !std::isnan(value.*quantity); });
+  out.count(is_known ? values.size() : 0);
+  if (!is_known) return;
+  for (const NamedValue& value : values) out.put(value.*quantity);
+}
+
 class Ros2Format final : public SessionFormat {
  public:
   std::string profile() const override { return "ros2"; }
@@ -187,8 +201,8 @@ class Ros2Format final : public SessionFormat {
     for (const NamedValue& value : values) writer.text(value.name);
     writer.count(values.size());
     for (const NamedValue& value : values) writer.put(value.value);
-    writer.count(0);
-    writer.count(0);
+    putAll(writer, values, &NamedValue::velocity);
+    putAll(writer, values, &NamedValue::effort);
     return out.write("/" + uniqueName(device) + "/joint_states",
                      ros2Schema("sensor_msgs/msg/JointState"), time, message_);
   }
@@ -212,6 +226,40 @@ class Ros2Format final : public SessionFormat {
     return out.write("/" + uniqueName(source) + "/markers",
                      ros2Schema("visualization_msgs/msg/MarkerArray"), time, message_);
   }
+
+  bool knowSignals(const KnownSignals& known) override {
+    for (const auto& [owner, signals] : known.byOwner()) {
+      for (const auto& [name, signal] : signals) {
+        if (signal.unit.empty()) continue;
+        left_out_.leaveOut({.kind = "unit",
+                            .name = signal.unit,
+                            .reason = "std_msgs and joint states have no units",
+                            .first = ownerText(owner) + " " + name});
+      }
+    }
+    return true;
+  }
+
+  Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
+                 std::span<const SaidSignal> said) override {
+    constexpr std::array<const char*, 3> kTypes = {"std_msgs/msg/Float64", "std_msgs/msg/Bool",
+                                                   "std_msgs/msg/String"};
+    for (const SaidSignal& signal : said) {
+      if (!signal.is_new || signal.in_joints) continue;
+      const SignalValue& value = *signal.value;
+      CdrWriter writer(message_);
+      if (value.kind == SignalKind::number) writer.put(value.number);
+      if (value.kind == SignalKind::boolean) writer.put(value.number != 0);
+      if (value.kind == SignalKind::text) writer.text(value.text);
+      Status written =
+          out.write(signalTopic(owner, signal.name, value.kind),
+                    ros2Schema(kTypes[static_cast<std::size_t>(value.kind)]), time, message_);
+      if (!written) return written;
+    }
+    return {};
+  }
+
+  void addLeftOut(Account& account) const override { account.add(left_out_); }
 
   Status event(MessageSink& out, LogTime time, EventLevel level, std::string_view name,
                std::string_view text) override {
@@ -279,7 +327,34 @@ class Ros2Format final : public SessionFormat {
     return names_.emplace(name, given).first->second;
   }
 
+  /// A topic has one type: a signal that changes its kind gets another one, and so does a second
+  /// one whose names ROS would write alike.
+  const std::string& signalTopic(const SignalOwner& owner, std::string_view name, SignalKind kind) {
+    std::string whole = ownerText(owner) + " " + std::string(name);
+    auto [place, is_new] = signal_topics_.try_emplace({whole, kind});
+    if (!is_new) return place->second;
+    std::string wanted = "/signals";
+    for (const std::string_view part :
+         {std::string_view(owner.first), std::string_view(owner.second), name}) {
+      if (!part.empty()) wanted += "/" + rosName(part);
+    }
+    place->second = wanted;
+    for (int number = 2; !given_topics_.insert(place->second).second; ++number) {
+      place->second = wanted + "_" + std::to_string(number);
+    }
+    if (place->second != wanted) {
+      left_out_.leaveOut({.kind = "topic",
+                          .name = wanted,
+                          .reason = "it is another signal's, or of another type: `" + whole +
+                                    "` is on " + place->second});
+    }
+    return place->second;
+  }
+
   Bytes message_;
+  Account left_out_;
+  std::map<std::pair<std::string, SignalKind>, std::string> signal_topics_;
+  std::set<std::string> given_topics_;
   std::map<std::string, std::string> names_;  ///< as ROS has them
   std::set<std::string> given_;
 };

@@ -1,7 +1,9 @@
 #include "core/foreign/session/joint_values.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "core/cell/posed_scene.h"
 #include "core/kinematics/kinematics.h"
@@ -54,6 +56,25 @@ std::vector<NamedValue> jointValues(const Model* model, const DeviceState& state
   }
   for (const auto& [name, item] : state.named_joints) values.push_back({name, item.value});
   return values;
+}
+
+std::set<std::string, std::less<>> addSpeedsAndEfforts(const DeviceState& state,
+                                                       std::vector<NamedValue>& values) {
+  constexpr std::array<std::pair<std::string_view, double NamedValue::*>, 2> kQuantities = {
+      {{".velocity", &NamedValue::velocity}, {".effort", &NamedValue::effort}}};
+  std::set<std::string, std::less<>> added;
+  for (const auto& [signal, item] : state.signals) {
+    if (!signal.link.empty() || item.value.kind != SignalKind::number) continue;
+    for (const auto& [ending, quantity] : kQuantities) {
+      if (!signal.name.ends_with(ending)) continue;
+      const std::string_view joint(signal.name.data(), signal.name.size() - ending.size());
+      const auto found = std::ranges::find(values, joint, &NamedValue::name);
+      if (found == values.end()) continue;
+      (*found).*quantity = item.value.number;
+      added.insert(signal.name);
+    }
+  }
+  return added;
 }
 
 bool isRemoved(const DeviceState& state) {

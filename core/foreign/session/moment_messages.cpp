@@ -45,6 +45,7 @@ void MomentMessages::notice(const Packet& packet) {
 Status MomentMessages::moment(MessageSink& out, LogTime time, const SessionState& state) {
   Status written = cell_ == nullptr ? bareFrames(out, time, state) : cellFrames(out, time, state);
   if (written) written = joints(out, time, state);
+  if (written) written = signals(out, time, state);
   if (written) written = drawings(out, time, state);
   before_ = time;
   forgetGone(state);
@@ -109,9 +110,77 @@ Status MomentMessages::joints(MessageSink& out, LogTime time, const SessionState
     if (known.joints_said && !isWritten(device)) continue;
     known.joints_said = true;
     const auto model = models_.find(name);
-    Status written = format_.joints(
-        out, time, name, jointValues(model == models_.end() ? nullptr : model->second, device));
-    if (!written) return written;
+    std::vector<NamedValue> values =
+        jointValues(model == models_.end() ? nullptr : model->second, device);
+    known.in_joints = addSpeedsAndEfforts(device, values);
+    if (Status written = format_.joints(out, time, name, values); !written) return written;
+  }
+  return {};
+}
+
+Status MomentMessages::signals(MessageSink& out, LogTime time, const SessionState& state) {
+  Status written = signalsOf(out, time, {}, state.signals());
+  for (const auto& [name, device] : state.devices()) {
+    if (written && isWritten(device)) written = signalsOf(out, time, name, device.signals);
+  }
+  // What is gone is said once more, as nothing.
+  for (auto each = signals_said_.begin(); each != signals_said_.end() && written;) {
+    const auto& [device, link] = each->first;
+    const DeviceState* const of_device = device.empty() ? nullptr : state.findDevice(device);
+    const bool is_gone = !device.empty() && of_device == nullptr;
+    const Signals none;
+    const Signals& now = is_gone                ? none
+                         : of_device == nullptr ? state.signals()
+                                                : of_device->signals;
+    const auto first = now.lower_bound(SignalNameView(link, ""));
+    if (first != now.end() && first->first.link == link) {
+      ++each;
+      continue;
+    }
+    written = format_.signals(out, time, each->first, {});
+    each = signals_said_.erase(each);
+  }
+  return written;
+}
+
+Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::string& device,
+                                 const Signals& signals) {
+  const auto known = known_.find(device);
+  std::vector<SaidSignal> all;
+  for (auto first = signals.begin(); first != signals.end();) {
+    const std::string& link = first->first.link;
+    SignalsSaid& said = signals_said_[{device, link}];
+    std::uint64_t newest = 0;
+    auto last = first;
+    for (; last != signals.end() && last->first.link == link; ++last) {
+      newest = std::max(newest, last->second.said.packet);
+    }
+    // A state that was read from a keyframe counts packets anew.
+    const bool counts_anew = newest < said.newest;
+    said.newest = newest;
+    bool is_due = false;
+    all.clear();
+    for (; first != last; ++first) {
+      const auto& [name, item] = *first;
+      const auto [kept, is_unknown] = said.by_name.try_emplace(name.name, item);
+      Item<SignalValue>& before = kept->second;
+      const bool is_said = !counts_anew && item.said.packet > before.said.packet;
+      const bool is_new = is_unknown || is_said || item.value != before.value;
+      before.said = item.said;
+      if (is_new) before.value = item.value;
+      is_due |= is_new;
+      const bool in_joints =
+          link.empty() && known != known_.end() && known->second.in_joints.contains(name.name);
+      all.push_back({name.name, &item.value, is_new, in_joints});
+    }
+    if (said.by_name.size() != all.size()) {
+      is_due = true;
+      std::erase_if(said.by_name, [&](const auto& each) {
+        return !signals.contains(SignalNameView(link, each.first));
+      });
+    }
+    if (!is_due) continue;
+    if (Status written = format_.signals(out, time, {device, link}, all); !written) return written;
   }
   return {};
 }

@@ -16,8 +16,8 @@
 namespace rocinante {
 
 /// Writes what a session says from one moment to the next as the messages of a format: spaces and
-/// joints of a device when they are written or it moves, the drawings of a source when they change.
-/// Borrows cell and format. One thread.
+/// joints of a device when they are written or it moves, signals when they are said, the drawings
+/// of a source when they change. Borrows cell and format. One thread.
 class MomentMessages {
  public:
   /// Without a cell (null) there are no links, and only joints that packets name.
@@ -40,6 +40,12 @@ class MomentMessages {
     std::vector<Mat4> links;  ///< in the world; the first is the device's own
     LogTime frames_said = LogTime::min();
     bool joints_said = false;
+    std::set<std::string, std::less<>> in_joints;  ///< signals that joints have
+  };
+  /// The signals of an owner as they were written last.
+  struct SignalsSaid {
+    std::uint64_t newest = 0;  ///< packet
+    std::map<std::string, Item<SignalValue>, std::less<>> by_name;
   };
   /// The drawings of a source as they were written last.
   struct Drawn {
@@ -53,6 +59,9 @@ class MomentMessages {
   Status cellFrames(MessageSink& out, LogTime time, const SessionState& state);
   Status bareFrames(MessageSink& out, LogTime time, const SessionState& state);
   Status joints(MessageSink& out, LogTime time, const SessionState& state);
+  Status signals(MessageSink& out, LogTime time, const SessionState& state);
+  Status signalsOf(MessageSink& out, LogTime time, const std::string& device,
+                   const Signals& signals);
   Status drawings(MessageSink& out, LogTime time, const SessionState& state);
 
   const Cell* cell_;
@@ -60,6 +69,7 @@ class MomentMessages {
   std::optional<ScenePoseCache> poses_;
   std::map<std::string, Known, std::less<>> known_;
   std::map<std::string, const Model*, std::less<>> models_;
+  std::map<SignalOwner, SignalsSaid> signals_said_;
   std::set<std::string> drawn_;  ///< sources whose drawings may have changed
   bool all_drawn_ = false;
   bool has_begun_ = false;

@@ -10,13 +10,23 @@
 #include "core/base/result.h"
 #include "core/base/time.h"
 #include "core/foreign/session/joint_values.h"
+#include "core/foreign/session/known_signals.h"
 #include "core/foreign/session/link_frames.h"
 #include "core/foreign/session/message_sink.h"
 #include "core/packet/session_state.h"
+#include "core/report/account.h"
 
 namespace rocinante {
 
 enum class EventLevel : std::uint8_t { info, warning, error };
+
+/// A signal at a moment; borrowed for the call.
+struct SaidSignal {
+  std::string_view name;
+  const SignalValue* value = nullptr;
+  bool is_new = false;     ///< said since the last call
+  bool in_joints = false;  ///< joints() has it as a speed or an effort
+};
 
 /// What a link shows, in its own space: a .glb.
 struct LinkShape {
@@ -44,6 +54,15 @@ class SessionFormat {
   using Drawings = std::vector<std::pair<std::string, const Drawing*>>;
   virtual Status drawings(MessageSink& out, LogTime time, const std::string& source,
                           const Drawings& drawings) = 0;
+  /// Signals of a device, a link or none, when one of them was said or went away: all that there
+  /// are, by name.
+  virtual Status signals(MessageSink&, LogTime, const SignalOwner&, std::span<const SaidSignal>) {
+    return {};
+  }
+  /// Before the first message: false for a format that has no place for signals.
+  virtual bool knowSignals(const KnownSignals&) { return false; }
+  /// What of the written messages their reader cannot see.
+  virtual void addLeftOut(Account&) const {}
   virtual Status event(MessageSink& out, LogTime time, EventLevel level, std::string_view name,
                        std::string_view text) = 0;
   /// All that a device shows, when that changes; nothing where the format has no place for it.

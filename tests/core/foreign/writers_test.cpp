@@ -4,12 +4,14 @@
 #include <string>
 
 #include "core/foreign/foxglove/foxglove_format.h"
+#include "core/foreign/foxglove/signal_json.h"
 #include "core/foreign/pcap/pcap_file.h"
 #include "core/foreign/proto/proto_schema.h"
 #include "core/foreign/proto/proto_writer.h"
 #include "core/foreign/ros_out/cdr_writer.h"
 #include "core/foreign/ros_out/ros2_format.h"
 #include "core/foreign/session/session_format.h"
+#include "core/packet/packet_text.h"
 
 namespace rocinante {
 namespace {
@@ -111,6 +113,90 @@ TEST(RosNames, AreLettersDigitsAndUnderscores) {
   EXPECT_EQ(rosName("left-arm.2"), "left_arm_2");
   EXPECT_EQ(rosName("2nd"), "_2nd");
   EXPECT_EQ(rosName("\xC3\xA9"), "__");
+}
+
+SignalValue number(double value) { return {SignalKind::number, value, {}, {}}; }
+
+TEST(SignalJson, APointInANameNests) {
+  KnownSignals known;
+  PacketTextDecoder decoder;
+  known.notice(*decoder.decode(
+      bytesOf("RK1 s 0 -\nsignals arm j1.velocity=1 j1.effort=2 a=3 a.b=4 a.b.c=5 x..y=6 .z=7\n"
+              "signal arm load 1 kg\nsignal arm mode \"auto\"\nsignal arm on true\n"
+              "signal arm gone default\n")));
+  const SignalJson json(known.byOwner().at({"arm", ""}));
+  EXPECT_EQ(json.schema(),
+            R"({"type":"object","properties":{".z":{"type":"number"},"a":{"type":"number"},)"
+            R"("a.b":{"type":"number"},"a.b.c":{"type":"number"},)"
+            R"("j1":{"type":"object","properties":{"effort":{"type":"number"},)"
+            R"("velocity":{"type":"number"}}},"load":{"type":"number","description":"kg"},)"
+            R"("mode":{"type":"string"},"on":{"type":"boolean"},"x..y":{"type":"number"}}})");
+  const SignalValue one = number(1), tiny = number(1e-12);
+  const SignalValue yes{SignalKind::boolean, 1, {}, {}}, text{SignalKind::text, 0, "a \"b\"", {}};
+  const std::vector<SaidSignal> said = {{"a", &one},     {"a.b", &tiny}, {"j1.velocity", &one},
+                                        {"mode", &text}, {"on", &yes},   {"unknown", &one}};
+  EXPECT_EQ(json.message(said),
+            R"({"a":1.0,"a.b":1e-12,"j1":{"velocity":1.0},"mode":"a \"b\"","on":true})");
+  EXPECT_EQ(json.message({}), "{}");
+}
+
+/// Notes topics, types and messages.
+class NotingSink final : public MessageSink {
+ public:
+  Status write(std::string_view topic, const MessageSchema& schema, LogTime, ByteView message,
+               const std::map<std::string, std::string>&) override {
+    notes.push_back(std::string(topic) + " " + schema.name + " " + hex(message.subspan(4)));
+    return {};
+  }
+  std::vector<std::string> notes;
+};
+
+TEST(Ros2Signals, HaveATopicOfOneTypeEach) {
+  const auto format = makeRos2Format();
+  NotingSink sink;
+  const SignalValue one = number(1);
+  const SignalValue yes{SignalKind::boolean, 1, {}, {}}, text{SignalKind::text, 0, "a", {}};
+  const auto say = [&](const SignalOwner& owner, const SaidSignal& said) {
+    ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1)).ok());
+  };
+  say({"arm", "tool0"}, {"a b", &one, true});
+  say({"", ""}, {"estop", &yes, true});
+  say({"arm", ""}, {"mode", &text, true});
+  say({"arm", ""}, {"mode", &one, true});              // another type
+  say({"arm", "tool0"}, {"a_b", &one, true});          // the same letters
+  say({"arm", ""}, {"mode", &text, false});            // not said now
+  say({"arm", ""}, {"j.velocity", &one, true, true});  // in the joint states
+  EXPECT_THAT(sink.notes, testing::ElementsAre(
+                              "/signals/arm/tool0/a_b std_msgs/msg/Float64 000000000000F03F",
+                              "/signals/estop std_msgs/msg/Bool 01",
+                              "/signals/arm/mode std_msgs/msg/String 020000006100",
+                              "/signals/arm/mode_2 std_msgs/msg/Float64 000000000000F03F",
+                              "/signals/arm/tool0/a_b_2 std_msgs/msg/Float64 000000000000F03F"));
+  Account account;
+  format->addLeftOut(account);
+  EXPECT_EQ(
+      accountSentence(account),
+      "left out: 1 topic `/signals/arm/mode` (it is another signal's, or of another type: "
+      "`arm mode` is on /signals/arm/mode_2), 1 topic `/signals/arm/tool0/a_b` (it is another "
+      "signal's, or of another type: `arm/tool0 a_b` is on /signals/arm/tool0/a_b_2)");
+}
+
+TEST(Ros2Signals, SpeedsAndEffortsAreThoseOfTheJoints) {
+  DeviceState state;
+  const auto say = [&](const char* name, SignalValue value) {
+    state.signals[{"", name}].value = std::move(value);
+  };
+  say("b.velocity", number(3));
+  say("x.velocity", number(4));
+  say("a.effort", {SignalKind::text, 0, "none", {}});
+  std::vector<NamedValue> values = {{"a", 1}, {"b", 2}};
+  EXPECT_THAT(addSpeedsAndEfforts(state, values), testing::ElementsAre("b.velocity"));
+  NotingSink sink;
+  ASSERT_TRUE(makeRos2Format()->joints(sink, LogTime{}, "arm", values).ok());
+  // Names, positions, NaN and 3, and no effort.
+  EXPECT_THAT(sink.notes[0], testing::EndsWith("02000000000000000000F03F0000000000000040"
+                                               "0200000000000000000000000000F87F0000000000000840"
+                                               "00000000"));
 }
 
 TEST(ConnectedRuns, AGapEndsARun) {

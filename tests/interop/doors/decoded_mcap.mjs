@@ -30,6 +30,25 @@ function cdrReader(schema) {
   return { definitions, read: (data) => reader.readMessage(data) };
 }
 
+// A message has what its schema names, of the type that it names.
+function jsonReader(schema) {
+  demand(schema.encoding === "jsonschema", `${schema.name} is ${schema.encoding}`);
+  const root = JSON.parse(new TextDecoder().decode(schema.data));
+  const hold = (value, type, place) => {
+    demand(type !== undefined && typeof value === type.type, `${place} is ${typeof value}, not ${type?.type}`);
+    if (type.type !== "object") return;
+    for (const [key, each] of Object.entries(value)) hold(each, type.properties[key], `${place}.${key}`);
+  };
+  return {
+    root: { lookupType: () => { throw new Error("no protobuf"); } },
+    read: (data) => {
+      const value = JSON.parse(new TextDecoder().decode(data));
+      hold(value, root, schema.name);
+      return value;
+    },
+  };
+}
+
 // { profile, topics: Map(topic -> { schema, messages: [{ logTime, value }] }), attachments, raw }
 export async function decodedMcap(path) {
   const file = await open(path, "r");
@@ -52,9 +71,9 @@ export async function decodedMcap(path) {
       }
       const schema = reader.schemasById.get(channel.schemaId);
       if (!readers.has(schema.id)) {
-        demand(["protobuf", "cdr"].includes(channel.messageEncoding), `unknown ${channel.messageEncoding}`);
-        readers.set(schema.id,
-          channel.messageEncoding === "protobuf" ? protobufReader(schema) : cdrReader(schema));
+        const make = { protobuf: protobufReader, cdr: cdrReader, json: jsonReader }[channel.messageEncoding];
+        demand(make !== undefined, `unknown ${channel.messageEncoding}`);
+        readers.set(schema.id, make(schema));
       }
       if (!topics.has(channel.topic)) {
         topics.set(channel.topic, { schema, reader: readers.get(schema.id), messages: [] });

@@ -140,6 +140,9 @@ TEST_F(ExportAccount, NoMutationIsSilent) {
                                     "event \"here\"",
                                     "view v 1 1 1 0 0 0 45",
                                     "joint m j=9",
+                                    "signals m j.velocity=1",
+                                    "signal m/arm force 2 N",
+                                    "signal - mode \"auto\"",
                                     "pose m 5 0 0 0 0 0 1",
                                     "no statement that is known"};
   const auto before = exported(whole);

@@ -43,9 +43,28 @@ class NotingFormat final : public SessionFormat {
     return note(time, (level == EventLevel::warning ? "warning " : "event ") + std::string(name) +
                           " " + std::string(text));
   }
+  bool knowSignals(const KnownSignals& known) override {
+    for (const auto& [owner, signals] : known.byOwner()) {
+      for (const auto& [name, signal] : signals) known_ += " " + ownerText(owner) + ":" + name;
+    }
+    return has_signals;
+  }
+  Status signals(MessageSink&, LogTime time, const SignalOwner& owner,
+                 std::span<const SaidSignal> said) override {
+    if (!has_signals) return {};
+    std::string line = "signals " + ownerText(owner);
+    for (const SaidSignal& each : said) {
+      line += " " + std::string(each.name) + (each.is_new ? "!" : "");
+      if (each.in_joints) line += "*";
+    }
+    return note(time, line);
+  }
   Status description(MessageSink&, LogTime, const std::string&, std::string_view) override {
     return {};
   }
+
+  bool has_signals = false;
+  std::string known_;
 
   std::vector<std::string> notes;
 
@@ -94,6 +113,55 @@ TEST_F(MessageExport, SaysADeviceWhenItIsWritten) {
   EXPECT_THAT(format.notes,
               ElementsAre("0 frames a in world", "0 joints a j=1", "10 joints b j=3 k=2",
                           "20 frames a in world", "20 joints a j=1", "40 joints a 1=5 2=6"));
+}
+
+TEST_F(MessageExport, SaysAllSignalsOfAnOwnerWhenOneIsSaid) {
+  NotingFormat format;
+  format.has_signals = true;
+  const std::vector<Said> all = {
+      {0, "RK1 s 0 -\nsignals arm b=1 a=2\nsignal arm/tip f 3 N\nsignal - on true\n"},
+      {10, "RK1 s 1 -\nsignals arm a=2\n"},
+      {20, "RK1 s 2 -\njoint arm j=1\nsignals arm j.velocity=5 k.effort=6\n"},
+      {30, "RK1 s 3 -\nsignal arm b default\nsignal - on default\n"},
+      {40, "RK1 s 4 -\nremove arm\n"}};
+  const MessageExportReport report = exported(all, format);
+  EXPECT_THAT(format.notes,
+              ElementsAre("0 signals - on!", "0 signals arm a! b!", "0 signals arm/tip f!",
+                          "10 signals arm a! b", "20 joints arm j=1",
+                          "20 signals arm a b j.velocity!* k.effort!", "30 joints arm j=1",
+                          "30 signals arm a j.velocity* k.effort", "30 signals -", "40 signals arm",
+                          "40 signals arm/tip"));
+  EXPECT_EQ(format.known_, " -:on arm:a arm:b arm:j.velocity arm:k.effort arm/tip:f");
+  EXPECT_TRUE(report.left_out.empty());
+
+  NotingFormat without;
+  EXPECT_EQ(accountSentence(exported(all, without).left_out),
+            "left out: 4 statements `signal` (signals are not exported), "
+            "3 statements `signals` (signals are not exported)");
+}
+
+TEST_F(MessageExport, AKeyframeSaysNoSignalAndHidesNone) {
+  NotingFormat format;
+  format.has_signals = true;
+  std::vector<Said> all;
+  std::vector<std::string> expected;
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  for (int i = 0; i < 40; ++i) {
+    const bool is_said = i % 3 != 1;
+    all.push_back({i * kSecond, "RK1 s - -\n" + std::string(is_said ? "signals - a=1\n" : "") +
+                                    "signals arm b=" + std::to_string(i) + "\n"});
+    if (i == 0) all.back().text += "signal - mode \"auto\"\nsignal arm mode \"auto\"\n";
+    const std::string time = std::to_string(i * kSecond);
+    if (is_said) expected.push_back(time + (i == 0 ? " signals - a! mode!" : " signals - a! mode"));
+    expected.push_back(time + (i == 0 ? " signals arm b! mode!" : " signals arm b! mode"));
+  }
+  exported(all, format);
+  // What a keyframe covers may hide that the same was said again, but no change.
+  std::erase_if(expected, [&](const std::string& line) {
+    return line.find(" signals - ") != line.npos && !std::ranges::count(format.notes, line);
+  });
+  EXPECT_GT(expected.size(), 60U);
+  EXPECT_EQ(format.notes, expected);
 }
 
 TEST_F(MessageExport, SaysSpacesAgainWhereReadersForget) {

@@ -1,0 +1,70 @@
+#include "core/foreign/foxglove/signal_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace rocinante {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// The parts between points; the whole name where they cannot be nested.
+std::vector<std::string> keysOf(const std::string& name, const KnownSignals::Signals& signals) {
+  std::vector<std::string> keys;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t point = name.find('.', begin);
+    keys.push_back(name.substr(begin, point - begin));
+    if (keys.back().empty()) return {name};
+    if (point == name.npos) return keys;
+    if (signals.contains(std::string_view(name).substr(0, point))) return {name};
+    begin = point + 1;
+  }
+}
+
+const char* typeOf(SignalKind kind) {
+  if (kind == SignalKind::number) return "number";
+  return kind == SignalKind::boolean ? "boolean" : "string";
+}
+
+}  // namespace
+
+SignalJson::SignalJson(const KnownSignals::Signals& signals) {
+  for (const auto& [name, signal] : signals)
+    fields_.emplace(name, Field{keysOf(name, signals), signal});
+}
+
+std::string SignalJson::schema() const {
+  const auto object = [] {
+    return OrderedJson{{"type", "object"}, {"properties", OrderedJson::object()}};
+  };
+  OrderedJson schema = object();
+  for (const auto& [name, field] : fields_) {
+    OrderedJson* at = &schema["properties"];
+    for (std::size_t i = 0; i + 1 < field.keys.size(); ++i) {
+      OrderedJson& inner = (*at)[field.keys[i]];
+      if (inner.is_null()) inner = object();
+      at = &inner["properties"];
+    }
+    OrderedJson& leaf = (*at)[field.keys.back()];
+    leaf["type"] = typeOf(field.signal.kind);
+    if (!field.signal.unit.empty()) leaf["description"] = field.signal.unit;
+  }
+  return schema.dump();
+}
+
+std::string SignalJson::message(std::span<const SaidSignal> said) const {
+  nlohmann::json message = nlohmann::json::object();
+  for (const SaidSignal& signal : said) {
+    const auto field = fields_.find(signal.name);
+    if (field == fields_.end()) continue;
+    nlohmann::json* at = &message;
+    for (const std::string& key : field->second.keys) at = &(*at)[key];
+    const SignalValue& value = *signal.value;
+    if (value.kind == SignalKind::number) *at = value.number;
+    if (value.kind == SignalKind::boolean) *at = value.number != 0;
+    if (value.kind == SignalKind::text) *at = value.text;
+  }
+  return message.dump();
+}
+
+}  // namespace rocinante

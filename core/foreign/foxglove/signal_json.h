@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/foreign/session/session_format.h"
+
+namespace rocinante {
+
+/// The signals of one owner as JSON that Foxglove's Plot panel draws: numbers, booleans and
+/// strings. A point in a name nests, so that the message path is the name: `j1.velocity` is
+/// {"j1": {"velocity": 0.5}}, `/signals/arm.j1.velocity`. Where the part before a point is a signal
+/// itself, or a part is empty, the whole name is a key: `/signals/arm."j1.velocity"`.
+class SignalJson {
+ public:
+  explicit SignalJson(const KnownSignals::Signals& signals);
+
+  /// JSON schema of the messages; a unit is the field's description.
+  std::string schema() const;
+  /// One message. A signal that nothing states is missing.
+  std::string message(std::span<const SaidSignal> said) const;
+
+ private:
+  struct Field {
+    std::vector<std::string> keys;  ///< from the outermost
+    KnownSignals::Signal signal;
+  };
+  std::map<std::string, Field, std::less<>> fields_;  ///< by name
+};
+
+}  // namespace rocinante

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "core/packet/packet.h"
+#include "core/packet/session_state.h"
+
+namespace rocinante {
+
+/// Whose signals: a device, a link of it, or (both empty) none.
+using SignalOwner = std::pair<std::string, std::string>;
+
+/// "arm", "arm/tip", or "-" for none, as packets have them but unescaped.
+std::string ownerText(const SignalOwner& owner);
+
+/// Which signals a session has, and of what kinds: for formats that declare a channel's fields
+/// before its first message. Bounded, as names come from strangers.
+class KnownSignals {
+ public:
+  static constexpr std::size_t kMost = 65'536;
+
+  struct Signal {
+    SignalKind kind{};  ///< the first one
+    std::string unit;   ///< the last one; empty: none was stated
+  };
+  /// By name.
+  using Signals = std::map<std::string, Signal, std::less<>>;
+
+  /// What holds at the beginning.
+  void notice(const SessionState& state);
+  void notice(const Packet& packet);
+
+  const std::map<SignalOwner, Signals>& byOwner() const { return by_owner_; }
+
+ private:
+  void add(const SignalOwner& owner, std::string_view name, SignalKind kind, std::string_view unit);
+
+  std::map<SignalOwner, Signals> by_owner_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace rocinante
