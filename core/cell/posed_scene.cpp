@@ -41,10 +41,28 @@ class ScenePoser {
 
   std::size_t moved() const { return moved_; }
 
+  /// The chosen devices and their carriers, which are added to `devices`.
+  PosedScene places(std::set<std::string, std::less<>>& devices) {
+    only_ = &devices;
+    // Until nothing is carried by a device that is left out: no more often than there are carriers.
+    for (std::size_t count = 0; count != devices.size();) {
+      count = devices.size();
+      if (!standing_.empty() && known_ != nullptr) known_->clear();
+      standing_.clear();
+      scene_.device_by_name.clear();
+      standAll();
+      for (const Standing& standing : standing_) {
+        const std::string& carrier = standing.carrier;
+        if (stateOf(carrier) != nullptr || cell_.findDevice(carrier)) devices.insert(carrier);
+      }
+    }
+    placeAll();
+    for (Standing& standing : standing_) scene_.devices.push_back(std::move(standing.device));
+    return std::move(scene_);
+  }
+
   PosedScene pose() {
-    addCellDevices();
-    addSessionDevices();
-    addGhosts();
+    standAll();
     placeAll();
     const DeviceAppearance dress(layers_, state_);
     for (Standing& standing : standing_) {
@@ -58,6 +76,14 @@ class ScenePoser {
   }
 
  private:
+  void standAll() {
+    addCellDevices();
+    addSessionDevices();
+    addGhosts();
+  }
+
+  bool isChosen(const std::string& name) const { return only_ == nullptr || only_->contains(name); }
+
   const DeviceState* stateOf(const std::string& name) const {
     const auto found = state_.devices().find(name);
     return found == state_.devices().end() ? nullptr : &found->second;
@@ -112,6 +138,7 @@ class ScenePoser {
 
   void addCellDevices() {
     for (const CellDevice& device : cell_.devices) {
+      if (!isChosen(device.name)) continue;
       const DeviceState* state = stateOf(device.name);
       if (isRemoved(state) || (device.optional && !isAdded(state))) continue;
       const Model* model = cell_.modelOf(device);
@@ -135,7 +162,7 @@ class ScenePoser {
 
   void addSessionDevices() {
     for (const auto& [name, state] : state_.devices()) {
-      if (!isAdded(&state) || cell_.findDevice(name) != nullptr) continue;
+      if (!isAdded(&state) || !isChosen(name) || cell_.findDevice(name) != nullptr) continue;
       if (const Model* model = modelNamed(state.presence->value.model)) stand(name, *model, &state);
     }
   }
@@ -144,6 +171,7 @@ class ScenePoser {
   void addGhosts() {
     for (const CellSource& source : cell_.sources) {
       for (const auto& [ghost, original] : source.ghost_of) {
+        if (!isChosen(ghost)) continue;
         const DeviceState* state = stateOf(ghost);
         const CellDevice* device = cell_.findDevice(original);
         if (!state || isRemoved(state) || !device || scene_.device_by_name.contains(ghost))
@@ -294,6 +322,7 @@ class ScenePoser {
   const LayerIndex& layers_;
   const SessionState& state_;
   ScenePoseCache::KnownDevices* known_;
+  const std::set<std::string, std::less<>>* only_ = nullptr;  // null: every device
   std::size_t moved_ = 0;
   std::vector<Standing> standing_;
   PosedScene scene_;
@@ -335,6 +364,11 @@ PosedScene ScenePoseCache::pose(const SessionState& state) {
                   [&](const auto& known) { return scene.findDevice(known.first) == nullptr; });
   }
   return scene;
+}
+
+PosedScene ScenePoseCache::places(const SessionState& state,
+                                  std::set<std::string, std::less<>>& devices) {
+  return ScenePoser(*cell_, layers_, state, &known_).places(devices);
 }
 
 const PosedDevice* PosedScene::findDevice(std::string_view name) const {

@@ -18,6 +18,37 @@ std::optional<SeriesKey> countKey(std::string_view text, std::string_view word,
   return SeriesKey{kind, std::string(text.substr(word.size() + 1))};
 }
 
+/// "DEVICE/LINK" or "DEVICE", which leaves the link empty; false for anything else.
+bool readPlace(std::string_view text, std::string& device, std::string& link) {
+  const std::size_t slash = text.find('/');
+  if (text.empty() || slash == 0 || slash + 1 == text.size()) return false;
+  device = text.substr(0, slash);
+  if (slash != text.npos) link = text.substr(slash + 1);
+  return true;
+}
+
+/// "DEVICE:x", "DEVICE/LINK:x", "DEVICE/LINK:x in PATH".
+std::optional<SeriesKey> poseKey(std::string_view text) {
+  constexpr std::string_view kIn = " in ";
+  const auto withoutFrame = [](std::string_view pose) -> std::optional<SeriesKey> {
+    const std::size_t colon = pose.rfind(':');
+    if (colon == pose.npos || !posePart(pose.substr(colon + 1))) return std::nullopt;
+    SeriesKey key{SeriesKey::Kind::pose, {}, std::string(pose.substr(colon + 1))};
+    if (!readPlace(pose.substr(0, colon), key.name, key.link)) return std::nullopt;
+    if (!key.link.empty()) key.kind = SeriesKey::Kind::link;
+    return key;
+  };
+  // A name may hold the word too: what is before it must end as a pose does.
+  for (std::size_t in = text.find(kIn); in != text.npos; in = text.find(kIn, in + 1)) {
+    auto key = withoutFrame(text.substr(0, in));
+    if (key && key->kind == SeriesKey::Kind::link &&
+        readPlace(text.substr(in + kIn.size()), key->frame, key->frame_link)) {
+      return key;
+    }
+  }
+  return withoutFrame(text);
+}
+
 }  // namespace
 
 std::string SeriesKey::text() const {
@@ -26,6 +57,11 @@ std::string SeriesKey::text() const {
       return name + "." + part;
     case Kind::pose:
       return name + ":" + part;
+    case Kind::link: {
+      const std::string in_world = name + "/" + link + ":" + part;
+      if (frame.empty()) return in_world;
+      return in_world + " in " + frame + (frame_link.empty() ? "" : "/" + frame_link);
+    }
     case Kind::rate:
       return name.empty() ? "rate" : "rate/" + name;
     case Kind::loss:
@@ -55,11 +91,7 @@ std::optional<SeriesKey> parseSeriesKey(std::string_view text) {
   if (const auto signal = signalNamed(text)) {
     return SeriesKey{SeriesKey::Kind::signal, signal->device, signal->name.name, signal->name.link};
   }
-  const std::size_t colon = text.rfind(':');
-  if (colon != text.npos && colon > 0 && posePart(text.substr(colon + 1))) {
-    return SeriesKey{SeriesKey::Kind::pose, std::string(text.substr(0, colon)),
-                     std::string(text.substr(colon + 1))};
-  }
+  if (auto pose = poseKey(text)) return pose;
   const std::size_t point = text.find('.');
   if (point == text.npos || point == 0 || point + 1 == text.size()) return std::nullopt;
   return SeriesKey{SeriesKey::Kind::joint, std::string(text.substr(0, point)),

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "core/packet/joint_order.h"
+#include "core/series/placed_links.h"
 #include "core/session/keyframe.h"
 
 namespace rocinante {
@@ -36,37 +36,32 @@ struct SeriesScan::Device {
   std::string last_writer;
 };
 
-std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
-                                const std::vector<std::string>& names) {
-  if (const auto named = said.named_joints.find(name); named != said.named_joints.end()) {
-    return named->second.value;
-  }
-  if (!said.joints) return std::nullopt;
-  const std::vector<double>& values = said.joints->value;
-  if (!names.empty()) {
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end() || names.size() != values.size()) return std::nullopt;
-    return values[static_cast<std::size_t>(found - names.begin())];
-  }
-  if (name.size() < 3 || name.front() != '[' || name.back() != ']') return std::nullopt;
-  std::size_t place = 0;
-  const char* const end = name.data() + name.size() - 1;
-  const auto [stop, fault] = std::from_chars(name.data() + 1, end, place);
-  if (fault != std::errc{} || stop != end || place >= values.size()) return std::nullopt;
-  return values[place];
-}
+/// The links that are asked for.
+struct SeriesScan::Links {
+  struct Part {
+    std::size_t link = 0, number = 0;  ///< into poses(), and into the numbers of a pose
+    SeriesId id = 0;
+  };
+  explicit Links(const Cell& cell) : placed(cell) {}
 
-std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key) {
-  const Item<SignalValue>* const said = state.findSignal(key.name, {key.link, key.part});
-  if (said == nullptr || said->value.kind == SignalKind::text) return std::nullopt;
-  return said->value.number;
-}
+  PlacedLinks placed;
+  std::vector<Part> parts;
+  bool are_moved = true;  ///< since they were placed last
+};
 
 SeriesScan::SeriesScan(Options options)
     : options_(std::move(options)),
       width_(widthFor(options_.from, options_.until, options_.max_bins)),
       reached_(options_.from),
-      all_{countBins(), countBins()} {}
+      all_{countBins(), countBins()} {
+  if (options_.cell == nullptr || !options_.only) return;
+  for (const SeriesKey& key : *options_.only) {
+    const auto number = posePart(key.part);
+    if (key.kind != SeriesKey::Kind::link || !number) continue;
+    if (links_ == nullptr) links_ = std::make_unique<Links>(*options_.cell);
+    links_->parts.push_back({links_->placed.add(key), *number, idOf(key)});
+  }
+}
 
 SeriesScan::~SeriesScan() = default;
 
@@ -82,6 +77,7 @@ void SeriesScan::beginWith(SessionState state) {
   }
   if (!state_.signals().empty()) takeEverything(deviceNamed({}), options_.from);
   for (const auto& [name, counts] : state_.counts()) gaps_[name] = counts.gap;
+  takeLinks(options_.from);
 }
 
 void SeriesScan::add(const LogMessage& message) {
@@ -138,7 +134,10 @@ void SeriesScan::count(const Packet& packet, LogTime time) {
 void SeriesScan::take(const Packet& packet, LogTime time) {
   for (const Statement& statement : packet.statements) {
     takeStatement(statement, packet.header.source, time);
+    if (links_ != nullptr && links_->placed.isMovedBy(statement)) links_->are_moved = true;
   }
+  // What a restatement leaves out may be gone.
+  if (links_ != nullptr && (links_->are_moved || packet.header.restated)) takeLinks(time);
   // What a whole restatement does not say any more is gone.
   const auto& part = packet.header.part;
   if (!packet.header.restated || !part || part->index != part->count) return;
@@ -184,6 +183,19 @@ void SeriesScan::takeStatement(const Statement& statement, std::string_view sour
     default:  // order: another meaning from now on
       device.orders.clear();
       return;
+  }
+}
+
+void SeriesScan::takeLinks(LogTime time) {
+  if (links_ == nullptr) return;
+  links_->are_moved = false;
+  links_->placed.place(state_);
+  for (const Links::Part& part : links_->parts) {
+    if (const auto& pose = links_->placed.poses()[part.link]) {
+      record(part.id, time, poseNumbers(*pose)[part.number]);
+    } else {
+      end(part.id, time);
+    }
   }
 }
 

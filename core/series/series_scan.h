@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,26 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "core/cell/cell.h"
 #include "core/log/log_types.h"
 #include "core/packet/session_state.h"
+#include "core/series/said_values.h"
 #include "core/series/series_key.h"
 #include "core/series/value_bins.h"
 #include "core/session/message_folder.h"
 
 namespace rocinante {
-
-/// The names of the values of a device's positional `joints`, in order; empty when its model is not
-/// known. `said`: what packets have said about it.
-using PositionalNames =
-    std::function<std::vector<std::string>(std::string_view device, const DeviceState& said)>;
-
-/// The values of `joints` that a device's state gives to a name, as pictures show them: named ones
-/// first, positional ones when there are as many as `names`, or by "[0]", "[1]" without names.
-std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
-                                const std::vector<std::string>& names);
-
-/// The number of a signal, a boolean as 1 or 0; empty for a text, and when it is not stated.
-std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key);
 
 /// How many packets of a source came, and how many numbers of its sequence did not.
 struct SourceSeries {
@@ -37,19 +25,21 @@ struct SourceSeries {
 
 /// Gathers every value that the packets of a stretch of a log state, as functions of time, in one
 /// pass: joints, poses, signals (a boolean is 1 or 0, a text ends its curve), packets and losses by
-/// source. A joint that no packet has stated has no
-/// series. Bounded: all series together take at most `max_bytes`; when they would take more, all of
-/// them halve their number of bins, down to 64. Folds by itself, in log order: a damaged log
-/// continues with the next packet. Copies and moves are not possible: it points into itself. One
-/// thread.
+/// source; of links those that are asked for, from the first packet on. A joint that no packet has
+/// stated has no series. Bounded: all series together take at most `max_bytes`; when they would
+/// take more, all of them halve their number of bins, down to 64. Folds by itself, in log order: a
+/// damaged log continues with the next packet. Copies and moves are not possible: it points into
+/// itself. One thread.
 class SeriesScan {
  public:
   struct Options {
-    LogTime from{}, until{};  ///< of the first bin, and about of the last: more may come
-    PositionalNames names;    ///< may be empty
+    LogTime from{}, until{};     ///< of the first bin, and about of the last: more may come
+    PositionalNames names;       ///< may be empty
+    const Cell* cell = nullptr;  ///< of links; borrowed
     std::size_t max_bins = 16384;
     std::uint64_t max_bytes = std::uint64_t{128} << 20U;
-    /// Only these values; empty: all. Sources are counted in any case.
+    /// Only these values; empty: all that packets state, but no link, of which there are too many.
+    /// Sources are counted in any case.
     std::optional<std::set<SeriesKey>> only;
   };
   /// Sources counted one by one; only a hostile session has more, which count in all().
@@ -83,6 +73,7 @@ class SeriesScan {
   using SeriesId = std::size_t;
   static constexpr SeriesId kUnwanted = static_cast<SeriesId>(-1);
   struct Device;
+  struct Links;
 
   void take(const Packet& packet, LogTime time);
   void takeStatement(const Statement& statement, std::string_view source, LogTime time);
@@ -91,6 +82,7 @@ class SeriesScan {
   void takeSignals(const Statement& statement, Device& device, LogTime time);
   void takeEverything(Device& device, LogTime time);
   void takeAllSignals(Device& device, const Signals& said, LogTime time);
+  void takeLinks(LogTime time);
   void count(const Packet& packet, LogTime time);
   Device& deviceNamed(std::string_view name);
   SeriesId idOf(const SeriesKey& key);
@@ -115,6 +107,7 @@ class SeriesScan {
   std::map<SeriesKey, SeriesId> ids_;
   std::map<std::string, std::unique_ptr<Device>, std::less<>> devices_;
   NameCache<Device*> device_cache_;
+  std::unique_ptr<Links> links_;  ///< null: none are wanted
   std::map<std::string, std::set<Device*>, std::less<>> written_by_;
   std::map<std::string, SourceSeries, std::less<>> sources_;
   NameCache<SourceSeries*> source_cache_;

@@ -8,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/bytes.h"
 #include "core/base/duration_text.h"
+#include "core/series/placed_links.h"
 
 namespace rocinante {
 namespace {
@@ -27,9 +28,15 @@ class Rows {
  public:
   explicit Rows(const SeriesTable& table) : table_(table), names_(table.keys.size()) {
     text_ = "t";
+    if (table.cell != nullptr) links_.emplace(*table.cell);
     for (const SeriesKey& key : table.keys) {
       text_ += ',' + field(key.text());
-      devices_.insert(key.name);
+      if (key.kind != SeriesKey::Kind::link) {
+        devices_.insert(key.name);
+        link_.push_back(0);
+      } else {
+        link_.push_back(links_ ? links_->add(key) : 0);
+      }
     }
     text_ += '\n';
   }
@@ -38,6 +45,7 @@ class Rows {
     // A restatement may forget what it does not name.
     if (packet.header.restated) return true;
     return std::ranges::any_of(packet.statements, [this](const Statement& statement) {
+      if (links_ && links_->isMovedBy(statement)) return true;
       return isSignal(statement.kind)
                  ? devices_.contains(statement.path.first)
                  : movesDevice(statement.kind) && devices_.contains(statement.name);
@@ -48,6 +56,7 @@ class Rows {
   void add(const SessionState& state, Nanoseconds since_origin) {
     const std::size_t begin = text_.size();
     text_ += secondsText(since_origin);
+    if (links_) links_->place(state);
     bool any = false;
     for (std::size_t i = 0; i < table_.keys.size(); ++i) {
       text_ += ',';
@@ -71,6 +80,11 @@ class Rows {
   std::optional<double> valueOf(const SessionState& state, std::size_t column) {
     const SeriesKey& key = table_.keys[column];
     if (key.kind == SeriesKey::Kind::signal) return signalSaid(state, key);
+    if (key.kind == SeriesKey::Kind::link) {
+      const auto part = posePart(key.part);
+      if (!links_ || !part || !links_->poses()[link_[column]]) return std::nullopt;
+      return poseNumbers(*links_->poses()[link_[column]])[*part];
+    }
     const DeviceState* const said = state.findDevice(key.name);
     if (said == nullptr) return std::nullopt;
     if (key.kind == SeriesKey::Kind::pose) {
@@ -85,6 +99,8 @@ class Rows {
 
   const SeriesTable& table_;
   std::set<std::string, std::less<>> devices_;
+  std::optional<PlacedLinks> links_;
+  std::vector<std::size_t> link_;                               ///< by column: into poses()
   std::vector<std::optional<std::vector<std::string>>> names_;  ///< by column, once known
   std::string text_;
   std::uint64_t count_ = 0;

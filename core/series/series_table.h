@@ -11,7 +11,7 @@
 
 namespace rocinante {
 
-/// Writes joints, pose parts and numbers of signals from a stretch of a log as the table that
+/// Writes joints, poses, links and numbers of signals from a stretch of a log as the table that
 /// `rocinante source --csv` reads (docs/programs/source.md): column `t` in seconds from the
 /// session's origin, then one per key, in radians, metres and the signals' units, the shortest
 /// numbers that read back as the same. The first row has what holds at `from`; then there is one
@@ -21,6 +21,7 @@ struct SeriesTable {
   std::vector<SeriesKey> keys;  ///< at least one, none of a source's counts
   LogTime from{}, until{};
   PositionalNames names;
+  const Cell* cell = nullptr;  ///< of links; borrowed
   /// Asked now and then; when it returns false, nothing is written. May be empty.
   std::function<bool()> goes_on;
 };

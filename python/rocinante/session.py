@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 import tempfile
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 import numpy as np
 
@@ -43,7 +43,7 @@ class Columns:
 
 @dataclass(frozen=True)
 class Poses:
-    """Poses of a device's base in the world over time. Before the first one they are NaN."""
+    """Poses of a device's base or of a link over time. Before the first one they are NaN."""
     time: NDArray[np.float64]         #: (N,) seconds from the session's origin
     position: NDArray[np.float64]     #: (N, 3) metres, x forward, y left, z up
     orientation: NDArray[np.float64]  #: (N, 4) unit quaternions x, y, z, w
@@ -88,6 +88,13 @@ def _stated_name(device: str | None, link: str | None, name: str) -> str:
     else:
         path = ("%6Cayer" if device == "layer" else _name(device)) + "/" + _name(link)
     return f"signal {path} {_name(name)}"
+
+
+def _poses_of(table: dict[str, NDArray[Any]], before: str, after: str) -> Poses:
+    """Of the seven columns whose names have this before and after the part of the pose."""
+    columns = [np.column_stack([table[before + axis + after] for axis in axes])
+               for axes in (("x", "y", "z"), ("qx", "qy", "qz", "qw"))]
+    return Poses(table["t"], *columns)
 
 
 class Session:
@@ -152,18 +159,21 @@ class Session:
         return [Event((each["log_time_ns"] - self.origin_ns) / 1e9, each.get("source") or "", each["text"],
                       each["log_time_ns"]) for each in self._event_list]
 
-    def table(self, device: str | None = None, *, signals: bool = False, every: Time | None = None,
-              start: Time | None = None, end: Time | None = None) -> dict[str, NDArray[Any]]:
+    def table(self, device: str | None = None, *, signals: bool = False, links: Sequence[str] = (),
+              frame: str | None = None, every: Time | None = None, start: Time | None = None,
+              end: Time | None = None) -> dict[str, NDArray[Any]]:
         """The columns of `rocinante log table`, by name: `t`, `t_ns`, `DEVICE.JOINT`, `DEVICE:x` ...;
-        with `signals` also `signal PATH NAME`, numbers, and booleans as 1 and 0.
+        with `signals` also `signal PATH NAME`, numbers, and booleans as 1 and 0; with `links` also
+        `DEVICE/LINK:x` ..., or `DEVICE/LINK:x in FRAME` ... in the frame of a device or link.
 
         One row for each moment that writes a value, or one at each multiple of `every`; from `start`
         until before `end`.
         """
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "table.npz")
-            run("log", "table", self.log, "-o", table, *(["--signals"] if signals else []), *options({
-                "device": device, "cell": self.cell,
+            run("log", "table", self.log, "-o", table, *(["--signals"] if signals else []),
+                *(f"--link={link}" for link in links), *options({
+                "device": device, "cell": self.cell, "in": frame,
                 "every": None if every is None else time_word(every),
                 "from": None if start is None else time_word(start),
                 "until": None if end is None else time_word(end)}))
@@ -186,9 +196,14 @@ class Session:
         if device + ":x" not in table:
             raise KeyError(f"{self.log} has no pose of a device {device}" + self._those_with(
                 lambda each: bool(each["pose"])))
-        columns = [np.column_stack([table[f"{device}:{axis}"] for axis in axes])
-                   for axes in (("x", "y", "z"), ("qx", "qy", "qz", "qw"))]
-        return Poses(table["t"], *columns)
+        return _poses_of(table, f"{device}:", "")
+
+    def link(self, path: str, frame: str | None = None, **span: Any) -> Poses:
+        """The poses of a link, "DEVICE/LINK", in the world, or in the frame of a device or link; `every`,
+        `start` and `end` as for `table`. It needs a cell."""
+        device = path.split("/")[0]
+        table = self._of_device(device, {"links": [path], "frame": frame, **span})
+        return _poses_of(table, f"{path}:", "" if frame is None else f" in {frame}")
 
     @property
     def signals(self) -> dict[str, float | bool | str]:

@@ -45,6 +45,7 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
                                const TableOptions& options) {
   const LogSummary& log = session.log().summary();
   ClearanceColumns* const clearances = options.clearances;
+  LinkColumns* const links = options.links;
   const bool is_grid = options.rows == TableOptions::Rows::grid;
   if (is_grid || options.from > log.start) {
     // What was said before the first row holds there.
@@ -68,7 +69,7 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     return found.error();
   }
   table.layOut();
-  if (table.columns().empty()) {
+  if (table.columns().empty() && links == nullptr) {
     return Error{ErrorKind::not_found,
                  std::string(options.signals ? "no chosen device has joints, a pose or numbers"
                                              : "no chosen device has joints or a pose") +
@@ -77,19 +78,25 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
   }
   TableReport report;
   report.columns = table.columns();
+  const auto addColumns = [&report](const std::vector<std::string>& more) {
+    report.columns.insert(report.columns.end(), more.begin(), more.end());
+  };
+  if (links != nullptr) addColumns(links->columns());
   if (clearances != nullptr) {
     clearances->layOut();
-    const std::vector<std::string>& more = clearances->columns();
-    report.columns.insert(report.columns.end(), more.begin(), more.end());
+    addColumns(clearances->columns());
   }
   if (Status begun = writer.begin(report.columns); !begun) return begun.error();
   const std::size_t of_table = table.columns().size();
+  const std::size_t of_links = links == nullptr ? 0 : links->columns().size();
   std::vector<double> values(report.columns.size());
   std::vector<double> former;
   PassProgress writing(options, log, 0.5);
   const auto write = [&](LogTime moment, const SessionState& state) -> Status {
     table.fill(state, std::span(values).first(of_table));
-    if (clearances != nullptr) clearances->fill(state, std::span(values).subspan(of_table));
+    const std::span behind = std::span(values).subspan(of_table);
+    if (links != nullptr) links->fill(state, behind.first(of_links));
+    if (clearances != nullptr) clearances->fill(state, behind.subspan(of_links));
     if (options.rows == TableOptions::Rows::changed) {
       if (report.rows > 0 && sameBits(values, former)) return {};
       former = values;
@@ -108,7 +115,9 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     }
   } else {
     const auto row = [&](LogTime moment, const SessionState& state) -> Status {
-      if (table.wasWritten(state, moment)) {
+      // The table remembers what it was asked about last: it is asked in any case.
+      const bool is_written = table.wasWritten(state, moment);
+      if (is_written || (links != nullptr && links->wereMoved(state, moment))) {
         if (Status written = write(moment, state); !written) return written;
       }
       return writing.at(moment);

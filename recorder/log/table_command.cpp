@@ -30,6 +30,8 @@ struct TableArguments {
   bool changes = false;
   bool signals = false;
   bool clearance = false;
+  std::vector<std::string> links;
+  std::string frame;
   ExportCellArguments cell;
   std::string output;
   bool force = false;
@@ -122,6 +124,20 @@ Result<std::optional<ClearanceColumns>> clearancesOf(const TableArguments& my, c
   return columns;
 }
 
+Result<std::optional<LinkColumns>> linksOf(const TableArguments& my, const Cell* cell,
+                                           MomentWalk& session, LogTime until) {
+  std::optional<LinkColumns> columns;
+  if (my.links.empty()) return columns;
+  if (cell == nullptr) {
+    return Error{ErrorKind::bad_argument, "needs a cell: the log carries none, --cell CELL",
+                 "--link"};
+  }
+  Result<LinkColumns> made = LinkColumns::of(*cell, my.links, my.frame, session, until);
+  if (!made) return made.error();
+  columns.emplace(*std::move(made));
+  return columns;
+}
+
 Result<cli::Exit> runTable(TableArguments my) {
   const Result<TableForm> form = formOf(my.output);
   if (!form) return form.error();
@@ -145,6 +161,10 @@ Result<cli::Exit> runTable(TableArguments my) {
   Result<std::optional<ClearanceColumns>> clearances = clearancesOf(my, cell->get());
   if (!clearances) return clearances.error();
   if (*clearances) options->clearances = &**clearances;
+  Result<std::optional<LinkColumns>> links =
+      linksOf(my, cell->get(), *session, session->log().summary().end);
+  if (!links) return links.error();
+  if (*links) options->links = &**links;
   cli::catchStopSignals();
   options->progress = stoppableProgress("reading " + my.log);
   const cli::StopDeadline deadline(kStopped);
@@ -184,6 +204,15 @@ cli::Subcommand addTableCommand(cli::CommandLine program) {
       .excludes(every);
   app.addFlag("--signals", my->signals,
               "numbers and booleans of signals too, a column for each: `signal PATH NAME`");
+  const cli::Option link =
+      app.addOption("--link", my->links,
+                    "the pose of this link too, by the cell: DEVICE/LINK:x to :qw; may be repeated")
+          .valueName("PATH")
+          .oneEach();
+  app.addOption("--in", my->frame,
+                "those poses in the frame of this device or link; by default in the world")
+      .valueName("PATH")
+      .needs(link);
   app.addFlag("--clearance", my->clearance,
               "the distances of the cell's clearances too, in metres, a column for each pair");
   app.addOption("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")

@@ -5,6 +5,7 @@ import pytest
 
 import rocinante
 from foreign import FORMS, capture, foreign
+from rocinante._programs import run_json
 
 
 def test_a_session_tells_what_it_holds(demo):
@@ -94,6 +95,21 @@ def test_poses_are_positions_and_quaternions(demo):
     assert np.allclose(np.linalg.norm(poses.orientation, axis=1), 1)
     # The gantry lifts and carries it.
     assert poses.position[:, 2].max() > 1.5
+
+
+def test_a_link_is_where_the_forward_kinematics_have_it(demo):
+    cell, log = demo
+    session = rocinante.Session(log, cell)
+    hand = session.link("arm/tip", every=1, start=1, end=4)
+    assert hand.time.tolist() == [1.0, 2.0, 3.0]
+    fk = run_json("model", "fk", cell, "--log", log, "--at=3s", "--json")["arm/tip"]
+    assert hand.position[-1].tolist() == fk["xyz"]
+    assert hand.orientation[-1].tolist() == fk["quaternion"]
+    # From itself it is always the same.
+    own = session.link("arm/tip", "arm/tip", every=1, start=1, end=4)
+    assert np.allclose(own.position, 0, atol=1e-12) and np.allclose(own.orientation, [0, 0, 0, 1], atol=1e-12)
+    with pytest.raises(rocinante.Error, match="`arm` has no link `hnad`"):
+        session.link("arm/hnad")
 
 
 def test_names_that_look_like_patterns_are_names(tmp_path, demo):

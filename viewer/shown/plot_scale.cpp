@@ -67,6 +67,7 @@ PlotValue plotValue(const SeriesKey& key, const Model* model) {
     case SeriesKey::Kind::joint:
       return model == nullptr ? value : jointValue(key, *model);
     case SeriesKey::Kind::pose:
+    case SeriesKey::Kind::link:
       value.unit = key.part.size() == 1 ? PlotUnit::metres : PlotUnit::quaternion;
       return value;
     case SeriesKey::Kind::signal:

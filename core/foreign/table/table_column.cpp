@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include "core/foreign/table/table_header.h"
 #include "core/packet/text_number.h"
@@ -59,6 +60,14 @@ std::optional<Nanoseconds> tableSeconds(std::string_view text, int down) {
   return Nanoseconds(negative ? -count : count);
 }
 
+bool isLinkColumn(std::string_view name) {
+  const std::size_t slash = name.find('/');
+  if (slash == name.npos || slash == 0) return false;
+  return std::ranges::any_of(kPoseEndings, [&](std::string_view ending) {
+    return name.ends_with(ending) || name.find(std::string(ending) + " in ", slash) != name.npos;
+  });
+}
+
 bool isSignalColumn(std::string_view name) {
   constexpr std::string_view kBegin = "signal ";
   // A name of a device may have blanks, but those of a signal's column are written as in packets.
@@ -67,7 +76,7 @@ bool isSignalColumn(std::string_view name) {
 }
 
 std::optional<TableColumn> tableColumn(std::string_view name) {
-  if (isSignalColumn(name)) return std::nullopt;
+  if (isSignalColumn(name) || isLinkColumn(name)) return std::nullopt;
   for (std::size_t part = 0; part < kPoseEndings.size(); ++part) {
     const std::string_view ending = kPoseEndings[part];
     if (!name.ends_with(ending) || name.size() == ending.size()) continue;
@@ -103,6 +112,7 @@ std::optional<std::size_t> plainPosePart(std::string_view name) {
 std::string_view notAValue(std::string_view name) {
   if (timeUnitOf(name)) return "another time";
   if (name.starts_with(kClearanceColumn)) return "a distance";
+  if (isLinkColumn(name)) return "the pose of a link";
   return {};
 }
 

@@ -20,6 +20,9 @@ inline constexpr std::string_view kClearanceColumn = "clearance/";
 /// Whether the column is that of a signal, `signal PATH NAME`.
 bool isSignalColumn(std::string_view name);
 
+/// Whether the column is of a link's pose, `DEVICE/LINK:x` or `DEVICE/LINK:x in PATH`.
+bool isLinkColumn(std::string_view name);
+
 /// A column that names its device, or the ROS topic that it comes from. Borrowed from the name.
 struct TableColumn {
   std::string_view device;               ///< empty: `topic` tells

@@ -84,6 +84,7 @@ TEST_F(ScenePosesTest, GivesTheBitsOfPosingEverythingWhateverCameBefore) {
   };
   const auto number = [&] { return std::to_string(0.125 * static_cast<double>(pick(17)) - 1); };
   ScenePoseCache poses(cell_);
+  ScenePoseCache chosen_poses(cell_);
   std::string said;
   for (int step = 0; step < 300; ++step) {
     SCOPED_TRACE(step);
@@ -117,7 +118,22 @@ TEST_F(ScenePosesTest, GivesTheBitsOfPosingEverythingWhateverCameBefore) {
         break;
     }
     const SessionState state = test::stateOf(said);
-    expectSame(poses.pose(state), poseScene(cell_, state));
+    const PosedScene whole = poseScene(cell_, state);
+    expectSame(poses.pose(state), whole);
+    std::set<std::string, std::less<>> chosen{device()};
+    const PosedScene part = chosen_poses.places(state, chosen);
+    for (const PosedDevice& posed : whole.devices) {
+      EXPECT_EQ(part.findDevice(posed.name) != nullptr, chosen.contains(posed.name)) << posed.name;
+    }
+    for (const PosedDevice& posed : part.devices) {
+      const PosedDevice* const same = whole.findDevice(posed.name);
+      ASSERT_NE(same, nullptr);
+      EXPECT_TRUE(sameMatrix(posed.base, same->base));
+      ASSERT_EQ(posed.link_world.size(), same->link_world.size());
+      for (std::size_t link = 0; link < posed.link_world.size(); ++link) {
+        EXPECT_TRUE(sameMatrix(posed.link_world[link], same->link_world[link])) << link;
+      }
+    }
     if (HasFailure()) FAIL() << said;
   }
 }

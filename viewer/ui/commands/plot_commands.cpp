@@ -4,35 +4,59 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/base/name_hint.h"
+#include "core/kinematics/joint_values.h"
+#include "core/series/placed_links.h"
 #include "viewer/ui/commands/command_groups.h"
 #include "viewer/ui/commands/study_actions.h"
 
 namespace rocinante {
 namespace {
 
-/// Packets alone state signals: one that comes later is not known yet.
-Status checkSignal(const SeriesKey& key, ViewModel& model) {
-  const bool is_known = key.name.empty() || model.scene().findDevice(key.name) != nullptr ||
-                        model.state().findDevice(key.name) != nullptr;
-  if (is_known) return {};
-  return badWord(fmt::format("no device is named `{}`", key.name));
+/// Refuses what no packet of the log states, with what they do state; while a log is not read, or
+/// goes on, anything may come.
+Status checkStated(const SeriesKey& key, ViewModel& model) {
+  LogStudy* const study = model.study();
+  if (study == nullptr) return {};
+  const auto picture = model.study_waits
+                           ? study->show({{}, model.cursor()->start(), model.cursor()->end(), 1, 1})
+                           : model.viewer.picture;
+  if (picture == nullptr || picture->stated == nullptr) return {};
+  const std::vector<SeriesKey>& stated = *picture->stated;
+  if (std::ranges::find(stated, key) != stated.end()) return {};
+  std::vector<std::string> texts;
+  for (const SeriesKey& each : stated) {
+    if (each.kind == key.kind) texts.push_back(each.text());
+  }
+  return badWord(fmt::format("no packet of the log states `{}`: {}", key.text(),
+                             whatThereIs(key.text(), {texts.begin(), texts.end()})));
 }
 
 /// Refuses values that neither the cell nor any packet has.
 Status checkKey(const SeriesKey& key, ViewModel& model) {
-  if (key.kind == SeriesKey::Kind::signal) return checkSignal(key, model);
+  if (key.kind == SeriesKey::Kind::signal) return checkStated(key, model);
   if (!key.isOfDevice()) return {};
+  if (key.kind == SeriesKey::Kind::link) {
+    const Status there = checkLink(model.cell(), model.state(), key);
+    return there ? Status() : badWord(there.error().what);
+  }
   const auto said = model.state().devices().find(key.name);
   const PosedDevice* const device = model.scene().findDevice(key.name);
   if (device == nullptr && said == model.state().devices().end()) {
-    return badWord(fmt::format("no device is named `{}`", key.name));
+    std::vector<std::string_view> names;
+    for (const PosedDevice& each : model.scene().devices) names.push_back(each.name);
+    return badWord(
+        fmt::format("no device is named `{}`: {}", key.name, whatThereIs(key.name, names)));
   }
-  if (key.kind == SeriesKey::Kind::pose || device == nullptr || device->model == nullptr) return {};
+  if (device == nullptr || device->model == nullptr) return checkStated(key, model);
+  if (key.kind == SeriesKey::Kind::pose) return {};
   const Model& of_device = *device->model;
   if (of_device.findJointValue(key.part)) return {};
   const auto joint = of_device.findJoint(key.part);
   if (joint && of_device.joints[*joint].mimic) return {};
-  return badWord(fmt::format("`{}` has no joint value `{}`", key.name, key.part));
+  const std::vector<std::string> names = positionalNames(of_device);
+  return badWord(fmt::format("`{}` has no joint value `{}`: {}", key.name, key.part,
+                             whatThereIs(key.part, {names.begin(), names.end()})));
 }
 
 Result<SeriesKey> seriesKeyOf(CommandWords words) {
@@ -40,8 +64,8 @@ Result<SeriesKey> seriesKeyOf(CommandWords words) {
   auto key = parseSeriesKey(word);
   if (key) return std::move(*key);
   return badWord(fmt::format(
-      "`{}` is not DEVICE.JOINT, DEVICE:x (or y z qx qy qz qw), signal PATH NAME, rate, loss, "
-      "rate/SOURCE or loss/SOURCE",
+      "`{}` is not DEVICE.JOINT, DEVICE:x (or y z qx qy qz qw), DEVICE/LINK:x [in PATH], "
+      "signal PATH NAME, rate, loss, rate/SOURCE or loss/SOURCE",
       word));
 }
 
@@ -146,7 +170,8 @@ std::vector<Command> plotCommands() {
   std::vector<Command> commands{
       {.name = "plot",
        .arguments = "VALUE...",
-       .means = "a curve: DEVICE.JOINT, DEVICE:x, signal PATH NAME, rate, loss, rate/SOURCE",
+       .means = "a curve: DEVICE.JOINT, DEVICE:x, DEVICE/LINK:x [in PATH], signal PATH NAME, rate, "
+                "loss, rate/SOURCE",
        .run = plotValueOf},
       {.name = "unplot",
        .arguments = "all|VALUE...",

@@ -8,13 +8,13 @@
 namespace rocinante {
 namespace {
 
-/// Plots x, y and z of a pose that packets state.
-void drawPoseButton(ViewModel& model, const PosedDevice& device, const DeviceState* state) {
-  if (model.session() == nullptr || state == nullptr || !state->pose) return;
+/// Plots x, y and z of a link's pose, or of one that packets state.
+void drawPoseButton(ViewModel& model, const Selection& shown) {
   std::vector<SeriesKey> parts;
   for (const char* part : {"x", "y", "z"}) {
-    parts.push_back({SeriesKey::Kind::pose, device.name, part});
+    if (const auto key = poseKeyOf(model, shown, part)) parts.push_back(*key);
   }
+  if (parts.empty()) return;
   drawPlotButton(model, "plot pose", parts);
   ImGui::SameLine(0, px(5));
 }
@@ -64,7 +64,7 @@ float drawDevicePanel(ViewModel& model, float top, SteadyTime now) {
     ImGui::SameLine();
     ImGui::TextDisabled("...");
   } else if (device != nullptr && device->model != nullptr) {
-    drawPoseButton(model, *device, state);
+    drawPoseButton(model, shown);
     drawPose(model, shown);
     drawCarrier(state);
     drawNearest(model, shown);

@@ -83,8 +83,7 @@ void drawPosition(ViewModel& model, const Selection& shown, const Vec3& at) {
   const LengthUnit unit = model.hand.units.length;
   const std::string x = "at " + lengthNumber(at.x, unit), y = lengthNumber(at.y, unit);
   const std::string text = x + " " + y + " " + lengthText(at.z, unit);
-  const DeviceState* const state = model.received().findDevice(shown.device);
-  if (model.session() == nullptr || state == nullptr || !state->pose) {
+  if (!poseKeyOf(model, shown, "x")) {
     ImGui::TextUnformatted(text.c_str());
     return;
   }
@@ -97,8 +96,7 @@ void drawPosition(ViewModel& model, const Selection& shown, const Vec3& at) {
   } else if (pressed < ImGui::CalcTextSize((x + " " + y).c_str()).x + gap) {
     part = "y";
   }
-  drawDraggable(model, "position", text, ImGuiCol_Text,
-                {{SeriesKey::Kind::pose, shown.device, part}});
+  drawDraggable(model, "position", text, ImGuiCol_Text, {*poseKeyOf(model, shown, part)});
 }
 
 }  // namespace

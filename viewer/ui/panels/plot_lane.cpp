@@ -101,6 +101,13 @@ std::optional<double> valueAt(const PlottedCurve& plotted, const StudyPicture& p
 std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plotted) {
   const SeriesKey& series = plotted.value.series;
   if (series.kind == SeriesKey::Kind::signal) return signalSaid(model.state(), series);
+  if (series.kind == SeriesKey::Kind::link) {
+    const auto pose =
+        poseIn(model.scene(), {series.name, series.link}, {series.frame, series.frame_link});
+    const auto part = posePart(series.part);
+    if (!pose || !part) return std::nullopt;
+    return plotted.value.shown(poseNumbers(*pose)[*part]);
+  }
   const DeviceState* const said =
       series.isOfDevice() ? model.state().findDevice(series.name) : nullptr;
   if (said == nullptr) return std::nullopt;

@@ -39,6 +39,18 @@ ImU32 fadedInk(float part) {
   return ImGui::ColorConvertFloat4ToU32(ink);
 }
 
+std::optional<SeriesKey> poseKeyOf(const ViewModel& model, const Selection& shown,
+                                   const char* part) {
+  if (model.session() == nullptr) return std::nullopt;
+  if (!shown.link.empty()) {
+    const Selection& in = model.viewer.reference;
+    return SeriesKey{SeriesKey::Kind::link, shown.device, part, shown.link, in.device, in.link};
+  }
+  const DeviceState* const state = model.received().findDevice(shown.device);
+  if (state == nullptr || !state->pose) return std::nullopt;
+  return SeriesKey{SeriesKey::Kind::pose, shown.device, part};
+}
+
 void dragFromItem(ViewModel& model, const std::vector<SeriesKey>& keys) {
   if (model.session() == nullptr || !model.viewer.plots.dragged.empty()) return;
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, px(4))) {

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "viewer/ui/model/view_model.h"
@@ -15,6 +16,11 @@ ImU32 curveColor(std::size_t number, int alpha = 255);
 
 /// The colour of text, fainter.
 ImU32 fadedInk(float part);
+
+/// The part "x" and so on of the pose of what is selected: of a link in the space that poses are
+/// shown in. Empty for a device whose pose no packet states, and without a log.
+std::optional<SeriesKey> poseKeyOf(const ViewModel& model, const Selection& shown,
+                                   const char* part);
 
 /// A small button that plots a value, or no longer does: filled with the curve's colour while it
 /// does. Draws nothing without a log.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -27,8 +28,6 @@ constexpr Nanoseconds kShowEvery = 100ms;
 /// How often a growing log is looked at.
 constexpr Nanoseconds kLookEvery = 150ms;
 
-SteadyTime studyNow() { return std::chrono::steady_clock::now(); }
-
 struct TableWish {
   std::vector<SeriesKey> keys;
   LogTime from{}, until{};
@@ -37,45 +36,24 @@ struct TableWish {
 
 }  // namespace
 
-std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
-                                                   const StudyWish& wish,
-                                                   const EventAlignment& alignment) {
-  auto aligned = std::make_shared<StudyPicture>();
-  aligned->wish = wish;
-  aligned->wish.keys = beside.wish.keys;
-  aligned->whole = beside.whole;
-  const Nanoseconds known = beside.wish.until - beside.wish.from;
-  for (const std::vector<ValueColumn>& curve : beside.curves) {
-    std::vector<ValueColumn>& columns = aligned->curves.emplace_back();
-    if (curve.empty() || known.count() <= 0) continue;
-    columns.resize(wish.columns);
-    const double count = static_cast<double>(curve.size());
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      // The middle of the column.
-      const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(columns.size());
-      const Nanoseconds since(
-          static_cast<std::int64_t>(part * static_cast<double>((wish.until - wish.from).count())));
-      const LogTime there = alignment.inB(wish.from + since);
-      const double place = static_cast<double>((there - beside.wish.from).count()) /
-                           static_cast<double>(known.count()) * count;
-      if (place >= 0 && place < count) columns[i] = curve[static_cast<std::size_t>(place)];
-    }
-  }
-  return aligned;
-}
-
 struct LogStudy::Impl {
   Impl(const Cell& the_cell, std::filesystem::path path, bool grows)
-      : names(positionalNames(the_cell)), log(std::move(path)), follows(grows) {}
+      : cell(the_cell), names(positionalNames(the_cell)), log(std::move(path)), follows(grows) {}
 
   void work(const std::stop_token& stop);
+  SeriesScan::Options optionsFor(LogTime from, LogTime until,
+                                 std::optional<std::set<SeriesKey>> only) const;
   Status begin(const std::stop_token& stop);
+  Status read(LogScan& scan, const std::function<bool()>& goes_on);
   Status readAll(const std::stop_token& stop);
+  Status readChosen(const StudyWish& wish, const std::stop_token& stop);
   Result<bool> readMore(const std::stop_token& stop);
   Status answer(const StudyWish& wish, const std::stop_token& stop);
   Status refine(const StudyWish& wish, const std::stop_token& stop);
   bool isFineEnough(const StudyWish& wish) const;
-  void publish(const StudyWish& wish, const LogScan& scan, bool whole);
+  const LogScan* scanOf(const SeriesKey& key) const;
+  void publish(const StudyWish& wish, const LogScan* refined, bool whole);
+  LogTime reachedBy(const LogScan& scan) const;
   Result<std::string> tableOf(const TableWish& wish, const std::stop_token& stop);
   Result<SessionState> stateAt(LogTime moment);
   StudyWish wished() {
@@ -84,14 +62,18 @@ struct LogStudy::Impl {
   }
 
   // Of the thread.
+  const Cell& cell;
   PositionalNames names;
   std::filesystem::path log;
   bool follows;
   std::optional<Timeline> timeline;
   LogTime start{}, end{};
   std::unique_ptr<LogScan> all, part;
-  SteadyTime looked{};  ///< whether the log has grown
+  std::unique_ptr<LogScan> chosen;  ///< of what is gathered only when asked for
+  std::set<SeriesKey> chosen_keys;  ///< its values; empty: it is not whole
+  SteadyTime looked{};              ///< whether the log has grown
   std::set<SeriesKey> part_keys;
+  std::shared_ptr<const std::vector<SeriesKey>> stated;  ///< null: not all is read
 
   std::mutex mutex;
   std::condition_variable_any asked, answered;
@@ -117,6 +99,17 @@ LogStudy::LogStudy(const Cell& cell, std::filesystem::path log, bool grows)
 
 LogStudy::~LogStudy() = default;
 
+SeriesScan::Options LogStudy::Impl::optionsFor(LogTime from, LogTime until,
+                                               std::optional<std::set<SeriesKey>> only) const {
+  SeriesScan::Options options;
+  options.from = from;
+  options.until = until;
+  options.names = names;
+  options.cell = &cell;
+  options.only = std::move(only);
+  return options;
+}
+
 Status LogStudy::Impl::begin(const std::stop_token& stop) {
   auto reader = follows ? LogReader::openGrowing(log) : LogReader::open(log);
   if (!reader.ok()) return reader.error();
@@ -126,43 +119,70 @@ Status LogStudy::Impl::begin(const std::stop_token& stop) {
   timeline->useStop(stop);
   start = timeline->start();
   end = timeline->end();
-  SeriesScan::Options options;
-  options.from = start;
-  options.until = end;
-  options.names = names;
   if (Status there = reader->rewind(); !there) return there;
-  all = std::make_unique<LogScan>(std::move(*reader), std::move(options), start, LogTime::max(),
-                                  follows);
+  all = std::make_unique<LogScan>(std::move(*reader), optionsFor(start, end, std::nullopt), start,
+                                  LogTime::max(), follows);
+  return {};
+}
+
+/// Reads to the end, and shows what is known meanwhile.
+Status LogStudy::Impl::read(LogScan& scan, const std::function<bool()>& goes_on) {
+  SteadyTime shown = std::chrono::steady_clock::now();
+  StudyWish last;
+  while (!scan.ended() && goes_on()) {
+    if (Status read = scan.step(); !read) return read;
+    const StudyWish wanted = wished();
+    if (wanted.strip_columns == 0 && wanted.columns == 0) continue;
+    if (wanted == last && std::chrono::steady_clock::now() - shown < kShowEvery) continue;
+    publish(wanted, nullptr, false);
+    last = wanted;
+    shown = std::chrono::steady_clock::now();
+  }
   return {};
 }
 
 Status LogStudy::Impl::readAll(const std::stop_token& stop) {
-  SteadyTime shown = studyNow();
-  StudyWish last;
-  while (!all->ended() && !stop.stop_requested()) {
-    if (Status read = all->step(); !read) return read;
-    const StudyWish wanted = wished();
-    if (wanted.strip_columns == 0 && wanted.columns == 0) continue;
-    if (wanted == last && studyNow() - shown < kShowEvery) continue;
-    publish(wanted, *all, false);
-    last = wanted;
-    shown = studyNow();
-  }
+  if (Status done = read(*all, [&stop] { return !stop.stop_requested(); }); !done) return done;
   all->addLosses();
   end = std::max(end, all->series().reached());
   return {};
 }
 
+/// What packets do not state themselves is gathered by another pass, for all that is wished of it.
+Status LogStudy::Impl::readChosen(const StudyWish& wish, const std::stop_token& stop) {
+  std::set<SeriesKey> keys = chosenKeys(wish);
+  if (std::ranges::includes(chosen_keys, keys)) return {};
+  const bool grows = !all->isComplete();
+  auto reader = grows ? LogReader::openGrowing(log) : LogReader::open(log);
+  if (!reader.ok()) return reader.error();
+  if (Status there = reader->rewind(); !there) return there;
+  chosen_keys.clear();
+  chosen = std::make_unique<LogScan>(std::move(*reader), optionsFor(start, end, keys), start,
+                                     LogTime::max(), grows);
+  const auto goes_on = [&] {
+    return !stop.stop_requested() && std::ranges::includes(keys, chosenKeys(wished()));
+  };
+  if (Status done = read(*chosen, goes_on); !done) return done;
+  if (chosen->ended()) chosen_keys = std::move(keys);
+  return {};
+}
+
 /// What was appended since; true when there was something.
 Result<bool> LogStudy::Impl::readMore(const std::stop_token& stop) {
-  if (!all->grows() || studyNow() - looked < kLookEvery) return false;
-  looked = studyNow();
+  if (!all->grows() || std::chrono::steady_clock::now() - looked < kLookEvery) return false;
+  looked = std::chrono::steady_clock::now();
   bool any = false;
   while (!stop.stop_requested()) {
     const auto more = all->more();
     if (!more.ok() || !*more) return more.ok() ? Result<bool>(any) : more;
     any = true;
     if (Status read = readAll(stop); !read) return read.error();
+  }
+  const auto goes_on = [&stop] { return !stop.stop_requested(); };
+  while (chosen != nullptr && any && goes_on()) {
+    const auto more = chosen->more();
+    if (!more.ok() || !*more) return more.ok() ? Result<bool>(any) : more;
+    if (Status done = read(*chosen, goes_on); !done) return done.error();
   }
   return any;
 }
@@ -187,7 +207,8 @@ bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
   const Nanoseconds pixel =
       (wish.until - wish.from) / std::max<std::int64_t>(static_cast<std::int64_t>(wish.columns), 1);
   return std::ranges::all_of(wish.keys, [&](const SeriesKey& key) {
-    const ValueBins* const values = key.isValue() ? all->series().values(key) : nullptr;
+    const LogScan* const scan = key.isValue() ? scanOf(key) : nullptr;
+    const ValueBins* const values = scan == nullptr ? nullptr : scan->series().values(key);
     return values == nullptr || values->width() <= std::max(pixel, Nanoseconds(1));
   });
 }
@@ -211,12 +232,8 @@ Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop
     auto reader = LogReader::open(log);
     if (!reader.ok()) return reader.error();
     if (Status there = reader->seek(from + Nanoseconds(1)); !there) return there;
-    SeriesScan::Options options;
-    options.from = from;
-    options.until = until;
-    options.names = names;
-    options.only = keys;
-    auto scan = std::make_unique<LogScan>(std::move(*reader), std::move(options), from, until);
+    auto scan =
+        std::make_unique<LogScan>(std::move(*reader), optionsFor(from, until, keys), from, until);
     scan->series().beginWith(std::move(*before));
     while (!scan->ended()) {
       if (Status read = scan->step(); !read) return read;
@@ -225,40 +242,42 @@ Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop
     part = std::move(scan);
     part_keys = std::move(keys);
   }
-  publish(wish, *part, true);
+  publish(wish, part.get(), true);
   return {};
 }
 
-void LogStudy::Impl::publish(const StudyWish& wish, const LogScan& scan, bool whole) {
+/// The pass that gathers a value; null: it has not begun.
+const LogScan* LogStudy::Impl::scanOf(const SeriesKey& key) const {
+  return isChosen(key) ? chosen.get() : all.get();
+}
+
+/// Until when a pass knows its values.
+LogTime LogStudy::Impl::reachedBy(const LogScan& scan) const {
+  if (!scan.ended()) return scan.series().reached();
+  return all->ended() && !all->grows() ? LogTime::max() : end;
+}
+
+/// `refined`: has the values of the shown part; null: those that are known of all.
+void LogStudy::Impl::publish(const StudyWish& wish, const LogScan* refined, bool whole) {
   auto made = std::make_shared<StudyPicture>();
   made->wish = wish;
   made->reached = all->ended() ? end : all->series().reached();
   made->whole = whole;
-  const auto strip = [&](const std::string& name, const SourceSeries& source) {
-    made->strips.push_back(stripOf(name, source, wish, {start, end}, made->reached));
-  };
-  strip("", all->series().all());
-  for (const auto& [name, source] : all->series().sources()) strip(name, source);
-  const bool cut = !all->ended() || all->grows();
+  made->strips = stripsOf(all->series(), wish, {start, end}, made->reached);
   for (const SeriesKey& key : wish.keys) {
-    std::vector<ValueColumn> columns;
-    if (key.isValue()) {
-      const ValueBins* const values = scan.series().values(key);
-      if (values != nullptr) columns = values->columns(wish.from, wish.until, wish.columns);
-      // Nothing is known behind what was read: a curve ends there.
-      for (std::size_t i = 0; cut && i < columns.size(); ++i) {
-        const auto at = static_cast<std::int64_t>(i);
-        if (wish.from + (wish.until - wish.from) / static_cast<std::int64_t>(columns.size()) * at >
-            made->reached) {
-          columns[i].held.reset();
-        }
-      }
-    } else {
+    std::vector<ValueColumn>& columns = made->curves.emplace_back();
+    const LogScan* const scan = refined != nullptr ? refined : scanOf(key);
+    if (!key.isValue()) {
       columns = rateColumns(key, all->series(), wish, made->reached);
+    } else if (scan != nullptr) {
+      columns = columnsUntil(scan->series().values(key), wish, reachedBy(*scan));
     }
-    made->curves.push_back(std::move(columns));
   }
   made->damaged = all->damaged();
+  if (all->ended() && !all->grows()) {
+    if (!stated) stated = std::make_shared<std::vector<SeriesKey>>(all->series().keys());
+    made->stated = stated;
+  }
   const std::lock_guard lock(mutex);
   made->fault = fault;
   picture = std::move(made);
@@ -270,12 +289,8 @@ Result<std::string> LogStudy::Impl::tableOf(const TableWish& wish, const std::st
   if (!before.ok()) return before.error();
   auto reader = LogReader::open(log);
   if (!reader.ok()) return reader.error();
-  SeriesTable table;
-  table.keys = wish.keys;
-  table.from = wish.from;
-  table.until = wish.until;
-  table.names = names;
-  table.goes_on = [&stop] { return !stop.stop_requested(); };
+  const SeriesTable table{wish.keys, wish.from, wish.until,
+                          names,     &cell,     [&stop] { return !stop.stop_requested(); }};
   const auto rows = writeSeriesTable(table, std::move(*before), *reader, wish.path);
   if (!rows.ok()) return rows.error();
   return fmt::format("{}: {} rows", wish.path.string(), *rows);
@@ -283,8 +298,9 @@ Result<std::string> LogStudy::Impl::tableOf(const TableWish& wish, const std::st
 
 /// A log that grows is known as finely as it was gathered.
 Status LogStudy::Impl::answer(const StudyWish& wish, const std::stop_token& stop) {
+  if (Status done = readChosen(wish, stop); !done) return done;
   const bool fine = !all->isComplete() || isFineEnough(wish);
-  publish(wish, *all, fine);
+  publish(wish, nullptr, fine);
   return fine ? Status() : refine(wish, stop);
 }
 

@@ -17,8 +17,6 @@ std::vector<ValueColumn> columnsOfRates(const std::vector<float>& rates) {
   return columns;
 }
 
-}  // namespace
-
 SourceStrip stripOf(const std::string& name, const SourceSeries& source, const StudyWish& wish,
                     const std::pair<LogTime, LogTime>& whole, LogTime reached) {
   SourceStrip strip;
@@ -31,6 +29,17 @@ SourceStrip stripOf(const std::string& name, const SourceSeries& source, const S
   const auto everywhere = source.packets.rates(whole.first, whole.second, 256, kRateOver, reached);
   strip.most = everywhere.empty() ? 0 : *std::ranges::max_element(everywhere);
   return strip;
+}
+
+}  // namespace
+
+std::vector<SourceStrip> stripsOf(const SeriesScan& series, const StudyWish& wish,
+                                  const std::pair<LogTime, LogTime>& whole, LogTime reached) {
+  std::vector<SourceStrip> strips{stripOf("", series.all(), wish, whole, reached)};
+  for (const auto& [name, source] : series.sources()) {
+    strips.push_back(stripOf(name, source, wish, whole, reached));
+  }
+  return strips;
 }
 
 std::vector<ValueColumn> rateColumns(const SeriesKey& key, const SeriesScan& series,

@@ -48,9 +48,15 @@ TEST_F(TimeCommands, PlotsWhatThereIs) {
   EXPECT_EQ(run("plot arm:x"), "");
   EXPECT_EQ(run("plot rate/robot"), "");
   EXPECT_EQ(model_->viewer.plots.curves().size(), 3U);
-  EXPECT_EQ(run("plot arm.bend"), "`arm` has no joint value `bend`");
-  EXPECT_EQ(run("plot leg.turn"), "no device is named `leg`");
+  EXPECT_EQ(run("plot arm.bend"), "`arm` has no joint value `bend`: there is only turn");
+  EXPECT_EQ(run("plot leg.turn"), "no device is named `leg`: there is only arm");
   EXPECT_EQ(run("plot arm").substr(0, 25), "`arm` is not DEVICE.JOINT");
+  EXPECT_EQ(run("plot arm/hand:x in arm"), "");
+  EXPECT_EQ(run("unplot arm/hand:x in arm"), "");
+  EXPECT_EQ(run("plot arm/hnad:x"), "`arm` has no link `hnad`: did you mean `hand`?");
+  EXPECT_EQ(run("plot arm/hand:x in leg"), "no device is named `leg`: there is only arm");
+  EXPECT_EQ(run("plot signal arm load"),
+            "no packet of the log states `signal arm load`: there is none");
   EXPECT_EQ(run("plots off"), "");
   EXPECT_FALSE(model_->viewer.plots.shown());
   EXPECT_EQ(run("unplot arm:x"), "");

@@ -59,6 +59,29 @@ TEST_F(StudiedLog, HasEveryValueAndRate) {
   EXPECT_FALSE(study.isBusy());
 }
 
+TEST_F(StudiedLog, GathersTheLinksThatAreAskedFor) {
+  LogStudy study(cell_, folder_ / "s.mcap");
+  study.waits = true;
+  StudyWish asked = wish(0, 10'000);
+  asked.keys = {turn(), {SeriesKey::Kind::link, "arm", "qz", "hand"}};
+  const auto picture = study.show(asked);
+  EXPECT_TRUE(picture->whole);
+  ASSERT_EQ(picture->curves.size(), 2U);
+  ASSERT_EQ(picture->curves[1].size(), 100U);
+  for (const std::size_t column : {10U, 40U, 60U}) {
+    const float turned = *picture->curves[0][column].held;
+    EXPECT_NEAR(*picture->curves[1][column].held, std::sin(turned / 2), 1e-6) << column;
+  }
+  // Another one, and a part that is shown larger: it is read for all of them.
+  asked.keys.push_back({SeriesKey::Kind::link, "arm", "qw", "hand", "arm"});
+  asked.from = sessionTime(5000) - Nanoseconds(5000);
+  asked.until = sessionTime(5000) + Nanoseconds(5000);
+  const auto close = study.show(asked);
+  ASSERT_EQ(close->curves[2].size(), 100U);
+  EXPECT_NEAR(*close->curves[2][10].held, std::cos(49 * 0.05 / 2), 1e-6);
+  EXPECT_NEAR(*close->curves[2][90].held, std::cos(50 * 0.05 / 2), 1e-6);
+}
+
 TEST_F(StudiedLog, ReadsAPartAgainWhenPixelsAreFiner) {
   LogStudy study(cell_, folder_ / "s.mcap");
   study.waits = true;

@@ -1,0 +1,34 @@
+#include "core/series/said_values.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace rocinante {
+
+std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
+                                const std::vector<std::string>& names) {
+  if (const auto named = said.named_joints.find(name); named != said.named_joints.end()) {
+    return named->second.value;
+  }
+  if (!said.joints) return std::nullopt;
+  const std::vector<double>& values = said.joints->value;
+  if (!names.empty()) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end() || names.size() != values.size()) return std::nullopt;
+    return values[static_cast<std::size_t>(found - names.begin())];
+  }
+  if (name.size() < 3 || name.front() != '[' || name.back() != ']') return std::nullopt;
+  std::size_t place = 0;
+  const char* const end = name.data() + name.size() - 1;
+  const auto [stop, fault] = std::from_chars(name.data() + 1, end, place);
+  if (fault != std::errc{} || stop != end || place >= values.size()) return std::nullopt;
+  return values[place];
+}
+
+std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key) {
+  const Item<SignalValue>* const said = state.findSignal(key.name, {key.link, key.part});
+  if (said == nullptr || said->value.kind == SignalKind::text) return std::nullopt;
+  return said->value.number;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/packet/session_state.h"
+#include "core/series/series_key.h"
+
+namespace rocinante {
+
+/// The names of the values of a device's positional `joints`, in order; empty when its model is not
+/// known. `said`: what packets have said about it.
+using PositionalNames =
+    std::function<std::vector<std::string>(std::string_view device, const DeviceState& said)>;
+
+/// The values of `joints` that a device's state gives to a name, as pictures show them: named ones
+/// first, positional ones when there are as many as `names`, or by "[0]", "[1]" without names.
+std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
+                                const std::vector<std::string>& names);
+
+/// The number of a signal, a boolean as 1 or 0; empty for a text, and when it is not stated.
+std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key);
+
+}  // namespace rocinante
