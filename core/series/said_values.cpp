@@ -31,4 +31,11 @@ std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key
   return said->value.number;
 }
 
+std::optional<std::string> stateSaid(const SessionState& state, const SeriesKey& key) {
+  const Item<SignalValue>* const said = state.findSignal(key.name, {key.link, key.part});
+  if (said == nullptr || said->value.kind == SignalKind::number) return std::nullopt;
+  if (said->value.kind == SignalKind::text) return said->value.text;
+  return said->value.number != 0 ? "true" : "false";
+}
+
 }  // namespace rocinante

@@ -24,4 +24,7 @@ std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
 /// The number of a signal, a boolean as 1 or 0; empty for a text, and when it is not stated.
 std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key);
 
+/// The text of a signal that is a boolean or a text; empty for a number, and when it is not stated.
+std::optional<std::string> stateSaid(const SessionState& state, const SeriesKey& key);
+
 }  // namespace rocinante

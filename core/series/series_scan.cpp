@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/packet/joint_order.h"
 #include "core/series/placed_links.h"
@@ -13,15 +14,17 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kCountBins = 4096;
-constexpr std::size_t kMinBins = 64;
-
-/// So that `bins` of them cover the time.
-Nanoseconds widthFor(LogTime from, LogTime until, std::size_t bins) {
-  if (until <= from) return Nanoseconds(1);
-  return (until - from) / static_cast<std::int64_t>(bins) + Nanoseconds(1);
-}
 
 }  // namespace
+
+/// What is known of one signal.
+struct SeriesScan::SignalSeries {
+  SeriesKey key;
+  SeriesId id = kUnwanted;        ///< of its numbers; known once there is one
+  StateSeries* states = nullptr;  ///< null: it was no state yet
+  bool is_known = false;          ///< `id` is
+  bool was_number = false;        ///< and not only a boolean
+};
 
 /// What is known of one device, so that a stream of its packets finds its series without names.
 struct SeriesScan::Device {
@@ -32,7 +35,7 @@ struct SeriesScan::Device {
   std::map<std::string, SeriesId, std::less<>> joints;
   std::map<std::string, std::vector<SeriesId>, std::less<>> orders;  ///< by source
   std::optional<std::array<SeriesId, 7>> pose;
-  std::map<SignalName, SeriesId, SignalOrder> signals;
+  std::map<SignalName, SignalSeries, SignalOrder> signals;
   std::string last_writer;
 };
 
@@ -51,7 +54,7 @@ struct SeriesScan::Links {
 
 SeriesScan::SeriesScan(Options options)
     : options_(std::move(options)),
-      width_(widthFor(options_.from, options_.until, options_.max_bins)),
+      store_({options_.from, options_.until, options_.max_bins, options_.max_bytes, options_.only}),
       reached_(options_.from),
       all_{countBins(), countBins()} {
   if (options_.cell == nullptr || !options_.only) return;
@@ -59,14 +62,14 @@ SeriesScan::SeriesScan(Options options)
     const auto number = posePart(key.part);
     if (key.kind != SeriesKey::Kind::link || !number) continue;
     if (links_ == nullptr) links_ = std::make_unique<Links>(*options_.cell);
-    links_->parts.push_back({links_->placed.add(key), *number, idOf(key)});
+    links_->parts.push_back({links_->placed.add(key), *number, store_.idOf(key)});
   }
 }
 
 SeriesScan::~SeriesScan() = default;
 
 CountBins SeriesScan::countBins() const {
-  return {options_.from, widthFor(options_.from, options_.until, kCountBins), kCountBins};
+  return {options_.from, binWidth(options_.from, options_.until, kCountBins), kCountBins};
 }
 
 void SeriesScan::beginWith(SessionState state) {
@@ -162,19 +165,19 @@ void SeriesScan::takeStatement(const Statement& statement, std::string_view sour
       return takeJoints(statement, source, device, *said, time);
     case StatementKind::joint:
       for (std::size_t i = 0; i < statement.names.size(); ++i) {
-        record(idOf(device, statement.names[i]), time, statement.numbers[i]);
+        store_.record(idOf(device, statement.names[i]), time, statement.numbers[i]);
       }
       return;
     case StatementKind::pose:
       if (!device.pose) {
         device.pose.emplace();
         for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
-          (*device.pose)[part] =
-              idOf(SeriesKey{SeriesKey::Kind::pose, device.name, std::string(kPoseParts[part])});
+          (*device.pose)[part] = store_.idOf(
+              SeriesKey{SeriesKey::Kind::pose, device.name, std::string(kPoseParts[part])});
         }
       }
       for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
-        record((*device.pose)[part], time, statement.numbers[part]);
+        store_.record((*device.pose)[part], time, statement.numbers[part]);
       }
       return;
     case StatementKind::add:
@@ -192,34 +195,62 @@ void SeriesScan::takeLinks(LogTime time) {
   links_->placed.place(state_);
   for (const Links::Part& part : links_->parts) {
     if (const auto& pose = links_->placed.poses()[part.link]) {
-      record(part.id, time, poseNumbers(*pose)[part.number]);
+      store_.record(part.id, time, poseNumbers(*pose)[part.number]);
     } else {
-      end(part.id, time);
+      store_.end(part.id, time);
     }
   }
 }
 
 void SeriesScan::takeSignals(const Statement& statement, Device& device, LogTime time) {
   for (std::size_t i = 0; i < statement.names.size(); ++i) {
-    const SeriesId id = idOf(device, {statement.path.second, statement.names[i]});
-    if (statement.is_default || statement.signal_kinds[i] == SignalKind::text) {
-      end(id, time);
+    SignalSeries& signal = signalOf(device, {statement.path.second, statement.names[i]});
+    if (statement.is_default) {
+      endSignal(signal, time);
     } else {
-      record(id, time, statement.numbers[i]);
+      takeSignal(signal, statement.signal_kinds[i], statement.numbers[i], statement.text, time);
     }
   }
 }
 
 void SeriesScan::takeAllSignals(Device& device, const Signals& said, LogTime time) {
-  for (const auto& [name, item] : said) idOf(device, name);
-  for (const auto& [name, id] : device.signals) {
+  for (const auto& [name, item] : said) signalOf(device, name);
+  for (auto& [name, signal] : device.signals) {
     const auto found = said.find(name);
-    if (found == said.end() || found->second.value.kind == SignalKind::text) {
-      end(id, time);
+    if (found == said.end()) {
+      endSignal(signal, time);
     } else {
-      record(id, time, found->second.value.number);
+      const SignalValue& value = found->second.value;
+      takeSignal(signal, value.kind, value.number, value.text, time);
     }
   }
+}
+
+void SeriesScan::takeSignal(SignalSeries& signal, SignalKind kind, double number,
+                            std::string_view text, LogTime time) {
+  if (kind == SignalKind::text) {
+    store_.end(signal.id, time);
+  } else {
+    if (!std::exchange(signal.is_known, true)) signal.id = store_.idOf(signal.key);
+    store_.record(signal.id, time, number);
+  }
+  if (kind != SignalKind::number) {
+    if (signal.states == nullptr) signal.states = store_.statesOf(signal.key);
+    if (signal.states == nullptr) return;
+    signal.states->has_numbers = signal.states->has_numbers || signal.was_number;
+    return signal.states->add(time, kind == SignalKind::text ? text
+                                    : number != 0            ? "true"
+                                                             : "false");
+  }
+  signal.was_number = true;
+  if (signal.states == nullptr) return;
+  signal.states->bins.end(time);
+  signal.states->has_numbers = true;
+}
+
+void SeriesScan::endSignal(const SignalSeries& signal, LogTime time) {
+  store_.end(signal.id, time);
+  if (signal.states != nullptr) signal.states->bins.end(time);
 }
 
 void SeriesScan::takeJoints(const Statement& statement, std::string_view source, Device& device,
@@ -234,7 +265,7 @@ void SeriesScan::takeJoints(const Statement& statement, std::string_view source,
       known = device.orders.emplace(std::string(source), std::move(ids)).first;
     }
     for (std::size_t i = 0; i < known->second.size(); ++i) {
-      record(known->second[i], time, statement.numbers[i]);
+      store_.record(known->second[i], time, statement.numbers[i]);
     }
     return;
   }
@@ -250,9 +281,9 @@ void SeriesScan::takeJoints(const Statement& statement, std::string_view source,
     if (id == kUnwanted) continue;
     // As it is drawn: as if it had none.
     if (fits && i < statement.numbers.size()) {
-      series_[id].add(time, statement.numbers[i]);
+      store_.record(id, time, statement.numbers[i]);
     } else {
-      series_[id].end(time);
+      store_.end(id, time);
     }
   }
 }
@@ -283,9 +314,9 @@ void SeriesScan::takeEverything(Device& device, LogTime time) {
   for (const auto& [name, id] : device.joints) {
     if (id == kUnwanted) continue;
     if (const auto value = jointSaid(*said, name, device.names)) {
-      series_[id].add(time, *value);
-    } else if (!series_[id].bins().empty()) {
-      series_[id].end(time);
+      store_.record(id, time, *value);
+    } else {
+      store_.end(id, time);
     }
   }
   if (!said->pose && !device.pose) return;
@@ -293,13 +324,14 @@ void SeriesScan::takeEverything(Device& device, LogTime time) {
     if (!device.pose) device.pose.emplace().fill(kUnwanted);
     SeriesId& id = (*device.pose)[part];
     if (id == kUnwanted) {
-      id = idOf(SeriesKey{SeriesKey::Kind::pose, device.name, std::string(kPoseParts[part])});
+      id =
+          store_.idOf(SeriesKey{SeriesKey::Kind::pose, device.name, std::string(kPoseParts[part])});
     }
     if (id == kUnwanted) continue;
     if (said->pose) {
-      series_[id].add(time, poseNumbers(said->pose->value.pose)[part]);
+      store_.record(id, time, poseNumbers(said->pose->value.pose)[part]);
     } else {
-      series_[id].end(time);
+      store_.end(id, time);
     }
   }
 }
@@ -307,10 +339,10 @@ void SeriesScan::takeEverything(Device& device, LogTime time) {
 void SeriesScan::endAll(Device& device, LogTime time) {
   device.orders.clear();
   device.knows_names = false;
-  for (const auto& [name, id] : device.joints) end(id, time);
-  for (const auto& [name, id] : device.signals) end(id, time);
+  for (const auto& [name, id] : device.joints) store_.end(id, time);
+  for (const auto& [name, signal] : device.signals) endSignal(signal, time);
   if (!device.pose) return;
-  for (const SeriesId id : *device.pose) end(id, time);
+  for (const SeriesId id : *device.pose) store_.end(id, time);
 }
 
 SeriesScan::Device& SeriesScan::deviceNamed(std::string_view name) {
@@ -327,61 +359,20 @@ SeriesScan::Device& SeriesScan::deviceNamed(std::string_view name) {
 SeriesScan::SeriesId SeriesScan::idOf(Device& device, std::string_view joint) {
   auto found = device.joints.find(joint);
   if (found == device.joints.end()) {
-    const SeriesId id = idOf(SeriesKey{SeriesKey::Kind::joint, device.name, std::string(joint)});
+    const SeriesId id =
+        store_.idOf(SeriesKey{SeriesKey::Kind::joint, device.name, std::string(joint)});
     found = device.joints.emplace(std::string(joint), id).first;
   }
   return found->second;
 }
 
-SeriesScan::SeriesId SeriesScan::idOf(Device& device, const SignalNameView& signal) {
-  auto found = device.signals.find(signal);
-  if (found == device.signals.end()) {
-    const SeriesId id = idOf(SeriesKey{SeriesKey::Kind::signal, device.name,
-                                       std::string(signal.name), std::string(signal.link)});
-    found =
-        device.signals.emplace(SignalName{std::string(signal.link), std::string(signal.name)}, id)
-            .first;
-  }
-  return found->second;
-}
-
-SeriesScan::SeriesId SeriesScan::idOf(const SeriesKey& key) {
-  if (options_.only && !options_.only->contains(key)) return kUnwanted;
-  const auto known = ids_.find(key);
-  if (known != ids_.end()) return known->second;
-  if (series_.size() >= kMaxSeries) return kUnwanted;
-  // By what they may take, since the last sample of each may come at the end.
-  const auto most_bytes = [&] {
-    return (series_.size() + 1) * options_.max_bins * sizeof(ValueBin);
-  };
-  while (options_.max_bins > kMinBins && most_bytes() > options_.max_bytes) {
-    options_.max_bins /= 2;
-    for (ValueBins& series : series_) series.halve();
-  }
-  series_.emplace_back(options_.from, widthFor(options_.from, options_.until, options_.max_bins),
-                       options_.max_bins);
-  ids_.emplace(key, series_.size() - 1);
-  return series_.size() - 1;
-}
-
-std::uint64_t SeriesScan::bytes() const {
-  std::uint64_t bytes = 0;
-  for (const ValueBins& series : series_) bytes += series.bytes();
-  return bytes;
-}
-
-const ValueBins* SeriesScan::values(const SeriesKey& key) const {
-  const auto found = ids_.find(key);
-  if (found == ids_.end() || series_[found->second].bins().empty()) return nullptr;
-  return &series_[found->second];
-}
-
-std::vector<SeriesKey> SeriesScan::keys() const {
-  std::vector<SeriesKey> keys;
-  for (const auto& [key, id] : ids_) {
-    if (!series_[id].bins().empty()) keys.push_back(key);
-  }
-  return keys;
+SeriesScan::SignalSeries& SeriesScan::signalOf(Device& device, const SignalNameView& name) {
+  const auto found = device.signals.find(name);
+  if (found != device.signals.end()) return found->second;
+  SignalName owned{std::string(name.link), std::string(name.name)};
+  SignalSeries signal;
+  signal.key = SeriesKey{SeriesKey::Kind::signal, device.name, owned.name, owned.link};
+  return device.signals.emplace(std::move(owned), std::move(signal)).first->second;
 }
 
 }  // namespace rocinante

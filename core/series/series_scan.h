@@ -13,6 +13,7 @@
 #include "core/packet/session_state.h"
 #include "core/series/said_values.h"
 #include "core/series/series_key.h"
+#include "core/series/series_store.h"
 #include "core/series/value_bins.h"
 #include "core/session/message_folder.h"
 
@@ -24,12 +25,12 @@ struct SourceSeries {
 };
 
 /// Gathers every value that the packets of a stretch of a log state, as functions of time, in one
-/// pass: joints, poses, signals (a boolean is 1 or 0, a text ends its curve), packets and losses by
-/// source; of links those that are asked for, from the first packet on. A joint that no packet has
-/// stated has no series. Bounded: all series together take at most `max_bytes`; when they would
-/// take more, all of them halve their number of bins, down to 64. Folds by itself, in log order: a
-/// damaged log continues with the next packet. Copies and moves are not possible: it points into
-/// itself. One thread.
+/// pass: joints, poses, signals (a boolean is 1 or 0 and a state, a text a state alone), packets
+/// and losses by source; of links those that are asked for, from the first packet on. A joint that
+/// no packet has stated has no series. Bounded: all series together take at most `max_bytes`; when
+/// they would take more, all of them halve their number of bins, down to 64. Folds by itself, in
+/// log order: a damaged log continues with the next packet. Copies and moves are not possible: it
+/// points into itself. One thread.
 class SeriesScan {
  public:
   struct Options {
@@ -45,7 +46,7 @@ class SeriesScan {
   /// Sources counted one by one; only a hostile session has more, which count in all().
   static constexpr std::size_t kMaxSources = 256;
   /// Values kept; further ones have no series.
-  static constexpr std::size_t kMaxSeries = 65536;
+  static constexpr std::size_t kMaxSeries = SeriesStore::kMaxSeries;
 
   explicit SeriesScan(Options options);
   ~SeriesScan();
@@ -59,21 +60,24 @@ class SeriesScan {
   /// What the recorder could not keep; counts in all(), as it ends.
   void addLoss(const LossSpan& span);
 
-  /// Null when no packet stated it.
-  const ValueBins* values(const SeriesKey& key) const;
+  /// Null when no packet stated it, or none as a number.
+  const ValueBins* values(const SeriesKey& key) const { return store_.values(key); }
+  /// Null when no packet stated it as a boolean or a text.
+  const StateSeries* states(const SeriesKey& key) const { return store_.states(key); }
   /// Every value that packets stated, sorted.
-  std::vector<SeriesKey> keys() const;
+  std::vector<SeriesKey> keys() const { return store_.keys(); }
   const std::map<std::string, SourceSeries, std::less<>>& sources() const { return sources_; }
   const SourceSeries& all() const { return all_; }
   /// The time of the last message.
   LogTime reached() const { return reached_; }
-  std::uint64_t bytes() const;
+  std::uint64_t bytes() const { return store_.bytes(); }
 
  private:
-  using SeriesId = std::size_t;
-  static constexpr SeriesId kUnwanted = static_cast<SeriesId>(-1);
+  using SeriesId = SeriesStore::Id;
+  static constexpr SeriesId kUnwanted = SeriesStore::kUnwanted;
   struct Device;
   struct Links;
+  struct SignalSeries;
 
   void take(const Packet& packet, LogTime time);
   void takeStatement(const Statement& statement, std::string_view source, LogTime time);
@@ -82,29 +86,23 @@ class SeriesScan {
   void takeSignals(const Statement& statement, Device& device, LogTime time);
   void takeEverything(Device& device, LogTime time);
   void takeAllSignals(Device& device, const Signals& said, LogTime time);
+  void takeSignal(SignalSeries& signal, SignalKind kind, double number, std::string_view text,
+                  LogTime time);
+  void endSignal(const SignalSeries& signal, LogTime time);
   void takeLinks(LogTime time);
   void count(const Packet& packet, LogTime time);
   Device& deviceNamed(std::string_view name);
-  SeriesId idOf(const SeriesKey& key);
   SeriesId idOf(Device& device, std::string_view joint);
-  SeriesId idOf(Device& device, const SignalNameView& signal);
+  SignalSeries& signalOf(Device& device, const SignalNameView& name);
   void learnNames(Device& device, const DeviceState& said);
-  void record(SeriesId id, LogTime time, double value) {
-    if (id != kUnwanted) series_[id].add(time, value);
-  }
-  void end(SeriesId id, LogTime time) {
-    if (id != kUnwanted && !series_[id].bins().empty()) series_[id].end(time);
-  }
   void endAll(Device& device, LogTime time);
   CountBins countBins() const;
 
   Options options_;
-  Nanoseconds width_;
+  SeriesStore store_;
   MessageFolder folder_;
   SessionState state_;
   LogTime reached_;
-  std::vector<ValueBins> series_;
-  std::map<SeriesKey, SeriesId> ids_;
   std::map<std::string, std::unique_ptr<Device>, std::less<>> devices_;
   NameCache<Device*> device_cache_;
   std::unique_ptr<Links> links_;  ///< null: none are wanted

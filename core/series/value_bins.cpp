@@ -34,12 +34,20 @@ void ValueBin::append(const ValueBin& later) {
   if (!later.holds()) ends = later.ends;
 }
 
-ValueBins::ValueBins(LogTime start, Nanoseconds width, std::size_t max_bins)
+void StateBin::append(const StateBin& later) {
+  seen |= later.seen;
+  if (later.hasSample()) last = later.last;
+  if (!later.holds()) ends = later.ends;
+}
+
+template <class Bin>
+TimeBins<Bin>::TimeBins(LogTime start, Nanoseconds width, std::size_t max_bins)
     : start_(start), width_(width.count()), max_bins_(max_bins) {
   assert(width_ >= 1 && max_bins_ >= 2);
 }
 
-ValueBin& ValueBins::binAt(LogTime time) {
+template <class Bin>
+Bin& TimeBins<Bin>::binAt(LogTime time) {
   const std::int64_t at = since(start_, time);
   auto index = static_cast<std::size_t>(at / width_);
   while (index >= max_bins_) {
@@ -51,9 +59,10 @@ ValueBin& ValueBins::binAt(LogTime time) {
   return bins_[index];
 }
 
-void ValueBins::mergePairs() {
+template <class Bin>
+void TimeBins<Bin>::mergePairs() {
   for (std::size_t pair = 0; 2 * pair < bins_.size(); ++pair) {
-    ValueBin merged = bins_[2 * pair];
+    Bin merged = bins_[2 * pair];
     if (2 * pair + 1 < bins_.size()) merged.append(bins_[2 * pair + 1]);
     bins_[pair] = merged;
   }
@@ -61,22 +70,25 @@ void ValueBins::mergePairs() {
   width_ = doubled(width_);
 }
 
-void ValueBins::halve() {
+template <class Bin>
+void TimeBins<Bin>::halve() {
   if (max_bins_ < 4) return;
   max_bins_ /= 2;
   mergePairs();
   bins_.shrink_to_fit();
 }
 
-std::vector<ValueColumn> ValueBins::columns(LogTime from, LogTime until, std::size_t count) const {
-  std::vector<ValueColumn> columns(count);
+template <class Bin>
+std::vector<BinColumn<Bin>> TimeBins<Bin>::columns(LogTime from, LogTime until,
+                                                   std::size_t count) const {
+  std::vector<Column> columns(count);
   if (count == 0 || until <= from) return columns;
   // In double: columns are pixels, and a bin that lies on an edge may fall on either side.
   const double per_bin = static_cast<double>(width_);
   const double offset = from >= start_ ? -static_cast<double>(since(start_, from))
                                        : static_cast<double>(since(from, start_));
   const double column = static_cast<double>(since(from, until)) / static_cast<double>(count);
-  std::optional<float> held;
+  std::optional<typename Bin::Value> held;
   std::size_t next = 0;  // of the columns whose held value is not known yet
   for (std::size_t i = 0; i < bins_.size(); ++i) {
     if (bins_[i].holds()) continue;
@@ -88,11 +100,15 @@ std::vector<ValueColumn> ValueBins::columns(LogTime from, LogTime until, std::si
       for (; next < place; ++next) columns[next].held = held;
       columns[place].bin.append(bins_[i]);
     }
-    held = bins_[i].ends ? std::optional<float>() : bins_[i].last;
+    held.reset();
+    if (!bins_[i].ends) held = bins_[i].last;
   }
   for (; next < count; ++next) columns[next].held = held;
   return columns;
 }
+
+template class TimeBins<ValueBin>;
+template class TimeBins<StateBin>;
 
 CountBins::CountBins(LogTime start, Nanoseconds width, std::size_t max_bins)
     : start_(start), width_(width.count()), max_bins_(max_bins) {

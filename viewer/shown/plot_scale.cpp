@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/pattern.h"
+
 namespace rocinante {
 namespace {
 
@@ -78,6 +80,18 @@ PlotValue plotValue(const SeriesKey& key, const Model* model) {
       return value;
   }
   return value;
+}
+
+void useSignalRange(PlotValue& value, const std::vector<CellSignal>& expected,
+                    std::string_view unit) {
+  const SeriesKey& key = value.series;
+  const auto found = std::ranges::find_if(expected, [&](const CellSignal& each) {
+    return each.device == key.name && each.link == key.link && patternMatches(each.name, key.part);
+  });
+  if (key.kind != SeriesKey::Kind::signal || found == expected.end() || !found->range) return;
+  if (!found->unit.empty() && found->unit != unit) return;
+  value.lower = found->range->first;
+  value.upper = found->range->second;
 }
 
 PlotScale plotScale(double low, double high, PlotUnit unit, int ticks) {

@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/cell/cell.h"
 #include "core/cell/posed_scene.h"
 #include "core/series/series_key.h"
 #include "core/series/value_bins.h"
@@ -26,6 +28,11 @@ struct PlotValue {
 
 /// `model`: of the key's device; null when it is not known.
 PlotValue plotValue(const SeriesKey& key, const Model* model);
+
+/// Takes the range that a cell expects of a signal for its limits, where it is in the unit that is
+/// stated.
+void useSignalRange(PlotValue& value, const std::vector<CellSignal>& expected,
+                    std::string_view unit);
 
 /// The vertical axis of a lane: a range with a margin, and ticks at round numbers. Values are in
 /// the lane's unit.

@@ -37,10 +37,46 @@ std::optional<float> heldAt(const SeriesScan& scan, const char* key, std::int64_
       .held;
 }
 
+/// "-": none.
+std::string stateAt(const SeriesScan& scan, const char* key, std::int64_t milliseconds) {
+  const StateSeries* const states = scan.states(*parseSeriesKey(key));
+  if (states == nullptr) return "-";
+  const auto columns = states->bins.columns(spokenTime(milliseconds) - Nanoseconds(1),
+                                            spokenTime(milliseconds + 1), 1);
+  return columns[0].held ? states->texts[*columns[0].held] : "-";
+}
+
 PositionalNames twoJoints() {
   return [](std::string_view device, const DeviceState&) {
     return device == "arm" ? std::vector<std::string>{"j1", "j2"} : std::vector<std::string>();
   };
+}
+
+TEST(SeriesScan, KeepsEveryStateOfAStretch) {
+  // Three modes within a microsecond, whose stretch is 61 us wide; more modes than have a number.
+  std::vector<test::Spoken> packets{{0, "RK1 s 0 -\nsignal arm mode \"auto\""}};
+  for (const char* mode : {"hold", "fault", "auto"}) {
+    packets.push_back({100, "RK1 s - -\nsignal arm mode \"" + std::string(mode) + "\""});
+  }
+  for (int i = 0; i < 100; ++i) {
+    packets.push_back({200 + i, "RK1 s - -\nsignal arm many \"m" + std::to_string(i) + "\""});
+  }
+  const auto scan = scanOf(packets);
+  const StateSeries* const modes = scan->states(*parseSeriesKey("signal arm mode"));
+  ASSERT_NE(modes, nullptr);
+  EXPECT_EQ(modes->texts, (std::vector<std::string>{"auto", "hold", "fault"}));
+  const auto columns = modes->bins.columns(spokenTime(0), spokenTime(1000), 4);
+  EXPECT_EQ(columns[0].bin.seen, 0b111U);
+  EXPECT_EQ(columns[0].held, 0);
+  EXPECT_TRUE(columns[2].bin.holds());
+  EXPECT_EQ(scan->values(*parseSeriesKey("signal arm mode")), nullptr);
+  const StateSeries* const many = scan->states(*parseSeriesKey("signal arm many"));
+  ASSERT_EQ(many->texts.size(), StateBin::kStates);
+  EXPECT_EQ(many->texts[62], "m62");
+  EXPECT_EQ(stateAt(*scan, "signal arm many", 290), "other texts");
+  const std::vector<SeriesKey> keys = scan->keys();
+  ASSERT_EQ(keys.size(), 2U);
+  EXPECT_EQ(keys[0].text(), "signal arm many");
 }
 
 TEST(SeriesScan, FindsJointsByPositionByOrderAndByName) {
@@ -81,6 +117,14 @@ TEST(SeriesScan, NumbersAndBooleansOfSignals) {
   EXPECT_EQ(heldAt(*scan, "signal arm load", 350), 7);
   EXPECT_EQ(heldAt(*scan, "signal arm load", 450), std::nullopt);
   EXPECT_EQ(heldAt(*scan, "signal arm/tip force", 150), 1);
+  EXPECT_EQ(stateAt(*scan, "signal arm load", 150), "-");
+  EXPECT_EQ(stateAt(*scan, "signal arm load", 250), "off");
+  EXPECT_EQ(stateAt(*scan, "signal arm load", 350), "-");
+  EXPECT_TRUE(scan->states(*parseSeriesKey("signal arm load"))->has_numbers);
+  EXPECT_EQ(stateAt(*scan, "signal - estop", 150), "false");
+  EXPECT_EQ(stateAt(*scan, "signal - estop", 250), "true");
+  EXPECT_EQ(stateAt(*scan, "signal - estop", 350), "-");
+  EXPECT_FALSE(scan->states(*parseSeriesKey("signal - estop"))->has_numbers);
   EXPECT_EQ(heldAt(*scan, "signal - estop", 150), 0);
   EXPECT_EQ(heldAt(*scan, "signal - estop", 250), 1);
   EXPECT_EQ(heldAt(*scan, "signal - estop", 350), std::nullopt);

@@ -12,16 +12,38 @@ namespace {
 
 constexpr float kLaneGap = 6;
 
-const std::vector<ValueColumn>* columnsOf(const StudyPicture* picture, const SeriesKey& series) {
+/// What a picture has of a value, of its curves or its states; null: not known yet.
+template <class Curve>
+const Curve* curveOf(const StudyPicture* picture, const std::vector<Curve> StudyPicture::*curves,
+                     const SeriesKey& series) {
   if (picture == nullptr) return nullptr;
   const auto& keys = picture->wish.keys;
   const auto found = std::ranges::find(keys, series);
   const auto place = static_cast<std::size_t>(found - keys.begin());
-  if (found == keys.end() || place >= picture->curves.size()) return nullptr;
-  return &picture->curves[place];
+  if (found == keys.end() || place >= (picture->*curves).size()) return nullptr;
+  return &(picture->*curves)[place];
+}
+
+const StateCurve* statesOf(const StudyPicture* picture, const SeriesKey& series) {
+  const StateCurve* const states = curveOf(picture, &StudyPicture::states, series);
+  return states == nullptr || states->columns.empty() ? nullptr : states;
+}
+
+/// The column at a pixel of the axis; null: none.
+template <class Column>
+const Column* columnAt(const std::vector<Column>& columns, const StudyPicture& picture,
+                       const TimeAxis& axis, float x) {
+  if (columns.empty()) return nullptr;
+  const float first = axis.xOf(picture.wish.from);
+  const float last = axis.xOf(picture.wish.until);
+  const auto count = static_cast<float>(columns.size());
+  const float column = (x - first) / std::max(last - first, 1.0F) * count;
+  if (column < 0) return nullptr;
+  return &columns[std::min(static_cast<std::size_t>(column), columns.size() - 1)];
 }
 
 void scaleLane(PlotLane& lane) {
+  if (lane.is_states) return;
   double low = 1, high = -1;
   for (const PlottedCurve& plotted : lane.curves) {
     for (const std::vector<ValueColumn>* columns : {plotted.columns, plotted.beside}) {
@@ -49,15 +71,27 @@ std::string signalUnit(const ViewModel& model, const SeriesKey& key) {
 
 std::vector<PlotLane> plotLanes(const ViewModel& model) {
   std::map<std::pair<PlotUnit, std::string>, PlotLane> by_unit;
+  PlotLane of_states;
+  of_states.is_states = true;
+  const StudyPicture* const picture = model.viewer.picture.get();
+  const StudyPicture* const beside = model.viewer.picture_beside.get();
   for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
     const PosedDevice* const device =
         curve.key.isOfDevice() ? model.scene().findDevice(curve.key.name) : nullptr;
     PlottedCurve plotted;
     plotted.curve = &curve;
     plotted.value = plotValue(curve.key, device == nullptr ? nullptr : device->model);
-    plotted.columns = columnsOf(model.viewer.picture.get(), plotted.value.series);
-    plotted.beside = columnsOf(model.viewer.picture_beside.get(), plotted.value.series);
+    const SeriesKey& series = plotted.value.series;
+    plotted.columns = curveOf(picture, &StudyPicture::curves, series);
+    plotted.beside = curveOf(beside, &StudyPicture::curves, series);
+    plotted.states = statesOf(picture, series);
+    if (plotted.states != nullptr) {
+      plotted.states_beside = statesOf(beside, series);
+      of_states.curves.push_back(plotted);
+      if (!plotted.states->has_numbers) continue;
+    }
     const std::string signal_unit = signalUnit(model, curve.key);
+    useSignalRange(plotted.value, model.cell().signals, signal_unit);
     const bool is_alone = curve.key.kind == SeriesKey::Kind::signal && signal_unit.empty();
     PlotLane& lane = by_unit[{plotted.value.unit, is_alone ? curve.key.text() : signal_unit}];
     lane.unit = plotted.value.unit;
@@ -65,20 +99,32 @@ std::vector<PlotLane> plotLanes(const ViewModel& model) {
     lane.curves.push_back(std::move(plotted));
   }
   std::vector<PlotLane> lanes;
+  if (!of_states.curves.empty()) lanes.push_back(std::move(of_states));
   for (auto& [unit, lane] : by_unit) lanes.push_back(std::move(lane));
   return lanes;
 }
 
+float plotRowHeight() { return ImGui::GetTextLineHeight() + px(1); }
+
 void placeLanes(std::vector<PlotLane>& lanes, float top, float height) {
-  float weights = 0;
+  float weights = 0, of_states = 0;
   const auto weight = [](const PlotLane& lane) {
     return 2 + static_cast<float>(std::min<std::size_t>(lane.curves.size(), 8));
   };
-  for (const PlotLane& lane : lanes) weights += weight(lane);
-  const float room = height - px(kLaneGap) * static_cast<float>(lanes.size() - 1);
+  float room = height - px(kLaneGap) * static_cast<float>(lanes.size() - 1);
+  for (const PlotLane& lane : lanes) {
+    if (!lane.is_states) weights += weight(lane);
+  }
+  for (const PlotLane& lane : lanes) {
+    if (!lane.is_states) continue;
+    // Rows that numbers leave no room for are named as more.
+    const float most = weights > 0 ? room * 0.6F : room;
+    of_states = std::min(static_cast<float>(lane.curves.size()) * plotRowHeight(), most);
+  }
+  room -= of_states;
   for (PlotLane& lane : lanes) {
     lane.top = top;
-    lane.height = std::max(px(12), room * weight(lane) / weights);
+    lane.height = lane.is_states ? of_states : std::max(px(12), room * weight(lane) / weights);
     top += lane.height + px(kLaneGap);
     scaleLane(lane);
   }
@@ -86,16 +132,16 @@ void placeLanes(std::vector<PlotLane>& lanes, float top, float height) {
 
 std::optional<double> valueAt(const PlottedCurve& plotted, const StudyPicture& picture,
                               const TimeAxis& axis, float x) {
-  if (plotted.columns == nullptr || plotted.columns->empty()) return std::nullopt;
-  const float first = axis.xOf(picture.wish.from);
-  const float last = axis.xOf(picture.wish.until);
-  const auto count = static_cast<float>(plotted.columns->size());
-  const float column = (x - first) / std::max(last - first, 1.0F) * count;
-  if (column < 0) return std::nullopt;
-  const auto place = std::min(static_cast<std::size_t>(column), plotted.columns->size() - 1);
-  const auto held = (*plotted.columns)[place].held;
-  if (!held) return std::nullopt;
-  return plotted.value.shown(static_cast<double>(*held));
+  if (plotted.columns == nullptr) return std::nullopt;
+  const ValueColumn* const column = columnAt(*plotted.columns, picture, axis, x);
+  if (column == nullptr || !column->held) return std::nullopt;
+  return plotted.value.shown(static_cast<double>(*column->held));
+}
+
+const std::string* stateAt(const PlottedCurve& plotted, const StudyPicture& picture,
+                           const TimeAxis& axis, float x) {
+  const StateColumn* const column = columnAt(plotted.states->columns, picture, axis, x);
+  return column == nullptr || !column->held ? nullptr : &plotted.states->texts[*column->held];
 }
 
 std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plotted) {

@@ -11,16 +11,22 @@
 
 namespace rocinante {
 
+/// The height of small texts in plots, in interface units.
+inline constexpr float kPlotTextPx = 12;
+
 /// One curve of the frame that is being drawn. Borrowed from the model.
 struct PlottedCurve {
   const PlotBoard::Curve* curve = nullptr;
   PlotValue value;
   const std::vector<ValueColumn>* columns = nullptr;  ///< null: not known yet
   const std::vector<ValueColumn>* beside = nullptr;   ///< of the session beside; null: none
+  const StateCurve* states = nullptr;                 ///< of a lane of states; never null there
+  const StateCurve* states_beside = nullptr;          ///< null: none
 };
 
-/// Curves of one unit, under each other with the other lanes.
+/// Curves of one unit, under each other with the other lanes; or bands of states, one row each.
 struct PlotLane {
+  bool is_states = false;
   PlotUnit unit{};
   std::string signal_unit{};  ///< of signals, as packets state it; empty: none
   std::vector<PlottedCurve> curves;
@@ -33,13 +39,20 @@ struct PlotLane {
   }
 };
 
-/// The lanes of what is plotted, by unit; not placed yet. A signal without a unit has one of its
-/// own.
+/// The lanes of what is plotted: states, and numbers by unit; not placed yet. A signal without a
+/// unit has one of its own.
 std::vector<PlotLane> plotLanes(const ViewModel& model);
 
 /// Places lanes under each other from `top` on, the more curves the higher, and scales them to what
 /// is known.
 void placeLanes(std::vector<PlotLane>& lanes, float top, float height);
+
+/// The height of a row of states, and of a name in the legend.
+float plotRowHeight();
+
+/// The state at a pixel of the axis; null: none.
+const std::string* stateAt(const PlottedCurve& plotted, const StudyPicture& picture,
+                           const TimeAxis& axis, float x);
 
 /// What a curve has at a pixel of the axis, as shown.
 std::optional<double> valueAt(const PlottedCurve& plotted, const StudyPicture& picture,

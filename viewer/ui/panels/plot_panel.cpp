@@ -1,16 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/base/duration_text.h"
-#include "viewer/shown/plot_shape.h"
+#include "core/base/plain_text.h"
 #include "viewer/ui/commands/study_actions.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
+#include "viewer/ui/panels/plot_drawing.h"
 #include "viewer/ui/panels/plot_lane.h"
 #include "viewer/ui/panels/plot_parts.h"
 #include "viewer/ui/panels/time_axis.h"
@@ -19,7 +19,6 @@ namespace rocinante {
 namespace {
 
 constexpr float kSplitter = 7;
-constexpr float kSmallText = 12;
 
 /// What is drawn at the mouse and at the playhead.
 struct Cursors {
@@ -27,95 +26,26 @@ struct Cursors {
   std::optional<float> mouse_x;  ///< over the plots
 };
 
-void drawGround(const PlotLane& lane, const TimeAxis& axis, LogTime origin) {
-  ImDrawList* const list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(ImVec2(axis.left, lane.top),
-                      ImVec2(axis.left + axis.width, lane.top + lane.height), fadedInk(0.05F));
-  const Nanoseconds span = axis.until - axis.from;
-  const Nanoseconds step = rulerStep(span, static_cast<double>(axis.width), px(64));
-  Nanoseconds at = (axis.from - origin) / step * step;
-  if (at < axis.from - origin) at += step;
-  for (; origin + at <= axis.until; at += step) {
-    const float x = axis.xOf(origin + at);
-    list->AddLine(ImVec2(x, lane.top), ImVec2(x, lane.top + lane.height), fadedInk(0.08F));
-  }
-  // Ticks of the scale, labelled where there is room.
-  const float text_px = px(kSmallText);
-  float free_below = lane.top + lane.height + text_px;
-  const double times = lane.scale.millimetres ? 1000 : 1;
-  for (int i = 0; i < 64; ++i) {
-    const double value = lane.scale.first + i * lane.scale.step;
-    if (value > lane.scale.high) break;
-    const float y = lane.yOf(value);
-    list->AddLine(ImVec2(axis.left, y), ImVec2(axis.left + axis.width, y), fadedInk(0.1F));
-    if (y + text_px / 2 > free_below) continue;
-    const double number = value * times;
-    const double zeroed = std::abs(number) < lane.scale.step * times * 1e-6 ? 0.0 : number;
-    const std::string label = fmt::format("{:.{}f}", zeroed, lane.scale.decimals);
-    const float wide = ImGui::GetFont()->CalcTextSizeA(text_px, 1e6F, 0, label.c_str()).x;
-    const float at_y = std::clamp(y - text_px / 2, lane.top, lane.top + lane.height - text_px);
-    list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - wide - px(6), at_y), fadedInk(0.7F),
-                  label.c_str());
-    free_below = at_y - px(2);
-  }
-  const std::string unit =
-      lane.signal_unit.empty() ? unitText(lane.unit, lane.scale) : lane.signal_unit;
-  if (!unit.empty()) {
-    list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - px(54), lane.top), fadedInk(0.5F),
-                  unit.c_str());
-  }
-}
-
-/// Where the joint must not be; faint unless it is the one that is looked at.
-void drawLimits(const PlotLane& lane, const PlottedCurve& plotted, const TimeAxis& axis,
-                bool looked_at) {
-  ImDrawList* const list = ImGui::GetWindowDrawList();
-  const float left = axis.left, right = axis.left + axis.width;
-  const ImU32 line = curveColor(plotted.curve->color, looked_at ? 200 : 90);
-  const ImU32 band = IM_COL32(255, 80, 60, looked_at ? 52 : 14);
-  const PlotValue& value = plotted.value;
-  if (value.upper && *value.upper < lane.scale.high) {
-    const float y = lane.yOf(*value.upper);
-    list->AddRectFilled(ImVec2(left, lane.top), ImVec2(right, y), band);
-    list->AddLine(ImVec2(left, y), ImVec2(right, y), line);
-  }
-  if (value.lower && *value.lower > lane.scale.low) {
-    const float y = lane.yOf(*value.lower);
-    list->AddRectFilled(ImVec2(left, y), ImVec2(right, lane.top + lane.height), band);
-    list->AddLine(ImVec2(left, y), ImVec2(right, y), line);
-  }
-}
-
-/// How a curve is drawn.
-struct CurveLook {
-  ImU32 color = 0;
-  float width = 1;
-};
-
-void drawCurve(const PlotLane& lane, const PlotValue& value,
-               const std::vector<ValueColumn>* columns, const StudyPicture& picture,
-               const TimeAxis& axis, const CurveLook& look) {
-  if (columns == nullptr || columns->empty()) return;
-  ImDrawList* const list = ImGui::GetWindowDrawList();
-  const PlotShape shape = plotShape(*columns, value, lane.scale, lane.height);
-  // The picture may be of another part of the time: it is moved there until there is a newer one.
-  const float first = axis.xOf(picture.wish.from);
-  const float wide = (axis.xOf(picture.wish.until) - first) / static_cast<float>(columns->size());
-  const float bottom = lane.top + lane.height;
-  const auto [color, width] = look;
-  for (const PlotShape::Bar& bar : shape.bars) {
-    const float x = first + bar.x * wide;
-    list->AddRectFilled(ImVec2(x, bottom - bar.high - width / 2),
-                        ImVec2(x + std::max(wide, 1.0F), bottom - bar.low + width / 2), color);
-  }
-  std::vector<ImVec2> points;
-  for (const auto& line : shape.lines) {
-    points.clear();
-    for (const PlotShape::Point& point : line) {
-      points.emplace_back(first + point.x * wide, bottom - point.y);
+/// What a curve has at the mouse, or at the shown moment.
+std::string legendValue(const ViewModel& model, const PlotLane& lane, const PlottedCurve& plotted,
+                        const TimeAxis& axis, const Cursors& cursors) {
+  const StudyPicture* const picture = model.viewer.picture.get();
+  if (lane.is_states) {
+    if (cursors.mouse_x && picture != nullptr) {
+      const std::string* const there = stateAt(plotted, *picture, axis, *cursors.mouse_x);
+      return there == nullptr ? "-" : plainText(*there);
     }
-    list->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, width);
+    return plainText(stateSaid(model.state(), plotted.value.series).value_or("-"));
   }
+  const auto there = cursors.mouse_x && picture != nullptr
+                         ? valueAt(plotted, *picture, axis, *cursors.mouse_x)
+                         : shownValue(model, plotted);
+  if (there) return plotText(*there, lane.unit, lane.scale);
+  if (!plotted.value.series.isValue() && picture != nullptr) {
+    const auto rate = valueAt(plotted, *picture, axis, cursors.shown_x);
+    if (rate) return plotText(*rate, lane.unit, lane.scale);
+  }
+  return "-";
 }
 
 /// Names and values of a lane; returns the curve below the mouse.
@@ -125,7 +55,7 @@ const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
   const PlotBoard::Curve* hovered = nullptr;
   const float left = axis.left + axis.width + px(8);
   const float right = axis.left + axis.width + room - px(8);
-  const float pitch = ImGui::GetTextLineHeight() + px(1);
+  const float pitch = plotRowHeight();
   ImDrawList* const list = ImGui::GetWindowDrawList();
   float y = lane.top;
   for (std::size_t i = 0; i < lane.curves.size(); ++i) {
@@ -141,26 +71,22 @@ const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
     }
     const bool over = ImGui::IsItemHovered();
     if (over) hovered = plotted.curve;
-    list->AddRectFilled(ImVec2(left, y + px(4)), ImVec2(left + px(9), y + px(12)),
-                        curveColor(plotted.curve->color));
-    std::string value = "-";
-    const auto there = cursors.mouse_x && model.viewer.picture != nullptr
-                           ? valueAt(plotted, *model.viewer.picture, axis, *cursors.mouse_x)
-                           : shownValue(model, plotted);
-    if (there) {
-      value = plotText(*there, lane.unit, lane.scale);
-    } else if (!plotted.value.series.isValue() && model.viewer.picture != nullptr) {
-      const auto rate = valueAt(plotted, *model.viewer.picture, axis, cursors.shown_x);
-      if (rate) value = plotText(*rate, lane.unit, lane.scale);
-    }
+    const std::string whole = legendValue(model, lane, plotted, axis, cursors);
+    const std::string value = shortened(whole, (right - left) * 0.5F);
+    const ImU32 color = lane.is_states ? stateColor(whole) : curveColor(plotted.curve->color);
+    list->AddRectFilled(ImVec2(left, y + px(4)), ImVec2(left + px(9), y + px(12)), color);
     const float value_left = right - ImGui::CalcTextSize(value.c_str()).x;
     list->AddText(ImVec2(value_left, y), fadedInk(over ? 1 : 0.85F), value.c_str());
     const std::string name = plotted.curve->key.text();
-    list->AddText(ImVec2(left + px(14), y), fadedInk(over ? 1 : 0.85F),
-                  shortened(name, value_left - left - px(20)).c_str());
+    const float name_room = value_left - left - px(20);
+    // Names of signals begin alike.
+    list->AddText(
+        ImVec2(left + px(14), y), fadedInk(over ? 1 : 0.85F),
+        (lane.is_states ? endOfName(name, name_room) : shortened(name, name_room)).c_str());
     if (over) {
       std::string tip = name;
-      if (plotted.columns != nullptr && plotted.columns->empty()) {
+      if (lane.is_states) tip += "\n" + whole;
+      if (plotted.columns != nullptr && plotted.columns->empty() && !lane.is_states) {
         tip += "\nno packet of this log states it";
       }
       if (plotted.value.lower && plotted.value.upper) {
@@ -196,7 +122,7 @@ void drawCursorLines(const TimeAxis& axis, const Cursors& cursors, LogTime origi
   const Nanoseconds at = axis.momentAt(*cursors.mouse_x) - origin;
   const std::string label =
       secondsText(std::chrono::floor<std::chrono::milliseconds>(at), 3) + " s";
-  const float text_px = px(kSmallText);
+  const float text_px = px(kPlotTextPx);
   const float wide = ImGui::GetFont()->CalcTextSizeA(text_px, 1e6F, 0, label.c_str()).x;
   const float left = std::min(*cursors.mouse_x + px(5), axis.left + axis.width - wide - px(2));
   list->AddRectFilled(ImVec2(left - px(3), top), ImVec2(left + wide + px(3), top + text_px + px(2)),
@@ -326,27 +252,7 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
     const auto* over = drawLegend(model, lane, axis, cursors, room, removed);
     if (over != nullptr) looked_at = over;
   }
-  for (const PlotLane& lane : lanes) {
-    drawGround(lane, axis, model.origin());
-    list->PushClipRect(ImVec2(axis.left, lane.top),
-                       ImVec2(axis.left + axis.width, lane.top + lane.height), true);
-    for (const PlottedCurve& plotted : lane.curves) {
-      const bool only = lane.curves.size() == 1;
-      drawLimits(lane, plotted, axis, only || plotted.curve == looked_at);
-    }
-    // The session beside lies under the shown one, fainter and wider, so that both can be followed.
-    for (const PlottedCurve& plotted : lane.curves) {
-      if (model.viewer.picture_beside == nullptr) break;
-      drawCurve(lane, plotted.value, plotted.beside, *model.viewer.picture_beside, axis,
-                {curveColor(plotted.curve->color, 110), px(3.5F)});
-    }
-    for (const PlottedCurve& plotted : lane.curves) {
-      if (model.viewer.picture == nullptr) break;
-      drawCurve(lane, plotted.value, plotted.columns, *model.viewer.picture, axis,
-                {curveColor(plotted.curve->color), px(plotted.curve == looked_at ? 2.4F : 1.5F)});
-    }
-    list->PopClipRect();
-  }
+  for (const PlotLane& lane : lanes) drawLane(model, lane, axis, looked_at);
   if (model.viewer.picture != nullptr)
     drawUnknown(*model.viewer.picture, axis, top, top + lanes_height);
   drawCursorLines(axis, cursors, model.origin(), top, top + lanes_height);

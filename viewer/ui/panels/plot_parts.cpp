@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "viewer/shown/state_shape.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {
@@ -24,6 +25,13 @@ constexpr std::array<Rgb, 10> kCurveColors{{{86, 180, 255},
                                             {165, 190, 120},
                                             {205, 165, 130}}};
 
+/// Of states: seen on a dark and on a light ground, and under their texts.
+constexpr std::size_t kHues = 360;
+struct Tone {
+  float saturation, value;
+};
+constexpr std::array<Tone, 3> kStateTones{{{0.55F, 0.95F}, {0.75F, 0.68F}, {0.32F, 0.80F}}};
+
 }  // namespace
 
 ImU32 curveColor(std::size_t number, int alpha) {
@@ -31,6 +39,24 @@ ImU32 curveColor(std::size_t number, int alpha) {
   const int percent = number / kCurveColors.size() % 2 == 0 ? 100 : 66;
   return IM_COL32(base.red * percent / 100, base.green * percent / 100, base.blue * percent / 100,
                   alpha);
+}
+
+ImU32 stateColor(std::string_view text) {
+  if (text == "true") return curveColor(2);
+  if (text == "false") return IM_COL32(128, 136, 146, 255);
+  const std::size_t number = colorOfState(text, kHues * kStateTones.size());
+  const auto& [saturation, value] = kStateTones[number / kHues];
+  float red = 0, green = 0, blue = 0;
+  ImGui::ColorConvertHSVtoRGB(static_cast<float>(number % kHues) / kHues, saturation, value, red,
+                              green, blue);
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(red, green, blue, 1));
+}
+
+ImU32 inkOn(ImU32 ground) {
+  const auto part = [ground](int shift) { return static_cast<int>((ground >> shift) & 0xFFU); };
+  const int light =
+      299 * part(IM_COL32_R_SHIFT) + 587 * part(IM_COL32_G_SHIFT) + 114 * part(IM_COL32_B_SHIFT);
+  return light > 115'000 ? IM_COL32(12, 16, 20, 255) : IM_COL32(255, 255, 255, 255);
 }
 
 ImU32 fadedInk(float part) {

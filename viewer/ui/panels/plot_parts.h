@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "viewer/ui/model/view_model.h"
 
@@ -13,6 +14,11 @@ namespace rocinante {
 
 /// The colour of a curve, by PlotBoard::Curve::color.
 ImU32 curveColor(std::size_t number, int alpha = 255);
+
+/// The colour of a state, by its text: the same everywhere.
+ImU32 stateColor(std::string_view text);
+/// That of a text on such a ground.
+ImU32 inkOn(ImU32 ground);
 
 /// The colour of text, fainter.
 ImU32 fadedInk(float part);

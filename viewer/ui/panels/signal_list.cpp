@@ -35,7 +35,7 @@ void drawSignal(ViewModel& model, const std::string& device, const SignalName& n
   const SeriesKey key{SeriesKey::Kind::signal, device, name.name, name.link};
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  if (model.session() != nullptr && value.kind != SignalKind::text) {
+  if (model.session() != nullptr) {
     drawPlotButton(model, key);
     ImGui::SameLine(0, px(5));
   }

@@ -63,6 +63,13 @@ Result<bool> LogScan::more() {
   return true;
 }
 
+bool LogScan::isFine(const SeriesKey& key, Nanoseconds most) const {
+  const ValueBins* const values = series_.values(key);
+  const StateSeries* const states = series_.states(key);
+  return (values == nullptr || values->width() <= most) &&
+         (states == nullptr || states->bins.width() <= most);
+}
+
 void LogScan::addLosses() {
   const std::vector<LossSpan>& losses = reader_.losses();
   for (; losses_added_ < losses.size(); ++losses_added_) series_.addLoss(losses[losses_added_]);

@@ -28,6 +28,8 @@ class LogScan {
   bool grows() const;
   /// The log is one that is read alone and grows no more: a part of it can be read again.
   bool isComplete() const { return !follows_ || (!grows() && !next_begun_); }
+  /// The stretches of a value, if it has one, are no wider than this.
+  bool isFine(const SeriesKey& key, Nanoseconds most) const;
   /// Counts the losses that were found since the last call.
   void addLosses();
   /// Times where packets may be missing.

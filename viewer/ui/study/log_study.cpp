@@ -208,8 +208,7 @@ bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
       (wish.until - wish.from) / std::max<std::int64_t>(static_cast<std::int64_t>(wish.columns), 1);
   return std::ranges::all_of(wish.keys, [&](const SeriesKey& key) {
     const LogScan* const scan = key.isValue() ? scanOf(key) : nullptr;
-    const ValueBins* const values = scan == nullptr ? nullptr : scan->series().values(key);
-    return values == nullptr || values->width() <= std::max(pixel, Nanoseconds(1));
+    return scan == nullptr || scan->isFine(key, std::max(pixel, Nanoseconds(1)));
   });
 }
 
@@ -266,11 +265,13 @@ void LogStudy::Impl::publish(const StudyWish& wish, const LogScan* refined, bool
   made->strips = stripsOf(all->series(), wish, {start, end}, made->reached);
   for (const SeriesKey& key : wish.keys) {
     std::vector<ValueColumn>& columns = made->curves.emplace_back();
+    StateCurve& states = made->states.emplace_back();
     const LogScan* const scan = refined != nullptr ? refined : scanOf(key);
     if (!key.isValue()) {
       columns = rateColumns(key, all->series(), wish, made->reached);
     } else if (scan != nullptr) {
       columns = columnsUntil(scan->series().values(key), wish, reachedBy(*scan));
+      states = statesUntil(scan->series().states(key), wish, reachedBy(*scan));
     }
   }
   made->damaged = all->damaged();

@@ -1,6 +1,51 @@
 #include "viewer/ui/study/study_picture.h"
 
 namespace rocinante {
+namespace {
+
+template <class Bin>
+std::vector<BinColumn<Bin>> columnsOf(const TimeBins<Bin>* bins, const StudyWish& wish,
+                                      LogTime reached) {
+  if (bins == nullptr) return {};
+  auto columns = bins->columns(wish.from, wish.until, wish.columns);
+  if (wish.until <= reached) return columns;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto at = static_cast<std::int64_t>(i);
+    if (wish.from + (wish.until - wish.from) / static_cast<std::int64_t>(columns.size()) * at >
+        reached) {
+      columns[i].held.reset();
+    }
+  }
+  return columns;
+}
+
+/// Columns of the log beside, at the times of the shown one.
+struct Mapping {
+  const StudyWish& there;
+  const StudyWish& here;
+  const EventAlignment& alignment;
+
+  template <class Column>
+  std::vector<Column> of(const std::vector<Column>& curve) const {
+    const Nanoseconds known = there.until - there.from;
+    if (curve.empty() || known.count() <= 0) return {};
+    std::vector<Column> columns(here.columns);
+    const double count = static_cast<double>(curve.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      // The middle of the column.
+      const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(columns.size());
+      const Nanoseconds since(
+          static_cast<std::int64_t>(part * static_cast<double>((here.until - here.from).count())));
+      const LogTime at = alignment.inB(here.from + since);
+      const double place = static_cast<double>((at - there.from).count()) /
+                           static_cast<double>(known.count()) * count;
+      if (place >= 0 && place < count) columns[i] = curve[static_cast<std::size_t>(place)];
+    }
+    return columns;
+  }
+};
+
+}  // namespace
 
 bool isChosen(const SeriesKey& key) { return key.kind == SeriesKey::Kind::link; }
 
@@ -14,17 +59,12 @@ std::set<SeriesKey> chosenKeys(const StudyWish& wish) {
 
 std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyWish& wish,
                                       LogTime reached) {
-  std::vector<ValueColumn> columns;
-  if (values != nullptr) columns = values->columns(wish.from, wish.until, wish.columns);
-  if (wish.until <= reached) return columns;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto at = static_cast<std::int64_t>(i);
-    if (wish.from + (wish.until - wish.from) / static_cast<std::int64_t>(columns.size()) * at >
-        reached) {
-      columns[i].held.reset();
-    }
-  }
-  return columns;
+  return columnsOf(values, wish, reached);
+}
+
+StateCurve statesUntil(const StateSeries* states, const StudyWish& wish, LogTime reached) {
+  if (states == nullptr) return {};
+  return {columnsOf(&states->bins, wish, reached), states->texts, states->has_numbers};
 }
 
 std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
@@ -34,22 +74,10 @@ std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
   aligned->wish = wish;
   aligned->wish.keys = beside.wish.keys;
   aligned->whole = beside.whole;
-  const Nanoseconds known = beside.wish.until - beside.wish.from;
-  for (const std::vector<ValueColumn>& curve : beside.curves) {
-    std::vector<ValueColumn>& columns = aligned->curves.emplace_back();
-    if (curve.empty() || known.count() <= 0) continue;
-    columns.resize(wish.columns);
-    const double count = static_cast<double>(curve.size());
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      // The middle of the column.
-      const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(columns.size());
-      const Nanoseconds since(
-          static_cast<std::int64_t>(part * static_cast<double>((wish.until - wish.from).count())));
-      const LogTime there = alignment.inB(wish.from + since);
-      const double place = static_cast<double>((there - beside.wish.from).count()) /
-                           static_cast<double>(known.count()) * count;
-      if (place >= 0 && place < count) columns[i] = curve[static_cast<std::size_t>(place)];
-    }
+  const Mapping mapping{beside.wish, wish, alignment};
+  for (const auto& curve : beside.curves) aligned->curves.push_back(mapping.of(curve));
+  for (const StateCurve& states : beside.states) {
+    aligned->states.push_back({mapping.of(states.columns), states.texts, states.has_numbers});
   }
   return aligned;
 }

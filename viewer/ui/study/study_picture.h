@@ -28,12 +28,20 @@ struct SourceStrip {
   float most = 0;  ///< of `rates` in the whole log, so that zooming changes no height
 };
 
+/// A signal's booleans and texts by column. Without columns: it has none.
+struct StateCurve {
+  std::vector<StateColumn> columns;
+  std::vector<std::string> texts;  ///< by state
+  bool has_numbers = false;        ///< it was a number too
+};
+
 /// The answer to a wish, ready to be drawn.
 struct StudyPicture {
   StudyWish wish;
   /// By key: the values of joints and poses, and rates as if they were values. Empty for a value
   /// that no packet states.
   std::vector<std::vector<ValueColumn>> curves;
+  std::vector<StateCurve> states;                    ///< by key
   std::vector<SourceStrip> strips;                   ///< all, then by source
   std::vector<std::pair<LogTime, LogTime>> damaged;  ///< packets may be missing there
   /// Every value that packets state; null until all of the log is read, and while it grows.
@@ -51,6 +59,7 @@ std::set<SeriesKey> chosenKeys(const StudyWish& wish);
 /// The columns of a wish that a value has, known until `reached`: a curve ends there. Null: none.
 std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyWish& wish,
                                       LogTime reached);
+StateCurve statesUntil(const StateSeries* states, const StudyWish& wish, LogTime reached);
 
 /// The curves of a picture of the log beside, at the times of `wish`, which is of the shown log.
 std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,

@@ -82,6 +82,30 @@ TEST_F(StudiedLog, GathersTheLinksThatAreAskedFor) {
   EXPECT_NEAR(*close->curves[2][90].held, std::cos(50 * 0.05 / 2), 1e-6);
 }
 
+TEST_F(StudiedLog, KeepsStatesWithTheirTexts) {
+  test::writeSession(folder_ / "m.mcap", {{0, "signal arm mode \"auto\"\nsignal - estop false\n"},
+                                          {5000, "signal arm mode \"fault\"\n"},
+                                          {5000, "signal arm mode \"auto\"\n"},
+                                          {9000, "signal - estop true\n"}});
+  LogStudy study(cell_, folder_ / "m.mcap");
+  study.waits = true;
+  StudyWish asked = wish(0, 9'001);
+  asked.keys = {turn(), *parseSeriesKey("signal arm mode"), *parseSeriesKey("signal - estop")};
+  const auto picture = study.show(asked);
+  ASSERT_EQ(picture->states.size(), 3U);
+  EXPECT_TRUE(picture->states[0].columns.empty());
+  const StateCurve& mode = picture->states[1];
+  EXPECT_EQ(mode.texts, (std::vector<std::string>{"auto", "fault"}));
+  ASSERT_EQ(mode.columns.size(), 100U);
+  EXPECT_EQ(mode.columns[55].bin.seen, 0b11U) << "the fault of one packet is there";
+  EXPECT_EQ(mode.columns[70].held, 0);
+  EXPECT_FALSE(mode.has_numbers);
+  EXPECT_TRUE(picture->curves[1].empty());
+  EXPECT_EQ(picture->curves[2].size(), 100U) << "a boolean is a number too";
+  ASSERT_NE(picture->stated, nullptr);
+  EXPECT_EQ(picture->stated->size(), 2U);
+}
+
 TEST_F(StudiedLog, ReadsAPartAgainWhenPixelsAreFiner) {
   LogStudy study(cell_, folder_ / "s.mcap");
   study.waits = true;

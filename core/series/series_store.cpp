@@ -1,0 +1,97 @@
+#include "core/series/series_store.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kMinBins = 64;
+constexpr std::size_t kMaxStateBytes = 256;
+
+}  // namespace
+
+Nanoseconds binWidth(LogTime from, LogTime until, std::size_t bins) {
+  if (until <= from) return Nanoseconds(1);
+  return (until - from) / static_cast<std::int64_t>(bins) + Nanoseconds(1);
+}
+
+void StateSeries::add(LogTime time, std::string_view text) {
+  text = text.substr(0, kMaxStateBytes);
+  auto found = std::ranges::find(texts, text);
+  if (found == texts.end() && texts.size() + 1 < StateBin::kStates) {
+    found = texts.insert(found, std::string(text));
+  } else if (found == texts.end()) {
+    if (texts.size() < StateBin::kStates) texts.emplace_back("other texts");
+    found = texts.end() - 1;
+  }
+  bins.add(time, static_cast<StateBin::Value>(found - texts.begin()));
+}
+
+bool SeriesStore::makeRoom() {
+  const std::size_t count = series_.size() + states_.size();
+  if (count >= kMaxSeries) return false;
+  // By what they may take, since the last sample of each may come at the end.
+  static_assert(sizeof(StateBin) == sizeof(ValueBin));
+  const auto most_bytes = [&] { return (count + 1) * options_.max_bins * sizeof(ValueBin); };
+  while (options_.max_bins > kMinBins && most_bytes() > options_.max_bytes) {
+    options_.max_bins /= 2;
+    for (ValueBins& series : series_) series.halve();
+    for (auto& [key, states] : states_) states.bins.halve();
+  }
+  return true;
+}
+
+SeriesStore::Id SeriesStore::idOf(const SeriesKey& key) {
+  if (options_.only && !options_.only->contains(key)) return kUnwanted;
+  const auto known = ids_.find(key);
+  if (known != ids_.end()) return known->second;
+  if (!makeRoom()) return kUnwanted;
+  const Nanoseconds width = binWidth(options_.from, options_.until, options_.max_bins);
+  series_.emplace_back(options_.from, width, options_.max_bins);
+  ids_.emplace(key, series_.size() - 1);
+  return series_.size() - 1;
+}
+
+StateSeries* SeriesStore::statesOf(const SeriesKey& key) {
+  if (options_.only && !options_.only->contains(key)) return nullptr;
+  const auto known = states_.find(key);
+  if (known != states_.end()) return &known->second;
+  if (!makeRoom()) return nullptr;
+  const Nanoseconds width = binWidth(options_.from, options_.until, options_.max_bins);
+  StateSeries made{StateBins(options_.from, width, options_.max_bins), {}};
+  return &states_.emplace(key, std::move(made)).first->second;
+}
+
+const ValueBins* SeriesStore::values(const SeriesKey& key) const {
+  const auto found = ids_.find(key);
+  if (found == ids_.end() || series_[found->second].bins().empty()) return nullptr;
+  return &series_[found->second];
+}
+
+const StateSeries* SeriesStore::states(const SeriesKey& key) const {
+  const auto found = states_.find(key);
+  return found == states_.end() ? nullptr : &found->second;
+}
+
+std::vector<SeriesKey> SeriesStore::keys() const {
+  std::vector<SeriesKey> keys;
+  for (const auto& [key, id] : ids_) {
+    if (!series_[id].bins().empty()) keys.push_back(key);
+  }
+  const auto numbers = static_cast<std::ptrdiff_t>(keys.size());
+  for (const auto& [key, states] : states_) {
+    if (values(key) == nullptr) keys.push_back(key);
+  }
+  std::inplace_merge(keys.begin(), keys.begin() + numbers, keys.end());
+  return keys;
+}
+
+std::uint64_t SeriesStore::bytes() const {
+  std::uint64_t bytes = 0;
+  for (const ValueBins& series : series_) bytes += series.bytes();
+  for (const auto& [key, states] : states_) bytes += states.bins.bytes();
+  return bytes;
+}
+
+}  // namespace rocinante

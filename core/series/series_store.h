@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/series/series_key.h"
+#include "core/series/value_bins.h"
+
+namespace rocinante {
+
+/// The states of a signal that is a boolean or a text.
+struct StateSeries {
+  StateBins bins;
+  /// What the states of `bins` are, the first 256 bytes of each. All beyond the first 63 are one.
+  std::vector<std::string> texts;
+  bool has_numbers = false;  ///< it was a number too
+
+  void add(LogTime time, std::string_view text);
+};
+
+/// Functions of time by key, within bounds: when all together would take more than they may, all
+/// halve their number of bins, down to 64. One thread.
+class SeriesStore {
+ public:
+  struct Options {
+    LogTime from{}, until{};  ///< of the first bin, and about of the last
+    std::size_t max_bins = 0;
+    std::uint64_t max_bytes = 0;
+    std::optional<std::set<SeriesKey>> only;  ///< empty: all
+  };
+  using Id = std::size_t;
+  static constexpr Id kUnwanted = static_cast<Id>(-1);
+  /// Further ones are kUnwanted.
+  static constexpr std::size_t kMaxSeries = 65536;
+
+  explicit SeriesStore(Options options) : options_(std::move(options)) {}
+
+  Id idOf(const SeriesKey& key);
+  /// Made when it is not there; null: it is unwanted. Valid as long as the store.
+  StateSeries* statesOf(const SeriesKey& key);
+
+  void record(Id id, LogTime time, double value) {
+    if (id != kUnwanted) series_[id].add(time, value);
+  }
+  /// Nothing for one without a value.
+  void end(Id id, LogTime time) {
+    if (id != kUnwanted && !series_[id].bins().empty()) series_[id].end(time);
+  }
+
+  /// Null without a value.
+  const ValueBins* values(const SeriesKey& key) const;
+  const StateSeries* states(const SeriesKey& key) const;
+  /// Those with a value, sorted.
+  std::vector<SeriesKey> keys() const;
+  std::uint64_t bytes() const;
+
+ private:
+  bool makeRoom();
+
+  Options options_;
+  std::vector<ValueBins> series_;
+  std::map<SeriesKey, Id> ids_;
+  std::map<SeriesKey, StateSeries> states_;
+};
+
+/// So that `bins` of them cover the time.
+Nanoseconds binWidth(LogTime from, LogTime until, std::size_t bins);
+
+}  // namespace rocinante
