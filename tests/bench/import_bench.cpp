@@ -1,6 +1,7 @@
-// Importing a ROS 2 MCAP of six-joint JointStates with full doubles into a log with keyframes: its
-// CPU beside a bare loop that reads the same messages, prints the same text and writes both into a
-// log without fold and checks. usage: import_bench [MESSAGES [FOLDER]]
+// Importing a ROS 2 MCAP of six-joint JointStates with full doubles into a log with keyframes: of
+// positions alone its CPU beside a bare loop that reads the same messages, prints the same text and
+// writes both into a log without fold and checks; then of positions, velocities and efforts.
+// usage: import_bench [MESSAGES [FOLDER]]
 // import_bench --memory GB [FOLDER]: imports a bag of that size (joint states, and pictures of 1 MB
 // that do not compress), and prints the most memory that the process ever had. Needs 2 GB of disk
 // for each.
@@ -52,7 +53,7 @@ class Cdr {
   Bytes bytes{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{0}};
 };
 
-Bytes jointState(std::size_t i, std::int64_t time_ns) {
+Bytes jointState(std::size_t i, std::int64_t time_ns, int quantities) {
   Cdr made;
   made.number(static_cast<std::int32_t>(time_ns / 1'000'000'000));
   made.number(static_cast<std::uint32_t>(time_ns % 1'000'000'000));
@@ -60,7 +61,8 @@ Bytes jointState(std::size_t i, std::int64_t time_ns) {
   made.number(static_cast<std::uint32_t>(kJoints));
   for (const char* const name : kNames) made.string(name);
   for (int part = 0; part < 3; ++part) {
-    made.number(static_cast<std::uint32_t>(kJoints));
+    made.number(static_cast<std::uint32_t>(part < quantities ? kJoints : 0));
+    if (part >= quantities) continue;
     for (std::size_t joint = 0; joint < kJoints; ++joint) {
       const auto angle = static_cast<double>(i) * 1e-4 * static_cast<double>(joint + 1);
       made.number(part == 0 ? 1.7 * std::sin(angle) : part == 1 ? 0.3 * std::cos(angle) : 0.0);
@@ -74,6 +76,7 @@ struct BagShape {
   std::size_t picture_bytes = 0;   ///< 0: no pictures
   std::size_t picture_every = 10;  ///< joint states
   bool compressed = true;
+  int quantities = 3;  ///< of joints: positions, velocities, efforts
 };
 
 /// Streamed to the file.
@@ -89,7 +92,7 @@ void makeBag(const std::filesystem::path& path, std::size_t messages, const BagS
   std::mt19937_64 random(1);
   for (std::size_t i = 0; i < messages; ++i) {
     const auto time = static_cast<std::int64_t>(1'770'091'506'000'000'000 + i * 2'000'000);
-    const Bytes payload = jointState(i, time - 150'000);
+    const Bytes payload = jointState(i, time - 150'000, shape.quantities);
     mcap::Message message;
     message.sequence = static_cast<std::uint32_t>(i);
     message.log_time = static_cast<std::uint64_t>(time);
@@ -117,10 +120,11 @@ void bareLoop(const std::filesystem::path& bag, const std::filesystem::path& out
   Result<LogWriter> writer = LogWriter::create(out, options, "bare");
   const ChannelId copy = *writer->addChannel("/joint_states", "cdr", {});
   const ChannelId made = *writer->addChannel("/rocinante/decoded/joint_states", "rk1", {});
-  // The positions follow the stamp, the frame, the names and their own count.
-  const Bytes example = jointState(0, 0);
-  const std::size_t array_bytes = 8 + kJoints * sizeof(double);
-  const std::size_t positions = example.size() - 2 * array_bytes - kJoints * sizeof(double);
+  // The positions follow the stamp, the frame, the names and their own count; the counts of the
+  // other two follow them.
+  const Bytes example = jointState(0, 0, 1);
+  const std::size_t positions =
+      example.size() - 2 * sizeof(std::uint32_t) - kJoints * sizeof(double);
   std::string text;
   while (true) {
     const Result<std::optional<LogMessage>> next = reader->next();
@@ -222,7 +226,9 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 2 ? argv[2] : std::filesystem::temp_directory_path();
   const auto bag = folder / "import_bench_bag.mcap";
   const auto out = folder / "import_bench_log.mcap";
-  makeBag(bag, messages);
+  BagShape positions_alone;
+  positions_alone.quantities = 1;
+  makeBag(bag, messages, positions_alone);
   const double bare_s = leastCpu([&] { bareLoop(bag, out); });
   const auto bare_bytes = std::filesystem::file_size(out);
   const double import_s = leastCpu([&] { import(bag, out); });
@@ -232,6 +238,10 @@ int main(int argc, char** argv) {
   fmt::print("import     {:9.0f} messages/s  {:5.1f} bytes each  {:.2f} of the bare loop's CPU\n",
              count / import_s, static_cast<double>(std::filesystem::file_size(out)) / count,
              import_s / bare_s);
+  makeBag(bag, messages);
+  const double signals_s = leastCpu([&] { import(bag, out); });
+  fmt::print("  with velocities and efforts  {:9.0f} messages/s  {:5.1f} bytes each\n",
+             count / signals_s, static_cast<double>(std::filesystem::file_size(out)) / count);
   std::filesystem::remove(bag);
   std::filesystem::remove(out);
 }

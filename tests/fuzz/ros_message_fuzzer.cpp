@@ -39,11 +39,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const ros::DeviceFinder devices(nullptr, "");
   ros::RosTranslator translator(devices);
-  constexpr unsigned kTypes = static_cast<unsigned>(ros::MessageType::log_ros2);
-  const auto type = static_cast<ros::MessageType>(1 + (data[0] >> 1U) % kTypes);
+  static const std::vector<std::string_view> kTypes = ros::translatedTypes();
+  const std::string_view type = kTypes[(data[0] >> 1U) % kTypes.size()];
   const auto layout =
       data[0] % 2 == 0 ? ros::FieldCursor::Layout::cdr : ros::FieldCursor::Layout::ros1;
-  const std::size_t topic = translator.addTopic("/fuzz/topic", type, layout);
+  const std::size_t topic = *translator.addTopic("/fuzz/topic", type, layout);
   const ByteView message(reinterpret_cast<const std::byte*>(data) + 1, size - 1);
   for (const std::size_t length : {message.size(), message.size(), message.size() / 2}) {
     ros::Translated made;

@@ -172,15 +172,17 @@ class Import {
         session_.addChannel(name, topic.encoding, metadata, topic.schema);
     if (!channel) return channel.error();
     outlet.channel = *channel;
-    const MessageType type = messageType(topic.type);
     const std::optional<FieldCursor::Layout> layout = topic.layout();
     outlet.decoded = !topic.decoder.empty();
-    if (!outlet.decoded && type != MessageType::other && layout) {
-      outlet.translation = translator_.addTopic(topic.name, type, *layout);
+    if (!outlet.decoded && layout && !isRobotDescription(topic)) {
+      outlet.translation = translator_.addTopic(topic.name, topic.type, *layout);
     }
     if (outlet.decoded || outlet.translation) {
       const std::string decoder = outlet.decoded ? topic.decoder : std::string(kDecoderName);
       metadata.insert_or_assign(std::string(profile::kDecoderKey), decoder);
+      if (outlet.translation) {
+        metadata.insert_or_assign(std::string(kDecoderVersionKey), std::string(kDecoderVersion));
+      }
       metadata.insert_or_assign("source", sourceOf(topic.name, decoder));
       const Result<ChannelId> decoded = session_.addChannel(
           std::string(profile::kDecodedPrefix) + name, "rk1", std::move(metadata));

@@ -108,6 +108,15 @@ std::optional<FrameTree::Place> FrameTree::placeIn(std::string_view frame, const
   return place;
 }
 
+std::optional<DeviceFinder::Link> FrameTree::ownerOf(std::string_view frame) {
+  if (!devices_.knowsDevices()) return std::nullopt;
+  const std::optional<std::size_t> known = frameOf(frame);
+  if (!known) return std::nullopt;
+  const Frame& found = frames_[*known];
+  if (found.device) return DeviceFinder::Link{*found.device, {}};
+  return found.link;
+}
+
 std::vector<FrameTree::Moved> FrameTree::takeMoved() {
   std::vector<Moved> all;
   for (const std::size_t frame : device_frames_) {

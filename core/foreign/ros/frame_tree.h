@@ -46,6 +46,10 @@ class FrameTree {
   /// pose is not a finite one.
   std::optional<Place> placeIn(std::string_view frame, const Pose& pose, std::string_view own);
 
+  /// The device or link that a frame is, by its name alone; a root has no `link`. Empty for none,
+  /// and without a cell.
+  std::optional<DeviceFinder::Link> ownerOf(std::string_view frame);
+
   /// A device that was moved since the last call.
   struct Moved {
     const std::string* device;

@@ -12,6 +12,10 @@ namespace rocinante::ros {
 
 /// The metadata `decoder` of the channels of packets that are made here.
 inline constexpr std::string_view kDecoderName = "ros";
+/// The metadata `decoder_version`, raised whenever the same messages become other packets: 1, which
+/// was not written, knew of signals only those of joints.
+inline constexpr std::string_view kDecoderVersionKey = "decoder_version";
+inline constexpr std::string_view kDecoderVersion = "2";
 
 /// Before the topics of other programs that begin like our own.
 inline constexpr std::string_view kImportedPrefix = "/imported";

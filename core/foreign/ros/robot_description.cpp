@@ -30,6 +30,12 @@ Result<std::filesystem::path> written(const std::filesystem::path& folder, std::
 
 }  // namespace
 
+bool isRobotDescription(const BagTopic& topic) {
+  const bool is_named =
+      topic.name == "robot_description" || topic.name.ends_with("/robot_description");
+  return is_named && isText(topic.type);
+}
+
 Result<DescribedRobot> robotOf(std::string_view urdf, const ModelSearch& search) {
   const auto folder = PrivateFolder::make();
   if (!folder) return folder.error();
@@ -77,10 +83,8 @@ Result<DescribedRobot> robotOf(std::string_view urdf, const ModelSearch& search)
 Result<std::optional<DescribedRobot>> describedRobot(BagReader& bag, const ModelSearch& search) {
   for (std::size_t i = 0; i < bag.topics().size(); ++i) {
     const BagTopic& topic = bag.topics()[i];
-    const bool is_named =
-        topic.name == "robot_description" || topic.name.ends_with("/robot_description");
     const std::optional<FieldCursor::Layout> layout = topic.layout();
-    if (!is_named || !isText(topic.type) || !layout) continue;
+    if (!isRobotDescription(topic) || !layout) continue;
     const Result<std::optional<Bytes>> message = bag.lastOf(i);
     if (!message) return message.error();
     if (!*message) continue;

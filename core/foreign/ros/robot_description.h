@@ -18,8 +18,11 @@ struct DescribedRobot {
   std::vector<std::string> notes;    ///< why not, and which of its files are missing
 };
 
-/// The last URDF on a topic `robot_description` of type std_msgs/String. Empty when the bag has
-/// none; an error when it is not a model. Meshes are looked for as `search` says.
+/// A topic `robot_description` of type std_msgs/String, in any namespace.
+bool isRobotDescription(const BagTopic& topic);
+
+/// The last URDF on such a topic. Empty when the bag has none; an error when it is not a model.
+/// Meshes are looked for as `search` says.
 Result<std::optional<DescribedRobot>> describedRobot(BagReader& bag, const ModelSearch& search);
 
 /// The same from the text of a URDF.

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/foreign/ros/signal_messages.h"
+
 namespace rocinante::ros {
 namespace {
 
@@ -24,19 +26,6 @@ constexpr std::array kTypes{
     std::pair{"rosgraph_msgs/Log"sv, MessageType::log_ros1},
     std::pair{"rcl_interfaces/Log"sv, MessageType::log_ros2},
 };
-
-/// ROS 2 puts the kind of definition between the package and the name.
-std::string shortName(std::string_view name) {
-  std::string text(name);
-  if (const std::size_t kind = text.find("/msg/"); kind != text.npos) text.erase(kind, 4);
-  return text;
-}
-
-/// tf of ROS 1 allowed a slash before the names of frames.
-std::string_view frameName(std::string_view name) {
-  if (name.starts_with('/')) name.remove_prefix(1);
-  return name;
-}
 
 std::int64_t readTime(FieldCursor& cursor) {
   std::int64_t seconds = 0;
@@ -104,15 +93,35 @@ void skipTexture(FieldCursor& cursor) {
 
 }  // namespace
 
+std::string shortTypeName(std::string_view name) {
+  std::string text(name);
+  if (const std::size_t kind = text.find("/msg/"); kind != text.npos) text.erase(kind, 4);
+  return text;
+}
+
 MessageType messageType(std::string_view name) {
-  const std::string wanted = shortName(name);
+  const std::string wanted = shortTypeName(name);
   for (const auto& [known, type] : kTypes) {
     if (known == wanted) return type;
   }
-  return MessageType::other;
+  return signalMessages(wanted).empty() ? MessageType::other : MessageType::signals;
 }
 
-bool isText(std::string_view type_name) { return shortName(type_name) == "std_msgs/String"; }
+std::vector<std::string_view> translatedTypes() {
+  std::vector<std::string_view> names;
+  for (const auto& type : kTypes) names.push_back(type.first);
+  for (const SignalMessage& row : allSignalMessages()) {
+    if (std::ranges::find(names, row.type) == names.end()) names.push_back(row.type);
+  }
+  return names;
+}
+
+bool isText(std::string_view type_name) { return shortTypeName(type_name) == "std_msgs/String"; }
+
+std::string_view frameName(std::string_view name) {
+  if (name.starts_with('/')) name.remove_prefix(1);
+  return name;
+}
 
 Header readHeader(FieldCursor& cursor) {
   Header header;
@@ -135,19 +144,6 @@ Transform readPoseStamped(FieldCursor& cursor) {
   transform.header = readHeader(cursor);
   transform.pose = readPose(cursor);
   return transform;
-}
-
-Odometry readOdometry(FieldCursor& cursor) {
-  Odometry odometry{readTransform(cursor)};
-  const auto anyOf = [&](int count) {
-    bool any = false;
-    for (int i = 0; i < count; ++i) any = cursor.number<double>() != 0 || any;
-    return any;
-  };
-  const bool pose_covariance = anyOf(36);
-  odometry.has_speed = anyOf(6);
-  odometry.has_covariance = anyOf(36) || pose_covariance;
-  return odometry;
 }
 
 LogText readLog(FieldCursor& cursor, bool ros1_fields) {

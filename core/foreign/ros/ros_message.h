@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,10 +24,15 @@ enum class MessageType : std::uint8_t {
   marker_array,
   log_ros1,
   log_ros2,
+  signals,  ///< of signal_messages.h
 };
 
-/// Of "sensor_msgs/msg/JointState" and "sensor_msgs/JointState".
+/// "sensor_msgs/JointState" of "sensor_msgs/msg/JointState", as ROS 2 writes it.
+std::string shortTypeName(std::string_view name);
+/// Of either.
 MessageType messageType(std::string_view name);
+/// All types that are translated, by their short names.
+std::vector<std::string_view> translatedTypes();
 /// True for std_msgs/String.
 bool isText(std::string_view type_name);
 
@@ -35,26 +41,21 @@ struct Header {
   std::string_view frame;     ///< without a leading slash
 };
 Header readHeader(FieldCursor& cursor);
+/// Without the slash that tf of ROS 1 allowed in front.
+std::string_view frameName(std::string_view name);
 
 struct Transform {
   Header header;
   std::string_view child;  ///< frame, without a leading slash
   Pose pose;  ///< of `child` in `header.frame`; the rotation as stored, not of unit length
 };
-/// One geometry_msgs/TransformStamped.
+/// One geometry_msgs/TransformStamped, or the begin of a nav_msgs/Odometry.
 Transform readTransform(FieldCursor& cursor);
 /// The fewest bytes of a TransformStamped: bounds a sequence's count.
 inline constexpr std::size_t kLeastTransformBytes = 7 * 8 + 16;
 
 /// geometry_msgs/PoseStamped, with an empty `child`.
 Transform readPoseStamped(FieldCursor& cursor);
-
-struct Odometry : Transform {
-  bool has_speed = false;       ///< a twist that is not zero
-  bool has_covariance = false;  ///< one that is not zero, of pose or twist
-};
-/// nav_msgs/Odometry.
-Odometry readOdometry(FieldCursor& cursor);
 
 struct LogText {
   Header header;

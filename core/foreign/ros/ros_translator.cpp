@@ -1,5 +1,6 @@
 #include "core/foreign/ros/ros_translator.h"
 
+#include "core/foreign/ros/signal_names.h"
 #include "core/foreign/ros/topic_translation.h"
 
 namespace rocinante::ros {
@@ -14,6 +15,7 @@ struct RosTranslator::State {
 
   const DeviceFinder& devices;
   FrameTree frames;
+  SignalNames names;
   std::vector<Topic> topics;
 };
 
@@ -21,10 +23,12 @@ RosTranslator::RosTranslator(const DeviceFinder& devices)
     : state_(std::make_unique<State>(devices)) {}
 RosTranslator::~RosTranslator() = default;
 
-std::size_t RosTranslator::addTopic(std::string_view topic, MessageType type,
-                                    FieldCursor::Layout layout) {
+std::optional<std::size_t> RosTranslator::addTopic(std::string_view topic, std::string_view type,
+                                                   FieldCursor::Layout layout) {
   State& state = *state_;
-  state.topics.push_back({makeTranslation(type, topic, state.devices, state.frames), layout});
+  auto made = makeTranslation(type, topic, state.devices, state.frames, state.names);
+  if (!made) return std::nullopt;
+  state.topics.push_back({std::move(made), layout});
   return state.topics.size() - 1;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,9 +37,10 @@ class RosTranslator {
   RosTranslator(const RosTranslator&) = delete;
   RosTranslator& operator=(const RosTranslator&) = delete;
 
-  /// A topic of this type whose messages are laid out so; its number for translate(). The type must
-  /// not be `other`.
-  std::size_t addTopic(std::string_view topic, MessageType type, FieldCursor::Layout layout);
+  /// A topic of this type, "sensor_msgs/msg/Imu", whose messages are laid out so: its number for
+  /// translate(). Empty for a type that is not translated.
+  std::optional<std::size_t> addTopic(std::string_view topic, std::string_view type,
+                                      FieldCursor::Layout layout);
 
   enum class Outcome : std::uint8_t {
     packet,

@@ -2,6 +2,7 @@
 
 #include "core/base/plain_text.h"
 #include "core/foreign/ros/names.h"
+#include "core/foreign/ros/signal_translation.h"
 #include "core/packet/packet_limits.h"
 
 namespace rocinante::ros {
@@ -37,40 +38,31 @@ class TransformTranslation final : public TopicTranslation {
   std::vector<Transform> transforms_;
 };
 
-class OdometryTranslation final : public TopicTranslation {
+class OdometryTranslation final : public SignalTranslation {
  public:
-  using TopicTranslation::TopicTranslation;
+  using SignalTranslation::SignalTranslation;
 
   Outcome translate(ByteView message, FieldCursor::Layout layout, LogTime,
                     Translated& out) override {
+    if (!readSignals(message, layout)) return Outcome::malformed;
     FieldCursor cursor(message, layout);
-    const Odometry odometry = readOdometry(cursor);
-    if (!cursor.atEnd()) return Outcome::malformed;
-    speeds_ += odometry.has_speed ? 1 : 0;
-    covariances_ += odometry.has_covariance ? 1 : 0;
-    switch (frames_.place(odometry.header.frame, odometry.child, odometry.pose,
+    const Transform placed = readTransform(cursor);
+    begin(placed.header.stamp_ns);
+    switch (frames_.place(placed.header.frame, placed.child, placed.pose,
                           FrameTree::Origin::odometry)) {
       case FrameTree::Taken::yes:
+        for (const FrameTree::Moved& each : frames_.takeMoved()) addPose(*each.device, each.place);
         break;
       case FrameTree::Taken::overruled:
         note("odometry of a frame that transforms or another odometry place");
-        return Outcome::nothing;
+        break;
       case FrameTree::Taken::refused:
         note("odometry with a bad name, rotation or position, or beyond 4096 frames");
-        return Outcome::nothing;
+        break;
     }
-    begin(odometry.header.stamp_ns);
-    for (const FrameTree::Moved& each : frames_.takeMoved()) addPose(*each.device, each.place);
+    addSignals();
     return end(out);
   }
-
-  void addLeftOut(Account& account) const override {
-    addValues(account, "twist", "speeds of frames are not imported", speeds_);
-    addValues(account, "covariance", "packets have no covariances", covariances_);
-  }
-
- private:
-  std::uint64_t speeds_ = 0, covariances_ = 0;
 };
 
 class PoseTranslation final : public TopicTranslation {
@@ -199,9 +191,12 @@ void TopicTranslation::note(std::string_view sentence) {
   }
 }
 
-std::unique_ptr<TopicTranslation> makeTranslation(MessageType type, std::string_view topic,
-                                                  const DeviceFinder& devices, FrameTree& frames) {
-  switch (type) {
+std::unique_ptr<TopicTranslation> makeTranslation(std::string_view type, std::string_view topic,
+                                                  const DeviceFinder& devices, FrameTree& frames,
+                                                  SignalNames& names) {
+  const auto rows = [type] { return signalMessages(shortTypeName(type)); };
+  const MessageType known = messageType(type);
+  switch (known) {
     case MessageType::joint_state:
       return makeJointTranslation(topic, devices, frames);
     case MessageType::transforms:
@@ -209,14 +204,16 @@ std::unique_ptr<TopicTranslation> makeTranslation(MessageType type, std::string_
     case MessageType::pose_stamped:
       return std::make_unique<PoseTranslation>(topic, devices, frames);
     case MessageType::odometry:
-      return std::make_unique<OdometryTranslation>(topic, devices, frames);
+      return std::make_unique<OdometryTranslation>(topic, devices, frames, rows(), names);
     case MessageType::marker:
     case MessageType::marker_array:
-      return makeMarkerTranslation(topic, devices, frames, type == MessageType::marker_array);
+      return makeMarkerTranslation(topic, devices, frames, known == MessageType::marker_array);
     case MessageType::log_ros1:
     case MessageType::log_ros2:
       return std::make_unique<LogTranslation>(topic, devices, frames,
-                                              type == MessageType::log_ros1);
+                                              known == MessageType::log_ros1);
+    case MessageType::signals:
+      return std::make_unique<SignalTranslation>(topic, devices, frames, rows(), names);
     case MessageType::other:
       break;
   }

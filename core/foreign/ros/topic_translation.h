@@ -47,8 +47,12 @@ class TopicTranslation {
   TranslationNotes notes_;
 };
 
-std::unique_ptr<TopicTranslation> makeTranslation(MessageType type, std::string_view topic,
-                                                  const DeviceFinder& devices, FrameTree& frames);
+class SignalNames;
+
+/// Null for a type that is not translated. `names`: of the topics of all translations.
+std::unique_ptr<TopicTranslation> makeTranslation(std::string_view type, std::string_view topic,
+                                                  const DeviceFinder& devices, FrameTree& frames,
+                                                  SignalNames& names);
 std::unique_ptr<TopicTranslation> makeJointTranslation(std::string_view topic,
                                                        const DeviceFinder& devices,
                                                        FrameTree& frames);

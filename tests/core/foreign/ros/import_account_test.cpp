@@ -162,7 +162,7 @@ TEST_F(ImportAccount, CountsTheFieldsThatNoPacketSays) {
   EXPECT_THAT(texts,
               Contains("2 values `velocity` (of fixed and mimic joints, which the model moves; "
                        "the first at /joint_states)"));
-  EXPECT_THAT(texts, Contains("1 value `twist` (speeds of frames are not imported; at /odom)"));
+  EXPECT_THAT(made.packets(), Contains(HasSubstr("signal arm odom.angular.z 2 rad/s\n")));
   EXPECT_THAT(texts, Contains("1 value `covariance` (packets have no covariances; at /odom)"));
 }
 

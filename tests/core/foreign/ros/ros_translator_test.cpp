@@ -7,86 +7,19 @@
 
 #include "core/base/atomic_file.h"
 #include "core/foreign/ros/robot_description.h"
-#include "core/packet/packet_text.h"
-#include "tests/core/foreign/ros/message_maker.h"
+#include "tests/core/foreign/ros/translation.h"
 
 namespace rocinante::ros::test {
 namespace {
 
-using Outcome = RosTranslator::Outcome;
 using testing::Contains;
 using testing::Key;
-
-constexpr Kind kKinds[] = {Kind::cdr_little, Kind::cdr_big, Kind::cdr2_little, Kind::ros1};
-
-constexpr const char* kArm =
-    "<robot name=\"arm\"><link name=\"base\"/><link name=\"upper\"/><link name=\"tool\"/>"
-    "<joint name=\"a\" type=\"continuous\"><parent link=\"base\"/><child link=\"upper\"/></joint>"
-    "<joint name=\"b\" type=\"continuous\"><parent link=\"upper\"/><child link=\"tool\"/>"
-    "<mimic joint=\"a\"/></joint></robot>";
-
-/// What one message became; "" when nothing, "malformed" when it is.
-class Translation {
- public:
-  explicit Translation(const Cell* cell = nullptr, std::string device = "")
-      : devices_(cell, std::move(device)), translator_(devices_) {}
-
-  std::string of(std::string_view topic, MessageType type, const Bytes& message,
-                 FieldCursor::Layout layout = FieldCursor::Layout::cdr, std::int64_t time_s = 0) {
-    const auto key = std::pair(std::string(topic), layout);
-    if (!topics_.contains(key)) topics_[key] = translator_.addTopic(topic, type, layout);
-    Translated made;
-    const LogTime time{std::chrono::seconds(time_s)};
-    switch (translator_.translate(topics_[key], time, message, made)) {
-      case Outcome::malformed:
-        return "malformed";
-      case Outcome::nothing:
-        return "";
-      case Outcome::packet:
-        break;
-    }
-    if (made.packet != nullptr) expectSame(made);
-    PacketTextDecoder decoder;
-    const Packet* const packet = decoder.decode(bytesOf(made.text));
-    EXPECT_TRUE(packet != nullptr && packet->faults.empty()) << made.text;
-    return std::string(made.text);
-  }
-
-  const TranslationNotes& notes(std::string_view topic, FieldCursor::Layout layout) {
-    return translator_.notes(topics_[std::pair(std::string(topic), layout)]);
-  }
-
- private:
-  /// A packet that was made beside the text is what decoding the text gives.
-  static void expectSame(const Translated& made) {
-    PacketTextWriter again(made.packet->header);
-    for (const Statement& statement : made.packet->statements) again.add(statement);
-    EXPECT_EQ(again.text(), made.text);
-    PacketTextDecoder decoder;
-    const Packet* const decoded = decoder.decode(bytesOf(made.text));
-    ASSERT_NE(decoded, nullptr);
-    ASSERT_EQ(decoded->statements.size(), made.packet->statements.size());
-    for (std::size_t i = 0; i < decoded->statements.size(); ++i) {
-      const Statement& a = decoded->statements[i];
-      const Statement& b = made.packet->statements[i];
-      EXPECT_EQ(a.line, b.line);
-      EXPECT_TRUE(std::ranges::equal(a.names, b.names));
-      EXPECT_EQ(0, std::memcmp(a.numbers.data(), b.numbers.data(), a.numbers.size_bytes()));
-    }
-  }
-
-  DeviceFinder devices_;
-  RosTranslator translator_;
-  std::map<std::pair<std::string, FieldCursor::Layout>, std::size_t> topics_;
-};
-
-FieldCursor::Layout layoutOf(Kind kind) { return MessageMaker(kind).layout(); }
 
 TEST(RosTranslator, SaysJointStatesOfEverySerialization) {
   for (const Kind kind : kKinds) {
     Translation translation;
     for (int round = 0; round < 3; ++round) {
-      EXPECT_EQ(translation.of("/arm/joint_states", MessageType::joint_state,
+      EXPECT_EQ(translation.of("/arm/joint_states", "sensor_msgs/JointState",
                                jointState(kind, 17, {"shoulder", "el bow"}, {0.1 * round, -2}),
                                layoutOf(kind)),
                 "RK1 decoded:ros:arm:joint_states - 17.5\njoint arm shoulder=" +
@@ -101,7 +34,7 @@ TEST(RosTranslator, SaysJointStatesOfEverySerialization) {
 TEST(RosTranslator, FollowsNamesThatChange) {
   Translation translation;
   const auto say = [&](const std::vector<std::string>& names, const std::vector<double>& values) {
-    return translation.of("/joint_states", MessageType::joint_state,
+    return translation.of("/joint_states", "sensor_msgs/JointState",
                           jointState(Kind::cdr_little, 1, names, values));
   };
   EXPECT_EQ(say({"a", "b"}, {1, 2}), "RK1 decoded:ros:joint_states - 1.5\njoint robot a=1 b=2\n");
@@ -115,10 +48,10 @@ TEST(RosTranslator, FollowsNamesThatChange) {
 TEST(RosTranslator, LeavesOutWhatIsNotFinite) {
   Translation translation;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(translation.of("/joint_states", MessageType::joint_state,
+  EXPECT_EQ(translation.of("/joint_states", "sensor_msgs/JointState",
                            jointState(Kind::cdr_little, 1, {"a", "b", "c"}, {nan, -0.0, 1})),
             "RK1 decoded:ros:joint_states - 1.5\njoint robot b=0 c=1\n");
-  EXPECT_EQ(translation.of("/joint_states", MessageType::joint_state,
+  EXPECT_EQ(translation.of("/joint_states", "sensor_msgs/JointState",
                            jointState(Kind::cdr_little, 1, {"a"}, {-INFINITY})),
             "");
   EXPECT_THAT(translation.notes("/joint_states", FieldCursor::Layout::cdr),
@@ -131,10 +64,10 @@ TEST(RosTranslator, FindsTheDeviceOfAModel) {
   EXPECT_EQ(robot->cell.devices.front().name, "arm");
   Translation translation(&robot->cell);
   // A mimic joint is not sent; an unknown one goes with those that are known.
-  EXPECT_EQ(translation.of("/joint_states", MessageType::joint_state,
+  EXPECT_EQ(translation.of("/joint_states", "sensor_msgs/JointState",
                            jointState(Kind::cdr_little, 1, {"b", "x", "a"}, {1, 2, 3})),
             "RK1 decoded:ros:joint_states - 1.5\njoint arm x=2 a=3\n");
-  EXPECT_EQ(translation.of("/others", MessageType::joint_state,
+  EXPECT_EQ(translation.of("/others", "sensor_msgs/JointState",
                            jointState(Kind::cdr_little, 1, {"x"}, {1})),
             "");
   EXPECT_THAT(
@@ -148,7 +81,7 @@ TEST(RosTranslator, PlacesTheRootsOfDevices) {
   for (const Kind kind : kKinds) {
     Translation translation(&robot->cell);
     const auto say = [&](const std::vector<TestTransform>& all) {
-      return translation.of("/tf", MessageType::transforms, transforms(kind, all), layoutOf(kind));
+      return translation.of("/tf", "tf2_msgs/TFMessage", transforms(kind, all), layoutOf(kind));
     };
     // The root of the chain is not known to move the device before its last part comes.
     EXPECT_EQ(say({{"map", "odom", {1, 0, 0, 0, 0, 0, 1}}}), "");
@@ -166,7 +99,7 @@ TEST(RosTranslator, PlacesTheRootsOfDevices) {
 
 TEST(RosTranslator, MakesDevicesOfFramesWithoutAModel) {
   Translation translation;
-  EXPECT_EQ(translation.of("/tf", MessageType::transforms,
+  EXPECT_EQ(translation.of("/tf", "tf2_msgs/TFMessage",
                            transforms(Kind::cdr_little, {{"map", "cart", {1, 0, 0, 0, 0, 0, 1}},
                                                          {"cart", "lamp", {0, 0, 2, 0, 0, 0, 1}}})),
             "RK1 decoded:ros:tf - 7\npose cart 1 0 0 0 0 0 1\npose lamp 1 0 2 0 0 0 1\n");
@@ -178,13 +111,20 @@ TEST(RosTranslator, TransformsOverruleOdometry) {
     MessageMaker made(Kind::cdr_little);
     made.header(3, 0, "odom").string("base").doubles({x, 0, 0, 0, 0, 0, 1});
     made.doubles(std::vector<double>(36 + 6 + 36));
-    return translation.of("/odom", MessageType::odometry, made.bytes());
+    return translation.of("/odom", "nav_msgs/Odometry", made.bytes());
   };
-  EXPECT_EQ(odometry(1), "RK1 decoded:ros:odom - 3\npose base 1 0 0 0 0 0 1\n");
-  EXPECT_EQ(translation.of("/tf", MessageType::transforms,
+  EXPECT_EQ(odometry(1),
+            "RK1 decoded:ros:odom - 3\npose base 1 0 0 0 0 0 1\n"
+            "signal base odom.linear.x 0 m/s\nsignal base odom.linear.y 0 m/s\n"
+            "signal base odom.linear.z 0 m/s\nsignal base odom.angular.x 0 rad/s\n"
+            "signal base odom.angular.y 0 rad/s\nsignal base odom.angular.z 0 rad/s\n");
+  EXPECT_EQ(translation.of("/tf", "tf2_msgs/TFMessage",
                            transforms(Kind::cdr_little, {{"odom", "base", {5, 0, 0, 0, 0, 0, 1}}})),
             "RK1 decoded:ros:tf - 7\npose base 5 0 0 0 0 0 1\n");
-  EXPECT_EQ(odometry(2), "");
+  // Its speeds count all the same.
+  EXPECT_EQ(odometry(2),
+            "RK1 decoded:ros:odom - 3\nsignals base odom.linear.x=0 odom.linear.y=0 "
+            "odom.linear.z=0 odom.angular.x=0 odom.angular.y=0 odom.angular.z=0\n");
 }
 
 TEST(RosTranslator, PosesADeviceByItsTopic) {
@@ -193,10 +133,10 @@ TEST(RosTranslator, PosesADeviceByItsTopic) {
   MessageMaker made(Kind::cdr_big);
   made.header(0, 0, "map").doubles({1, 2, 3, 0, 0, 0, 1});
   Translation with_model(&robot->cell), without;
-  EXPECT_EQ(with_model.of("/arm/pose", MessageType::pose_stamped, made.bytes()),
+  EXPECT_EQ(with_model.of("/arm/pose", "geometry_msgs/PoseStamped", made.bytes()),
             "RK1 decoded:ros:arm:pose - -\npose arm 1 2 3 0 0 0 1\n");
-  EXPECT_EQ(with_model.of("/goal", MessageType::pose_stamped, made.bytes()), "");
-  EXPECT_EQ(without.of("/drone/pose", MessageType::pose_stamped, made.bytes()),
+  EXPECT_EQ(with_model.of("/goal", "geometry_msgs/PoseStamped", made.bytes()), "");
+  EXPECT_EQ(without.of("/drone/pose", "geometry_msgs/PoseStamped", made.bytes()),
             "RK1 decoded:ros:drone:pose - -\npose drone 1 2 3 0 0 0 1\n");
 }
 
@@ -208,8 +148,8 @@ TEST(RosTranslator, DrawsLinesPointsAndText) {
       Translation translation(&robot->cell);
       const auto say = [&](TestMarker one, std::int64_t time_s = 0) {
         one.textured = textured;
-        return translation.of("/plan", MessageType::marker, marker(kind, one), layoutOf(kind),
-                              time_s);
+        return translation.of("/plan", "visualization_msgs/Marker", marker(kind, one),
+                              layoutOf(kind), time_s);
       };
       const std::string head = "RK1 decoded:ros:plan - 9\n";
       EXPECT_EQ(say({.frame = "tool", .pose = {0, 0, 1, 0, 0, 0, 1}, .points = {0, 0, 0, 1, 0, 0}}),
@@ -240,16 +180,15 @@ TEST(RosTranslator, MakesEventsOfLogs) {
   one.header(4, 0, "").number(std::uint8_t{8}).string("/nav").string("stop");
   one.string("f.cpp").string("run").number(std::uint32_t{7}).strings({"/a"});
   Translation translation;
-  EXPECT_EQ(translation.of("/rosout", MessageType::log_ros2, two.bytes()),
+  EXPECT_EQ(translation.of("/rosout", "rcl_interfaces/Log", two.bytes()),
             "RK1 decoded:ros:rosout - 4\nevent \"WARN nav: slow\"\n");
-  EXPECT_EQ(
-      translation.of("/rosout", MessageType::log_ros1, one.bytes(), FieldCursor::Layout::ros1),
-      "RK1 decoded:ros:rosout - 4\nevent \"ERROR /nav: stop\"\n");
+  EXPECT_EQ(translation.of("/rosout", "rosgraph_msgs/Log", one.bytes(), FieldCursor::Layout::ros1),
+            "RK1 decoded:ros:rosout - 4\nevent \"ERROR /nav: stop\"\n");
 }
 
 TEST(RosTranslator, RefusesMessagesThatAreCutAnywhere) {
   struct Case {
-    MessageType type;
+    std::string_view type;
     Bytes bytes;
     Kind kind;
   };
@@ -259,9 +198,9 @@ TEST(RosTranslator, RefusesMessagesThatAreCutAnywhere) {
     addMarker(markers, {.points = {0, 0, 0, 1, 0, 0}});
     addMarker(markers, {.id = 4, .type = 9, .text = "x"});
     const Case cases[] = {
-        {MessageType::joint_state, jointState(kind, 1, {"a", "b"}, {1, 2}), kind},
-        {MessageType::transforms, transforms(kind, {{"m", "c", {1, 0, 0, 0, 0, 0, 1}}}), kind},
-        {MessageType::marker_array, markers.bytes(), kind},
+        {"sensor_msgs/JointState", jointState(kind, 1, {"a", "b"}, {1, 2}), kind},
+        {"tf2_msgs/TFMessage", transforms(kind, {{"m", "c", {1, 0, 0, 0, 0, 0, 1}}}), kind},
+        {"visualization_msgs/MarkerArray", markers.bytes(), kind},
     };
     for (const Case& each : cases) {
       Translation translation;
@@ -277,8 +216,7 @@ TEST(RosTranslator, RefusesMessagesThatAreCutAnywhere) {
 }
 
 TEST(RosTranslator, AllocatesNothingForLengthsThatLie) {
-  for (const MessageType type : {MessageType::joint_state, MessageType::transforms,
-                                 MessageType::marker_array, MessageType::log_ros2}) {
+  for (const std::string_view type : translatedTypes()) {
     for (std::size_t place = 4; place + 4 <= 64; ++place) {
       Bytes message(64, std::byte{0});
       message[1] = std::byte{1};
