@@ -7,6 +7,7 @@
 
 #include "core/base/figure_text.h"
 #include "core/check/check.h"
+#include "core/check/judges/tally.h"
 #include "core/check/session_check.h"
 #include "core/cli/program.h"
 #include "golden/check/live_input.h"
@@ -18,10 +19,13 @@ constexpr std::int64_t kLongestWaitMs = 100;
 
 }  // namespace
 
-void tellDecoded(const decode::DecodeAccount& decoded) {
+void tellDecoded(const decode::DecodeAccount& decoded, CheckReport& report) {
   cli::warn(
       fmt::format("decoded {} of {}:", decoded.decoded(), countText(decoded.octets, "datagram")));
   cli::tell(decode::accountText(decoded));
+  if (decoded.left_out.empty()) return;
+  report.findings.push_back(makeFinding("log.left-out", "", accountSentence(decoded.left_out)));
+  report.findings.back().count = decoded.left_out.total();
 }
 
 Result<CheckReport> checkLive(const Cell& cell, const LiveCheckOptions& options) {
@@ -57,7 +61,7 @@ Result<CheckReport> checkLive(const Cell& cell, const LiveCheckOptions& options)
     }
   }
   if (const auto decoded = input.decoded()) {
-    tellDecoded(*decoded);
+    tellDecoded(*decoded, report);
   }
   report.session = input.names();
   report.origin = input.first().value_or(LogTime{});

@@ -26,7 +26,8 @@ struct LiveCheckOptions {
 /// arrived.
 Result<CheckReport> checkLive(const Cell& cell, const LiveCheckOptions& options);
 
-/// What became of the datagrams that decoders were given, on standard error.
-void tellDecoded(const decode::DecodeAccount& decoded);
+/// What became of the datagrams that decoders were given, on standard error; values of them that
+/// lines could not use are a finding, too.
+void tellDecoded(const decode::DecodeAccount& decoded, CheckReport& report);
 
 }  // namespace rocinante

@@ -109,7 +109,7 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell,
   }();
   if (!report) return report;
   report->session = name;
-  if (*octets && octets->account().octets > 0) tellDecoded(octets->account());
+  if (*octets && octets->account().octets > 0) tellDecoded(octets->account(), *report);
   // A log judged with its own cell cannot have drifted.
   if (my.log != my.cell) {
     Findings drift = driftOf(*log, cell, opened.imported);

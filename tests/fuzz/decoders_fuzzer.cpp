@@ -44,6 +44,23 @@ device = "p"
 position = ["q[0]", "q[1]", "q[2]"]
 euler = ["n", "-q[1]", 1]
 euler_order = "zyx"
+[[decoder.signal]]
+path = "{t}"
+name = "{t}"
+field = "n"
+bits = [2, 9]
+values = { "1" = "one" }
+[[decoder.signal]]
+path = "-"
+name = "t"
+field = "t"
+text = true
+[[decoder.signals]]
+path = "arm/{t}"
+names = ["a", "b"]
+fields = ["q[0]", "n"]
+scale = 1e300
+unit = "A"
 [[decoder.event]]
 text = "{t}"
 changes = "n"

@@ -121,6 +121,27 @@ bool DatagramDecoders::decodeBy(std::size_t index, const Route& route, std::int6
   return true;
 }
 
+Account DatagramDecoders::leftOut() const {
+  Account account;
+  for (std::size_t i = 0; i < readers_.size(); ++i) {
+    const Decoder& decoder = set_->decoders[i];
+    const auto add = [&](const std::string& name, const char* reason, std::uint64_t count) {
+      if (count == 0) return;
+      account.leaveOut(
+          {.kind = "value", .name = name, .reason = reason, .first = decoder.name, .count = count});
+    };
+    for (std::size_t field = 0; field < decoder.fields.size(); ++field) {
+      add(decoder.fields[field].name, "not a number, infinite, or not of the declared kind",
+          readers_[i].lines.unusable()[field]);
+    }
+    for (std::size_t line = 0; line < decoder.signals.size(); ++line) {
+      add(decoder.fields[*decoder.signals[line].value.field].name,
+          "without a name in `values`, stated as it is", readers_[i].lines.unnamed()[line]);
+    }
+  }
+  return account;
+}
+
 std::vector<FoundField> DatagramDecoders::undeclared(const Route& route, ByteView payload,
                                                      std::size_t most) {
   for (std::size_t i = 0; i < readers_.size(); ++i) {

@@ -12,6 +12,7 @@
 #include "core/foreign/decode/field_reader.h"
 #include "core/foreign/decode/packet_lines.h"
 #include "core/packet/packet_text.h"
+#include "core/report/account.h"
 
 namespace rocinante::decode {
 
@@ -55,6 +56,8 @@ class DatagramDecoders {
   const DecoderSet& set() const { return *set_; }
   /// By decoder.
   const std::vector<DecodeCounts>& counts() const { return counts_; }
+  /// Values of fields that lines could not use, and those that no name of an enumeration fits.
+  Account leftOut() const;
   /// See FieldReader::undeclared(), for the decoder that would read the datagram; empty for none.
   std::vector<FoundField> undeclared(const Route& route, ByteView payload, std::size_t most);
   /// Whether the datagram passes `match`, ignoring `where`.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -124,6 +125,20 @@ struct PoseLine {
   bool fixed_axes = false;           ///< else each about the axes that the ones before it turned
 };
 
+/// What a `[[decoder.signal]]` declares: one signal of a field.
+struct SignalLine {
+  TextTemplate path;  ///< DEVICE, DEVICE/LINK or -
+  TextTemplate name;
+  Term value;
+  std::string unit;
+  bool is_text = false;     ///< the field as it is
+  bool is_boolean = false;  ///< true where the bit is 1
+  unsigned first_bit = 0;
+  unsigned bits = 0;  ///< of a whole number, before all else; 0: the number as it is
+  /// An enumeration: the text of a value that reads so.
+  std::map<std::string, std::string, std::less<>> words;
+};
+
 struct EventLine {
   TextTemplate text;
   /// The event is said when this field differs from the sender's last datagram.
@@ -173,6 +188,7 @@ struct Decoder {
 
   std::vector<JointsLine> joints;
   std::vector<PoseLine> poses;
+  std::vector<SignalLine> signals;
   std::vector<EventLine> events;
 };
 

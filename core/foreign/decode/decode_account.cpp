@@ -15,6 +15,7 @@ std::uint64_t DecodeAccount::decoded() const {
 DecodeAccount accountOf(const DatagramDecoders& decoders, std::uint64_t octets) {
   DecodeAccount account;
   account.octets = octets;
+  account.left_out = decoders.leftOut();
   for (std::size_t i = 0; i < decoders.counts().size(); ++i) {
     account.decoders.push_back({decoders.set().decoders[i].name, decoders.counts()[i]});
   }
@@ -35,6 +36,7 @@ std::string accountText(const DecodeAccount& account) {
   if (const std::uint64_t decoded = account.decoded(); decoded < account.octets) {
     text += fmt::format("  not decoded: {}\n", countText(account.octets - decoded, "datagram"));
   }
+  if (!account.left_out.empty()) text += fmt::format("  {}\n", accountSentence(account.left_out));
   return text;
 }
 
@@ -52,6 +54,7 @@ Json accountJson(const DecodeAccount& account) {
     decoder["reason"] = orNull(std::string(each.counts.last_reason));
     json["decoders"].push_back(std::move(decoder));
   }
+  json["left_out"] = leftOutJson(account.left_out);
   return json;
 }
 

@@ -7,7 +7,7 @@
 namespace rocinante::decode {
 
 FieldValue FieldValue::of(double number) {
-  if (!std::isfinite(number)) return {};
+  if (!std::isfinite(number)) return {Kind::missing, 0, {}, true};
   return {Kind::number, number, {}};
 }
 

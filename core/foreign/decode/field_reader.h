@@ -16,8 +16,9 @@ namespace rocinante::decode {
 struct FieldValue {
   enum class Kind : std::uint8_t { missing, number, text };
   Kind kind = Kind::missing;
-  double number = 0;        ///< finite
-  std::string_view text{};  ///< borrowed from the datagram or the reader, until its next read()
+  double number = 0;         ///< finite
+  std::string_view text{};   ///< borrowed from the datagram or the reader, until its next read()
+  bool is_infinite = false;  ///< missing because it is not a number, or infinite
 
   static FieldValue of(double number);
   static FieldValue of(std::string_view text) { return {Kind::text, 0, text}; }

@@ -8,8 +8,29 @@
 #include "core/foreign/decode/toml_values.h"
 #include "core/math/trigonometry.h"
 #include "core/packet/packet_limits.h"
+#include "core/packet/packet_text.h"
 
 namespace rocinante::decode {
+namespace {
+
+/// Numbers are doubles: beyond 2^53 their bits are not exact.
+constexpr std::int64_t kMaxBit = 52;
+
+bool isUnit(std::string_view unit) {
+  return !unit.empty() && unit.size() <= limits::kUnitBytes &&
+         std::ranges::all_of(unit,
+                             [](char byte) { return byte > ' ' && byte <= '~' && byte != '"'; });
+}
+
+/// Whether no field is in it.
+bool hasFixedText(const TextTemplate& of) {
+  return std::ranges::none_of(of.parts, [](const auto& part) { return part.field.has_value(); });
+}
+std::string_view fixedText(const TextTemplate& of) {
+  return of.parts.empty() ? std::string_view() : std::string_view(of.parts.front().text);
+}
+
+}  // namespace
 
 void LineTable::read(TomlTable& decoder_table) {
   using Reader = void (LineTable::*)(TomlTable&);
@@ -29,12 +50,14 @@ void LineTable::read(TomlTable& decoder_table) {
   readAll("joint", "[[decoder.joint]]", &LineTable::readJoint);
   readAll("joints", "[[decoder.joints]]", &LineTable::readJoints);
   readAll("pose", "[[decoder.pose]]", &LineTable::readPose);
+  readAll("signal", "[[decoder.signal]]", &LineTable::readSignal);
+  readAll("signals", "[[decoder.signals]]", &LineTable::readSignals);
   readAll("event", "[[decoder.event]]", &LineTable::readEvent);
-  if (decoder_.joints.empty() && decoder_.poses.empty() && decoder_.events.empty() && lines_ == 0) {
+  if (lines_ == 0) {
     faults_.error(
         "decoder.no-lines", decoder_.place,
         fmt::format("decoder {} makes nothing of its fields", quotedInFault(decoder_.name)),
-        "add [[decoder.joint]], [[decoder.joints]], [[decoder.pose]] or "
+        "add [[decoder.joint]], [[decoder.joints]], [[decoder.pose]], [[decoder.signal]] or "
         "[[decoder.event]]");
   }
 }
@@ -167,6 +190,125 @@ void LineTable::readEuler(TomlTable& table, PoseLine& line) {
     return;
   }
   for (std::size_t i = 0; i < 3; ++i) line.axes[i] = order[i] - 'x';
+}
+
+void LineTable::readSignal(TomlTable& table) {
+  SignalLine line;
+  const auto name = templateAt(table, "name");
+  const auto field = table.requiredText("field");
+  const auto index = field ? fields_.find(*field, table.place("field")) : std::nullopt;
+  line.is_text = table.flag("text").value_or(false);
+  readNumber(table, line);
+  readBits(table, line);
+  readWords(table, line);
+  const bool is_number = !line.is_text && !line.is_boolean && line.words.empty();
+  for (const char* const key : {"unit", "scale", "offset"}) {
+    if (!is_number && table.has(key)) {
+      table.error(kBadValue, key, fmt::format("`{}` is of a number, and this signal is none", key),
+                  "`text`, `bit` and `values` make states");
+    }
+  }
+  if (line.is_text && (line.bits > 0 || !line.words.empty())) {
+    table.error(kBadValue, "text", "`text` is the field as it is, without `bit`, `bits`, `values`");
+  }
+  if (name && hasFixedText(*name) && !isName(fixedText(*name))) {
+    table.error(kBadValue, "name", quotedInFault(fixedText(*name)) + " is not a valid name");
+  }
+  if (!readPath(table, line) || !name || !index) return;
+  line.name = *name;
+  line.value.field = index;
+  decoder_.signals.push_back(std::move(line));
+}
+
+void LineTable::readSignals(TomlTable& table) {
+  SignalLine line;
+  const bool has_path = readPath(table, line);
+  const std::vector<std::string> names = table.texts("names");
+  const std::vector<std::string> fields = table.texts("fields");
+  readNumber(table, line);
+  if (names.empty() || names.size() != fields.size() || names.size() > limits::kSignalValues) {
+    table.error(kBadValue, "fields",
+                fmt::format("{} signals have {} fields", names.size(), fields.size()),
+                "name one field for each signal");
+    return;
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto index = fields_.find(fields[i], table.place("fields"));
+    if (!isName(names[i])) {
+      table.error(kBadValue, "names", quotedInFault(names[i]) + " is not a valid name");
+      return;
+    }
+    if (!has_path || !index) continue;
+    line.name = {{{names[i], std::nullopt}}};
+    line.value.field = index;
+    decoder_.signals.push_back(line);
+  }
+}
+
+bool LineTable::readPath(TomlTable& table, SignalLine& line) {
+  const auto path = templateAt(table, "path");
+  if (!path) return false;
+  line.path = *path;
+  const std::string_view text = fixedText(*path);
+  const std::size_t slash = text.find('/');
+  const bool has_link = slash != text.npos;
+  const bool is_path =
+      isName(text.substr(0, slash)) && (!has_link || isName(text.substr(slash + 1)));
+  if (!hasFixedText(*path) || is_path) return true;
+  table.error(kBadValue, "path", quotedInFault(text) + " is not DEVICE, DEVICE/LINK or -");
+  return false;
+}
+
+void LineTable::readNumber(TomlTable& table, SignalLine& line) {
+  line.value.times = table.number("scale").value_or(1.0);
+  line.value.plus = table.number("offset").value_or(0.0);
+  line.unit = table.text("unit").value_or("");
+  if (table.has("unit") && !isUnit(line.unit)) {
+    table.error(kBadValue, "unit",
+                quotedInFault(line.unit) +
+                    " is not 1 to 32 printable ASCII characters without spaces and quotes");
+  }
+}
+
+/// `bit = 3`, or `bits = [first, how many]` as of a field.
+void LineTable::readBits(TomlTable& table, SignalLine& line) {
+  if (const auto bit = wholeAt(table, "bit", 0, kMaxBit)) {
+    line.is_boolean = true;
+    line.first_bit = static_cast<unsigned>(*bit);
+    line.bits = 1;
+  }
+  const TomlNode* const bits = table.node("bits");
+  if (bits == nullptr) return;
+  if (table.has("bit")) table.error(kBadValue, "bits", "give `bit` or `bits`, not both");
+  if (bits->kind != TomlNode::Kind::array || bits->items.size() != 2) {
+    table.error(kBadValue, "bits", "`bits` is [first, how many]", "bit 0 is the least significant");
+    return;
+  }
+  const auto first = wholeOf(bits->items[0], "bits", 0, kMaxBit, faults_);
+  if (!first) return;
+  const auto many = wholeOf(bits->items[1], "bits", 1, kMaxBit + 1 - *first, faults_);
+  line.first_bit = static_cast<unsigned>(*first);
+  line.bits = static_cast<unsigned>(many.value_or(1));
+}
+
+void LineTable::readWords(TomlTable& table, SignalLine& line) {
+  const TomlNode* const words = table.node("values");
+  if (words == nullptr) return;
+  if (words->kind != TomlNode::Kind::table || words->entries.empty()) {
+    table.error(kBadValue, "values", "`values` is a table: { \"0\" = \"idle\" }");
+    return;
+  }
+  if (line.is_boolean)
+    table.error(kBadValue, "values", "a `bit` is true or false, without `values`");
+  for (const TomlNode::Entry& entry : words->entries) {
+    const bool is_text = entry.value.kind == TomlNode::Kind::text;
+    if (is_text && entry.value.text.size() <= limits::kStringBytes) {
+      line.words.emplace(entry.key, entry.value.text);
+    } else {
+      faults_.error(kBadValue, entry.value.place,
+                    "each of `values` is a text of at most 4096 bytes");
+    }
+  }
 }
 
 void LineTable::readEvent(TomlTable& table) {

@@ -7,7 +7,7 @@
 namespace rocinante::decode {
 
 /// Reads what a decoder says with its fields: `[[decoder.joint]]`, `[[decoder.joints]]`,
-/// `[[decoder.pose]]` and `[[decoder.event]]`.
+/// `[[decoder.pose]]`, `[[decoder.signal]]`, `[[decoder.signals]]` and `[[decoder.event]]`.
 class LineTable {
  public:
   LineTable(Decoder& decoder, FieldTable& fields, FaultList& faults)
@@ -24,6 +24,13 @@ class LineTable {
   void readJoints(TomlTable& table);
   void readPose(TomlTable& table);
   void readEuler(TomlTable& table, PoseLine& line);
+  void readSignal(TomlTable& table);
+  void readSignals(TomlTable& table);
+  bool readPath(TomlTable& table, SignalLine& line);
+  /// `scale`, `offset` and `unit`.
+  void readNumber(TomlTable& table, SignalLine& line);
+  void readBits(TomlTable& table, SignalLine& line);
+  void readWords(TomlTable& table, SignalLine& line);
   void readEvent(TomlTable& table);
   void addJoint(const TextTemplate& device, std::string joint, Term value);
   Scale scaleOf(TomlTable& table);

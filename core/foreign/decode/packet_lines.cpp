@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "core/base/plain_text.h"
 #include "core/math/transform.h"
 #include "core/packet/packet_limits.h"
 #include "core/packet/text_number.h"
@@ -11,16 +13,14 @@
 namespace rocinante::decode {
 namespace {
 
-template <std::size_t count>
-std::optional<std::array<double, count>> numbersOf(const std::array<Term, count>& terms,
-                                                   std::span<const FieldValue> values) {
-  std::array<double, count> numbers{};
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::optional<double> number = numberOf(terms[i], values);
-    if (!number) return std::nullopt;
-    numbers[i] = *number;
-  }
-  return numbers;
+/// Whole numbers up to here are exact.
+constexpr double kExact = 9007199254740992.0;
+
+/// Bits of a whole number, of a negative one as two's complement has them.
+std::optional<double> bitsOf(double number, unsigned first, unsigned many) {
+  if (number != std::floor(number) || std::abs(number) > kExact) return std::nullopt;
+  const auto whole = static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
+  return static_cast<double>((whole >> first) & ((std::uint64_t{1} << many) - 1));
 }
 
 Quat rotationOf(const PoseLine& line, const std::array<double, 3>& angles) {
@@ -35,6 +35,38 @@ Quat rotationOf(const PoseLine& line, const std::array<double, 3>& angles) {
 }
 
 }  // namespace
+
+PacketLines::PacketLines(const Decoder& decoder)
+    : decoder_(decoder),
+      unusable_(decoder.fields.size()),
+      counted_at_(decoder.fields.size()),
+      unnamed_(decoder.signals.size()) {}
+
+void PacketLines::countUnusable(std::size_t field) {
+  if (std::exchange(counted_at_[field], datagrams_) != datagrams_) ++unusable_[field];
+}
+
+std::optional<double> PacketLines::numberOrCount(const Term& term,
+                                                 std::span<const FieldValue> values) {
+  const std::optional<double> number = numberOf(term, values);
+  if (!number) {
+    const FieldValue& value = values[*term.field];
+    if (value.kind != FieldValue::Kind::missing || value.is_infinite) countUnusable(*term.field);
+  }
+  return number;
+}
+
+template <std::size_t count>
+std::optional<std::array<double, count>> PacketLines::numbersOf(
+    const std::array<Term, count>& terms, std::span<const FieldValue> values) {
+  std::array<double, count> numbers{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::optional<double> number = numberOrCount(terms[i], values);
+    if (!number) return std::nullopt;
+    numbers[i] = *number;
+  }
+  return numbers;
+}
 
 std::optional<double> numberOf(const Term& term, std::span<const FieldValue> values) {
   if (!term.field) return term.plus;
@@ -76,7 +108,7 @@ void PacketLines::addJoints(PacketTextWriter& packet, const JointsLine& line,
   joints_.clear();
   numbers_.clear();
   for (const JointsLine::Joint& joint : line.joints) {
-    const std::optional<double> number = numberOf(joint.value, values);
+    const std::optional<double> number = numberOrCount(joint.value, values);
     if (!number) continue;
     joints_.push_back(joint.name);
     numbers_.push_back(*number);
@@ -116,10 +148,76 @@ void PacketLines::addPose(PacketTextWriter& packet, const PoseLine& line,
   packet.add(statement);
 }
 
+void PacketLines::addSignal(PacketTextWriter& packet, std::size_t line,
+                            std::span<const FieldValue> values) {
+  const SignalLine& its = decoder_.signals[line];
+  const std::size_t field = *its.value.field;
+  const FieldValue& value = values[field];
+  if (value.kind == FieldValue::Kind::missing && !value.is_infinite) return;
+  Statement statement;
+  statement.kind = StatementKind::signal;
+  double number = 0;
+  SignalKind kind = SignalKind::number;
+  if (its.is_text || (!its.words.empty() && its.bits == 0)) {
+    text_ = valueText(value);
+  } else {
+    std::optional<double> read = its.bits > 0 ? value.asNumber() : numberOf(its.value, values);
+    if (read && its.bits > 0) {
+      read = bitsOf(*read, its.first_bit, its.bits);
+      if (read) read = *read * its.value.times + its.value.plus;
+    }
+    if (!read || !std::isfinite(*read)) return countUnusable(field);
+    number = *read;
+    if (its.is_boolean) kind = SignalKind::boolean;
+    if (!its.words.empty()) text_ = valueText(FieldValue::of(number));
+  }
+  if (its.is_text || !its.words.empty()) {
+    kind = SignalKind::text;
+    // A stranger's text may be longer than a signal's; bytes that are not UTF-8 become three.
+    const bool is_utf8 = isUtf8(rocinante::bytesOf(text_));
+    const std::size_t room = is_utf8 ? limits::kStringBytes : limits::kStringBytes / 3;
+    if (value.is_infinite || text_.size() > room) return countUnusable(field);
+    number = 0;
+    statement.text = text_;
+  }
+  if (!its.words.empty()) {
+    auto word = its.words.find(text_);
+    // "01" is named by "1".
+    if (word == its.words.end()) {
+      if (const auto spelt = value.asNumber(); spelt && its.bits == 0) {
+        word = its.words.find(valueText(FieldValue::of(*spelt)));
+      }
+    }
+    if (word != its.words.end()) {
+      statement.text = word->second;
+    } else {
+      ++unnamed_[line];
+    }
+  }
+  path_.clear();
+  if (!appendTemplate(path_, its.path, values) || !fillName(its.name, values)) return;
+  if (path_ != "-") {
+    const std::string_view path = path_;
+    const std::size_t slash = path.find('/');
+    statement.path.first = path.substr(0, slash);
+    if (slash != path.npos) statement.path.second = path.substr(slash + 1);
+    const bool has_link = slash != path.npos;
+    if (!isName(statement.path.first) || (has_link && !isName(statement.path.second))) return;
+  }
+  const std::string_view name = name_;
+  statement.names = std::span(&name, 1);
+  statement.numbers = std::span(&number, 1);
+  statement.signal_kinds = std::span(&kind, 1);
+  statement.unit = its.unit;
+  packet.add(statement);
+}
+
 void PacketLines::add(PacketTextWriter& packet, std::span<const FieldValue> values,
                       std::span<const std::string> before) {
+  ++datagrams_;
   for (const JointsLine& line : decoder_.joints) addJoints(packet, line, values);
   for (const PoseLine& line : decoder_.poses) addPose(packet, line, values);
+  for (std::size_t i = 0; i < decoder_.signals.size(); ++i) addSignal(packet, i, values);
   for (std::size_t i = 0; i < decoder_.events.size() && i < before.size(); ++i) {
     const EventLine& line = decoder_.events[i];
     if (values[line.changes].kind == FieldValue::Kind::missing || before[i].empty()) continue;

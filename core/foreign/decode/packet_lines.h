@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,24 +18,42 @@ namespace rocinante::decode {
 class PacketLines {
  public:
   /// The decoder must outlive it.
-  explicit PacketLines(const Decoder& decoder) : decoder_(decoder) {}
+  explicit PacketLines(const Decoder& decoder);
 
-  /// Adds the statements. A joint, pose or event whose fields are missing is left out. `before` are
-  /// the values of the EventLine::changes fields in the sender's last datagram, as valueText():
-  /// empty at its first.
+  /// Adds the statements. A joint, pose, signal or event whose fields are missing is left out.
+  /// `before` are the values of the EventLine::changes fields in the sender's last datagram, as
+  /// valueText(): empty at its first.
   void add(PacketTextWriter& packet, std::span<const FieldValue> values,
            std::span<const std::string> before);
+
+  /// By field: how often a line needed another value than it had: not a number, or infinite; text
+  /// in place of a number; too long a text. Once a datagram.
+  const std::vector<std::uint64_t>& unusable() const { return unusable_; }
+  /// By SignalLine: values that its `values` do not name.
+  const std::vector<std::uint64_t>& unnamed() const { return unnamed_; }
 
  private:
   void addJoints(PacketTextWriter& packet, const JointsLine& line,
                  std::span<const FieldValue> values);
   void addPose(PacketTextWriter& packet, const PoseLine& line, std::span<const FieldValue> values);
+  void addSignal(PacketTextWriter& packet, std::size_t line, std::span<const FieldValue> values);
   bool fillName(const TextTemplate& name, std::span<const FieldValue> values);
+  /// numberOf(), which counts a value that is none.
+  std::optional<double> numberOrCount(const Term& term, std::span<const FieldValue> values);
+  template <std::size_t count>
+  std::optional<std::array<double, count>> numbersOf(const std::array<Term, count>& terms,
+                                                     std::span<const FieldValue> values);
+  void countUnusable(std::size_t field);
 
   const Decoder& decoder_;
   std::string name_;
   std::vector<std::string_view> joints_;
   std::vector<double> numbers_;
+  std::string path_;
+  std::string text_;
+  std::uint64_t datagrams_ = 0;
+  std::vector<std::uint64_t> unusable_, counted_at_;  ///< by field; at which datagram the last one
+  std::vector<std::uint64_t> unnamed_;
 };
 
 /// A value as people read it; "" for a missing one.

@@ -262,12 +262,14 @@ fields = ["low", "signed", "little", "wide"]
 TEST(DatagramDecoders, ADatagramCutAnywhereMakesAPacketOrNone) {
   const Bytes ur = urPacket({1, 2, 3, 4, 5, 6});
   const Bytes mavlink = attitude(1, 2, 3);
+  const Bytes drive(16);
   const std::string_view json = R"({"robot":{"name":"l","joints":[0.1,0.2]},"pose":{"x":1}})";
   const std::pair<std::string, ByteView> cases[] = {
       {"ur_realtime", ur},
       {"mavlink_attitude", mavlink},
       {"kuka_rsi", rocinante::bytesOf(kTelegram)},
       {"json_cell", rocinante::bytesOf(json)},
+      {"drive_telegram", drive},
   };
   for (const auto& [name, whole] : cases) {
     DatagramDecoders decoders = example(name);
