@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+
 #include "core/packet/packet_limits.h"
 #include "core/packet/packet_text.h"
 #include "core/packet/text_name.h"
@@ -83,6 +87,54 @@ void appendSpaceAndString(std::string& text, std::string_view string) {
   appendString(text, string);
 }
 
+/// The digits of a double with sign, point and exponent, and a blank, `=` and "false", fit in.
+constexpr std::size_t kValueRoom = 34;
+
+/// isNameByte() where the compiler can inline it.
+const std::array<bool, 256>& nameBytes() {
+  static const std::array<bool, 256> kBytes = [] {
+    std::array<bool, 256> bytes{};
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = isNameByte(static_cast<char>(i));
+    return bytes;
+  }();
+  return kBytes;
+}
+
+/// Appends " NAME=NUMBER" of each, most of what a recording of a robot is: in place, where every
+/// byte of the names stands for itself; else it appends nothing and returns false.
+bool appendPlainValues(std::string& text, const Statement& statement) {
+  const std::array<bool, 256>& is_plain = nameBytes();
+  std::size_t room = 0;
+  for (const std::string_view name : statement.names) room += name.size() + kValueRoom;
+  const std::size_t begin = text.size();
+  text.resize(begin + room);
+  char* out = text.data() + begin;
+  for (std::size_t i = 0; i < statement.names.size(); ++i) {
+    *out++ = ' ';
+    for (const char byte : statement.names[i]) {
+      if (!is_plain[static_cast<unsigned char>(byte)]) {
+        text.resize(begin);
+        return false;
+      }
+      *out++ = byte;
+    }
+    *out++ = '=';
+    const double number = statement.numbers[i];
+    const bool is_number =
+        statement.signal_kinds.empty() || statement.signal_kinds[i] == SignalKind::number;
+    if (!is_number) {
+      const std::string_view word = number != 0 ? "true" : "false";
+      out = std::copy(word.begin(), word.end(), out);
+    } else if (number == 0) {
+      *out++ = '0';
+    } else {
+      out = std::to_chars(out, out + kValueRoom - 2, number).ptr;
+    }
+  }
+  text.resize(static_cast<std::size_t>(out - text.data()));
+  return true;
+}
+
 void appendSignal(std::string& text, const Statement& statement, std::size_t index) {
   switch (statement.signal_kinds[index]) {
     case SignalKind::number:
@@ -105,6 +157,7 @@ void appendSignals(std::string& text, const Statement& statement) {
     appendPath(text, path);
   }
   if (statement.kind == StatementKind::signals) {
+    if (appendPlainValues(text, statement)) return;
     for (std::size_t i = 0; i < statement.names.size(); ++i) {
       appendField(text, statement.names[i]);
       text += '=';
@@ -139,6 +192,7 @@ void appendStatement(std::string& text, const Statement& statement) {
       break;
     case StatementKind::joint:
       appendField(text, statement.name);
+      if (appendPlainValues(text, statement)) break;
       for (std::size_t i = 0; i < statement.names.size(); ++i) {
         appendField(text, statement.names[i]);
         text += '=';

@@ -302,6 +302,11 @@ TEST_F(StatementText, WhatIsWrittenIsCanonical) {
       "event \"picked\"",
       "view top 1 2 3 4 5 6 45 up 0 1 0 ortho 2 in arm/l1",
       "seen arm 1700000000000000001",
+      // Values that are written in place, and those whose names must be encoded.
+      "joint arm a=0 b=-2.2250738585072014e-308 c=1e+22",
+      "joint arm a=1 b%20b=2 c=3",
+      "signals arm a=true b=false c=-0.1",
+      "signals - a=true %C3%BC=false c=0",
   };
   for (const char* const line : kLines) EXPECT_EQ(statementText(read(line)), line);
 }
