@@ -16,7 +16,7 @@ std::string metadataOf(const LogChannel& channel, const char* key) {
 double thousandths(double value) { return std::round(value * 1000) / 1000; }
 
 Json channelJson(const ChannelInfo& info) {
-  return {{"id", info.channel.id},
+  Json json{{"id", info.channel.id},
           {"topic", info.channel.topic},
           {"encoding", info.channel.encoding},
           {"sender", metadataOf(info.channel, "remote")},
@@ -28,6 +28,11 @@ Json channelJson(const ChannelInfo& info) {
           {"longest_gap_ns", info.longest_gap.count()},
           {"longest_gap_from_ns",
            info.longest_gap.count() > 0 ? Json(nanosecondsOf(info.gap_from)) : Json(nullptr)}};
+  // Who made decoded packets, and by which version of a translation.
+  for (const char* const key : {"decoder", "decoder_version"}) {
+    if (info.channel.metadata.contains(key)) json[key] = metadataOf(info.channel, key);
+  }
+  return json;
 }
 
 Json channelsJson(const std::vector<ChannelInfo>& channels) {

@@ -66,5 +66,5 @@ rocinante log import bag.db3 --cell arm.cell.toml -o log.mcap
 rocinante log cat log.mcap --channel '/rocinante/decoded/*'
 rocinante log state log.mcap --at 2s | sed -n '/signals (/,$p'
 # The version of the translation lies with the packets.
-grep -ac 'decoder_version' log.mcap
+rocinante log info log.mcap --json | grep -A 12 '"/rocinante/decoded/estop"' | grep decoder
 rocinante check arm.cell.toml bag.db3 || echo "exit $?"
