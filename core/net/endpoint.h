@@ -32,9 +32,9 @@ struct SocketAddress {
 /// The source or destination of datagrams, as a user writes it:
 /// udp://HOST:PORT, udp://GROUP:PORT?interface=eth0&ttl=1&source=IP, [V6]:PORT, HOST:PORT, :PORT;
 /// for receivers also pcap://INTERFACE?filter=EXPR, pcap:///FILE and
-/// subscribe://HOST:PORT?device=PATTERN&source=PATTERN&rate=HZ, and
-/// jetstream://HOST:4222/STREAM?from=SEQUENCE; nats://[USER:PASSWORD@]HOST:4222/SUBJECT for both.
-/// Defined by docs/endpoints.md.
+/// subscribe://HOST:PORT?device=PATTERN&signal=PATTERN&source=PATTERN&min-change=WHAT=X&rate=HZ,
+/// and jetstream://HOST:4222/STREAM?from=SEQUENCE; nats://[USER:PASSWORD@]HOST:4222/SUBJECT for
+/// both. Defined by docs/endpoints.md.
 struct Endpoint {
   enum class Scheme { udp, pcap, subscribe, nats, jetstream };
 
@@ -43,6 +43,8 @@ struct Endpoint {
     std::string source;             ///< of SOURCEs; empty: all
     std::string device;             ///< of devices; empty: all
     std::optional<double> rate_hz;  ///< at most this many values a device and second; above 0
+    std::string signal{};           ///< of signals, `PATH NAME`; empty: all
+    std::string min_change{};       ///< as MinChange::addAll() takes it; empty: none
     bool operator==(const Selection&) const = default;
   };
 

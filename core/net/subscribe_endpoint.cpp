@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/bytes.h"
+#include "core/base/min_change.h"
 #include "core/base/plain_text.h"
 #include "core/net/endpoint_text.h"
 
@@ -22,6 +23,12 @@ Status setPattern(std::string& pattern, std::string_view name, std::string_view 
     return badEndpoint(text, fmt::format("a % in {}= is written %25, as in URLs", name));
   }
   const bool has_control = std::any_of(decoded->begin(), decoded->end(), isControl);
+  if (name == "min-change") {
+    MinChange ignored;
+    if (const Status added = ignored.addAll(*decoded); !added) {
+      return badEndpoint(text, fmt::format("min-change= {}", added.error().what));
+    }
+  }
   if (decoded->empty() || decoded->size() > kPatternBytes || has_control ||
       !isUtf8(bytesOf(*decoded))) {
     return badEndpoint(text, fmt::format("{}= takes a pattern of 1 to {} bytes, such as arm*", name,
@@ -49,8 +56,12 @@ Status setOption(Endpoint::Selection& selection, std::string_view option, std::s
   const std::string_view value = option.substr(std::min(equals + 1, option.size()));
   if (name == "source") return setPattern(selection.source, name, value, text);
   if (name == "device") return setPattern(selection.device, name, value, text);
+  if (name == "signal") return setPattern(selection.signal, name, value, text);
+  if (name == "min-change") return setPattern(selection.min_change, name, value, text);
   if (name == "rate") return setRate(selection.rate_hz, value, text);
-  return badEndpoint(text, "the options of a subscribe:// endpoint are device=, source= and rate=");
+  return badEndpoint(text,
+                     "the options of a subscribe:// endpoint are device=, signal=, source=, "
+                     "min-change= and rate=");
 }
 
 }  // namespace
@@ -88,7 +99,11 @@ std::string subscribeText(const Endpoint& endpoint) {
   };
   const Endpoint::Selection& selection = endpoint.selection;
   if (!selection.device.empty()) add("device=", encodePercent(selection.device, "&"));
+  if (!selection.signal.empty()) add("signal=", encodePercent(selection.signal, "&"));
   if (!selection.source.empty()) add("source=", encodePercent(selection.source, "&"));
+  if (!selection.min_change.empty()) {
+    add("min-change=", encodePercent(selection.min_change, "&"));
+  }
   if (selection.rate_hz) add("rate=", fmt::format("{}", *selection.rate_hz));
   return text;
 }

@@ -53,8 +53,33 @@ bool FilteredOutput::passesImmediate(std::string_view source, const Statement& s
 
 FilteredOutCounts& FilteredOutCounts::operator+=(const FilteredOutCounts& others) {
   stopped += others.stopped;
+  signals += others.signals;
+  held += others.held;
   unreadable += others.unreadable;
   return *this;
+}
+
+FilteredOutCounts FilteredOutput::filteredOut() const {
+  FilteredOutCounts counts = filtered_out_;
+  counts.held = pending_.held();
+  return counts;
+}
+
+bool FilteredOutput::passesSignal(const PathView& path, std::string_view name) const {
+  return std::all_of(options_.filters.begin(), options_.filters.end(), [&](const auto& filter) {
+    return filter.signals.empty() || filter.passesSignal(signalText(signalKey(path, name)));
+  });
+}
+
+void FilteredOutput::countStopped(const Step& step, std::string_view source,
+                                  const Statement& statement) {
+  if (isStopped(step, source, statement)) {
+    ++filtered_out_.stopped;
+  } else if (isSignal(statement.kind)) {
+    for (const std::string_view name : statement.names) {
+      filtered_out_.signals += passesSignal(statement.path, name) ? 0 : 1;
+    }
+  }
 }
 
 /// After the statement was folded.
@@ -83,6 +108,7 @@ bool FilteredOutput::isImmediate(StatementKind kind) {
 void FilteredOutput::takeImmediate(const Step& step, const Packet& packet,
                                    const Statement& statement, RelayDraft& draft) {
   if (!passesImmediate(packet.header.source, statement)) return;
+  if (isSignal(statement.kind) && !passesSignal(statement.path, statement.names.front())) return;
   if (statement.kind == StatementKind::remove) {
     pending_.removed(statement.name);
     forgetOrders(statement.name);
@@ -116,6 +142,9 @@ void FilteredOutput::takeStates(const Step& step, const Packet& packet, const St
   state.kind = StatementKind::signal;
   for (std::size_t i = 0; i < signals.names.size(); ++i) {
     if (signals.signal_kinds[i] == SignalKind::number) continue;
+    if (options_.pacing.min_change.any()) {
+      pending_.cancelled(signalKey(signals.path, signals.names[i]));
+    }
     state.names = signals.names.subspan(i, 1);
     state.numbers = signals.numbers.subspan(i, 1);
     state.signal_kinds = signals.signal_kinds.subspan(i, 1);
@@ -130,7 +159,7 @@ void FilteredOutput::applied(const SessionState& state, const ThroughBySource& t
   filtered_out_.unreadable += packet.faults.size();
   if (!options_.filters.empty()) {
     for (const Statement& each : packet.statements) {
-      filtered_out_.stopped += isStopped(step, packet.header.source, each) ? 1 : 0;
+      countStopped(step, packet.header.source, each);
     }
   }
   if (packet.header.by.empty()) {
@@ -253,7 +282,7 @@ void FilteredOutput::sendRestating(const Step& step) {
     std::vector<ItemKey> said;
     std::vector<RelayDraft> drafts = restating_->next(step.state, &said, told_);
     for (RelayDraft& draft : drafts) send(step, draft, true);
-    for (const ItemKey& key : said) pending_.said(key);
+    for (const ItemKey& key : said) pending_.said(step.state, key);
     pace_.sent(drafts.size());
     live_datagrams_ = 0;
   }

@@ -28,6 +28,8 @@ struct RelayOutputOptions {
 /// Lines of applied packets that a filtered output has no words for.
 struct FilteredOutCounts {
   std::uint64_t stopped = 0;     ///< statements that a filter does not pass
+  std::uint64_t signals = 0;     ///< values of signals that a filter of signals does not pass
+  std::uint64_t held = 0;        ///< numbers of signals that changed too little
   std::uint64_t unreadable = 0;  ///< lines with a fault; a whole output sends these on
 
   FilteredOutCounts& operator+=(const FilteredOutCounts& others);
@@ -59,7 +61,7 @@ class FilteredOutput {
 
   /// Values that a newer one of the same item replaced before they were sent.
   std::uint64_t conflated() const { return pending_.conflated(); }
-  const FilteredOutCounts& filteredOut() const { return filtered_out_; }
+  FilteredOutCounts filteredOut() const;
   /// Statements that wait for the link, since they are never conflated; none without
   /// bytes_per_second.
   PacedCounts paced() const { return paced_.counts(); }
@@ -81,7 +83,9 @@ class FilteredOutput {
   };
 
   static bool isImmediate(StatementKind kind);
+  void countStopped(const Step& step, std::string_view source, const Statement& statement);
   bool isStopped(const Step& step, std::string_view source, const Statement& statement) const;
+  bool passesSignal(const PathView& path, std::string_view name) const;
   bool passesImmediate(std::string_view source, const Statement& statement) const;
   void takeImmediate(const Step& step, const Packet& packet, const Statement& statement,
                      RelayDraft& draft);

@@ -145,6 +145,11 @@ ItemKey signalKey(const PathView& path, std::string_view name) {
   return key;
 }
 
+std::string signalText(const ItemKey& signal) {
+  constexpr std::size_t kWord = sizeof "signal";
+  return signalNameText(signal.name, {signal.second, signal.signal}).substr(kWord);
+}
+
 bool isDeviceValue(const ItemKey& key) {
   return key.kind == ItemKind::positions || key.kind == ItemKind::joint ||
          key.kind == ItemKind::pose;
@@ -199,7 +204,9 @@ bool passes(const std::vector<RelayFilter>& filters, const SessionState& state,
     const StatementKind kind = kStatementOf(item);
     passes_all = std::ranges::all_of(filters, [&](const RelayFilter& filter) {
       return filter.passesKind(kind) && filter.passesSource(item.owner()) &&
-             (!isOfDevice(key) || filter.passesDevice(key.name));
+             (!isOfDevice(key) || filter.passesDevice(key.name)) &&
+             (key.kind != ItemKind::signal || filter.signals.empty() ||
+              filter.passesSignal(signalText(key)));
     });
   });
   return passes_all;

@@ -38,6 +38,8 @@ struct ItemKey {
 };
 
 ItemKey signalKey(const PathView& path, std::string_view name);
+/// `PATH NAME`, as packets write them: by what patterns know a signal.
+std::string signalText(const ItemKey& signal);
 /// True for items that belong to the device `name`.
 bool isOfDevice(const ItemKey& key);
 /// True for joints and pose: where a device is.

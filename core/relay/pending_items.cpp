@@ -16,6 +16,10 @@ double angle(const Quat& a, const Quat& b) {
   return 2 * std::acos(std::min(cosine, 1.0));
 }
 
+const Item<SignalValue>* signalOf(const SessionState& state, const ItemKey& key) {
+  return state.findSignal(key.name, {key.second, key.signal});
+}
+
 }  // namespace
 
 ItemKey PendingItems::unitOf(const ItemKey& key) {
@@ -50,7 +54,24 @@ bool PendingItems::isLargeChange(const SessionState& state, const ItemKey& key,
   return false;
 }
 
-void PendingItems::remember(const SessionState& state, const ItemKey& key, Unit& unit) {
+/// Who owns a signal and its unit are no small change, however near the numbers are.
+bool PendingItems::isHeld(const SessionState& state, const ItemKey& key, const Unit& unit) const {
+  if (!unit.number || !unit.items.empty()) return false;
+  const Item<SignalValue>& item = *signalOf(state, key);
+  const SentNumber& sent = *unit.number;
+  return std::abs(item.value.number - sent.value) < sent.least && item.value.unit == sent.unit &&
+         item.owner == sent.owner;
+}
+
+void PendingItems::remember(const SessionState& state, const ItemKey& key, Unit& unit) const {
+  if (key.kind == ItemKind::signal) {
+    unit.number.reset();
+    const Item<SignalValue>* const item = signalOf(state, key);
+    if (item == nullptr || item->value.kind != SignalKind::number) return;
+    const double least = options_.min_change.ofSignal(signalText(key));
+    if (least > 0) unit.number = {item->value.number, least, item->value.unit, item->owner};
+    return;
+  }
   const DeviceState& device = *state.findDevice(key.name);
   switch (key.kind) {
     case ItemKind::positions:
@@ -68,6 +89,10 @@ void PendingItems::remember(const SessionState& state, const ItemKey& key, Unit&
 void PendingItems::written(const SessionState& state, ItemKey&& key, LogTime now) {
   const auto found = units_.try_emplace(unitOf(key)).first;
   Unit& unit = found->second;
+  if (key.kind == ItemKind::signal && isHeld(state, key, unit)) {
+    ++held_;
+    return;
+  }
   unit.matters = unit.matters || isLargeChange(state, key, unit);
   const bool is_paced = isPaced(key);
   if (!unit.items.insert(std::move(key)).second) ++conflated_;
@@ -90,14 +115,18 @@ void PendingItems::written(const SessionState& state, ItemKey&& key, LogTime now
   }
 }
 
-void PendingItems::said(const ItemKey& key) {
+void PendingItems::said(const SessionState& state, const ItemKey& key) {
   const auto found = units_.find(unitOf(key));
-  if (found != units_.end()) found->second.items.erase(key);
+  if (found == units_.end()) return;
+  found->second.items.erase(key);
+  if (found->second.number) remember(state, key, found->second);
 }
 
 void PendingItems::cancelled(const ItemKey& key) {
   const auto found = units_.find(unitOf(key));
-  if (found != units_.end() && found->second.place == Unit::Place::nowhere) units_.erase(found);
+  if (found == units_.end()) return;
+  found->second.number.reset();
+  if (found->second.place == Unit::Place::nowhere) units_.erase(found);
 }
 
 /// Forgets what the state forgot by a restatement that did not repeat it.
@@ -148,7 +177,7 @@ std::vector<ItemKey> PendingItems::takeReady(const SessionState& state, LogTime 
   std::vector<ItemKey> items;
   for (const ItemKey& key : unit.items) {
     if (ownerOf(state, key) == nullptr) continue;
-    if (options_.min_change.any() && isDeviceValue(key)) remember(state, key, unit);
+    if (options_.min_change.any() && isPaced(key)) remember(state, key, unit);
     items.push_back(key);
   }
   unit.items.clear();

@@ -8,19 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "core/base/min_change.h"
 #include "core/base/time.h"
 #include "core/packet/session_state.h"
 #include "core/relay/item_key.h"
 
 namespace rocinante {
-
-/// Changes below these are held until the device rests (`--min-change`).
-struct MinChange {
-  double joint = 0;     ///< metres or radians
-  double position = 0;  ///< metres
-  double turn = 0;      ///< radians
-  bool any() const { return joint > 0 || position > 0 || turn > 0; }
-};
 
 /// The items that a filtered output has yet to send: names alone, since the values are the fold's
 /// when they are sent. Joints and pose of one device are due together. Never larger than the state
@@ -39,8 +32,8 @@ class PendingItems {
   /// The item was written and is in the state.
   void written(const SessionState& state, ItemKey&& key, LogTime now);
   /// The item was said otherwise, by a restatement.
-  void said(const ItemKey& key);
-  /// The item is not in the state any more.
+  void said(const SessionState& state, const ItemKey& key);
+  /// The item is not in the state any more, or is a signal's state, which waits for nothing.
   void cancelled(const ItemKey& key);
   /// The device was removed: nothing of it is to be sent.
   void removed(std::string_view device);
@@ -56,8 +49,17 @@ class PendingItems {
   std::size_t size() const { return units_.size(); }
   /// Values that a newer one of the same item replaced before they were sent.
   std::uint64_t conflated() const { return conflated_; }
+  /// Numbers of signals that MinChange kept back.
+  std::uint64_t held() const { return held_; }
 
  private:
+  /// What was sent last of a signal that is a number.
+  struct SentNumber {
+    double value = 0;
+    double least = 0;  ///< that a change must be
+    std::string unit;
+    std::string owner;
+  };
   /// The values of a device, or another item alone.
   struct Unit {
     enum class Place { nowhere, ready, waiting } place = Place::nowhere;
@@ -69,6 +71,7 @@ class PendingItems {
     std::vector<double> positions;
     std::map<std::string, double> joints;
     std::optional<PoseValue> pose;
+    std::optional<SentNumber> number;
   };
   using Units = std::map<ItemKey, Unit>;
   struct ByTime {
@@ -83,12 +86,14 @@ class PendingItems {
   /// True for what goes out as often as the limits allow: values of a device, numbers of signals.
   static bool isPaced(const ItemKey& key);
   bool isLargeChange(const SessionState& state, const ItemKey& key, const Unit& unit) const;
-  static void remember(const SessionState& state, const ItemKey& key, Unit& unit);
+  bool isHeld(const SessionState& state, const ItemKey& key, const Unit& unit) const;
+  void remember(const SessionState& state, const ItemKey& key, Unit& unit) const;
 
   Options options_;
   void sweep(const SessionState& state);
 
   std::uint64_t conflated_ = 0;
+  std::uint64_t held_ = 0;
   std::size_t sweeps_at_ = 1024;  ///< units
   Units units_;
   std::deque<Units::iterator> ready_;

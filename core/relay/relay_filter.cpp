@@ -28,7 +28,7 @@ constexpr std::array<std::uint32_t, 10> kGroups = {
 }  // namespace
 
 bool RelayFilter::passesEverything() const {
-  return sources.empty() && devices.empty() && kinds == ~std::uint32_t{0};
+  return sources.empty() && devices.empty() && signals.empty() && kinds == ~std::uint32_t{0};
 }
 
 bool RelayFilter::passesSource(std::string_view source) const {
@@ -37,6 +37,10 @@ bool RelayFilter::passesSource(std::string_view source) const {
 
 bool RelayFilter::passesDevice(std::string_view device) const {
   return devices.empty() || anyPatternMatches(devices, device);
+}
+
+bool RelayFilter::passesSignal(std::string_view path_and_name) const {
+  return signals.empty() || anyPatternMatches(signals, path_and_name);
 }
 
 Result<std::uint32_t> statementKindsOf(std::string_view word) {

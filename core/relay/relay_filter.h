@@ -10,16 +10,20 @@
 
 namespace rocinante {
 
-/// What passes a relay's output. Statements about no device (drawings, events, views, `layer/NAME`)
-/// pass whatever `devices` says; paths `DEVICE/LINK` go with their device. A plain value.
+/// What passes a relay's output. Statements about no device (drawings, events, views, `layer/NAME`,
+/// signals of `-`) pass whatever `devices` says; paths `DEVICE/LINK` go with their device. What is
+/// no signal passes whatever `signals` says. A plain value.
 struct RelayFilter {
   std::vector<std::string> sources;  ///< patterns (core/base/pattern.h), one must match; empty: all
   std::vector<std::string> devices;  ///< likewise
   std::uint32_t kinds = ~std::uint32_t{0};  ///< one bit for each StatementKind
+  std::vector<std::string> signals{};       ///< likewise, of `PATH NAME`
 
   bool passesEverything() const;
   bool passesSource(std::string_view source) const;
   bool passesDevice(std::string_view device) const;
+  /// `path_and_name`: as packets write them, after `signal`.
+  bool passesSignal(std::string_view path_and_name) const;
   bool passesKind(StatementKind kind) const {
     return (kinds >> static_cast<unsigned>(kind) & 1U) != 0;
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/min_change.h"
 #include "core/packet/packet_text.h"
 #include "core/packet/text_lines.h"
 #include "core/packet/text_name.h"
@@ -72,6 +73,8 @@ class WordReader {
     if (word == "cookie") return once(cookie_) && readCookie(value);
     if (word == "source") return readPattern(value, message_.wish.source);
     if (word == "device") return readPattern(value, message_.wish.device);
+    if (word == "signal") return readPattern(value, message_.wish.signal);
+    if (word == "min-change") return readMinChange(value);
     if (word == "rate")
       return !message_.wish.rate_hz && (message_.wish.rate_hz = readPositive(value));
     if (word == "restate") return once(restate_) && readRestate(value);
@@ -122,6 +125,11 @@ class WordReader {
     if (!decoded) return false;
     pattern = *std::move(decoded);
     return true;
+  }
+  bool readMinChange(std::string_view value) {
+    MinChange least;
+    return readPattern(value, message_.wish.min_change) &&
+           least.addAll(message_.wish.min_change).ok();
   }
   bool readRestate(std::string_view value) {
     const auto seconds = readPositive(value);
@@ -215,7 +223,9 @@ std::string subscriptionText(const SubscriptionMessage& message, std::size_t lea
   }
   for (const auto& [word, pattern] :
        {std::pair<std::string_view, const std::string&>{"source", message.wish.source},
-        {"device", message.wish.device}}) {
+        {"device", message.wish.device},
+        {"signal", message.wish.signal},
+        {"min-change", message.wish.min_change}}) {
     if (pattern.empty()) continue;
     text += fmt::format(" {}=", word);
     appendPattern(text, pattern);

@@ -23,12 +23,13 @@ constexpr const char* kExamples =
     "  rocinante relay --from :19960 --to 10.0.0.7:19960 --to 239.1.2.3:5000?interface=eth0\n"
     "  rocinante relay --from :19960 --to 10.0.0.7:19960 --device 'arm*' --max-rate 10\n"
     "  rocinante relay --from :19960 --to 10.0.0.7:19960 --bandwidth 28.8k,overhead=8\n"
+    "  rocinante relay --serve :19961 --statement signal --signal 'arm *'\n"
     "  rocinante relay --from :49152 --to 239.1.2.3:5000 --decoders kuka.decoders.toml\n"
     "  rocinante relay --serve :19961 --allow 10.0.0.0/8 --statement joints,pose\n";
 
 struct Arguments {
   std::vector<std::string> from, to, serve, allow;
-  std::vector<std::string> sources, devices, statements, min_change;
+  std::vector<std::string> sources, devices, signals, statements, min_change;
   std::string name, max_rate, bandwidth, trust, key, decoders;
   std::string restate = "2s";
   std::string realtime = "auto";
@@ -57,12 +58,18 @@ void declare(cli::CommandLine app, Arguments& my) {
                 "of devices, pass statements about these only (pattern); may be repeated")
       .valueText("PATTERN")
       .oneEach();
+  app.addOption("--signal", my.signals,
+                "of signals, pass these only (pattern of PATH NAME: 'arm *.effort', '- estop');\n"
+                "may be repeated")
+      .valueText("PATTERN")
+      .oneEach();
   app.addOption("--statement", my.statements, "pass these statements only: joints,pose")
       .separatedBy(',')
       .valueText("KIND,...");
   app.addOption("--min-change", my.min_change,
                 "hold smaller changes until a device rests: joint=0.001,position=0.001,turn=0.01\n"
-                "(radians or metres; metres; radians)")
+                "(radians or metres; metres; radians); of numbers of signals until a larger one\n"
+                "comes: signal=0.5 or 'signal arm *.effort=0.5'")
       .separatedBy(',')
       .valueText("WHAT=X,...");
   app.addOption("--max-rate", my.max_rate, "send the values of a device at most HZ times a second")
@@ -147,20 +154,8 @@ Status readBandwidth(const std::string& text, RelayOutputOptions& outputs) {
 
 Status readMinChange(const std::vector<std::string>& texts, MinChange& least) {
   for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    const std::string what = text.substr(0, equals);
-    double* const value = what == "joint"      ? &least.joint
-                          : what == "position" ? &least.position
-                          : what == "turn"     ? &least.turn
-                                               : nullptr;
-    if (value == nullptr || equals == std::string::npos) {
-      return bad("--min-change takes joint=X, position=X and turn=X", text);
-    }
-    std::string rest;
-    const Result<double> number = positive(text.substr(equals + 1), rest, "--min-change");
-    if (!number) return number.error();
-    if (!rest.empty()) return bad("--min-change takes a plain number", text);
-    *value = *number;
+    const Status added = least.add(text);
+    if (!added) return bad("--min-change " + added.error().what, text);
   }
   return {};
 }
@@ -169,6 +164,7 @@ Status readOutputs(const Arguments& my, RelayOutputOptions& outputs) {
   RelayFilter filter;
   filter.sources = my.sources;
   filter.devices = my.devices;
+  filter.signals = my.signals;
   if (!my.statements.empty()) filter.kinds = 0;
   for (const std::string& each : my.statements) {
     const Result<std::uint32_t> kinds = statementKindsOf(each);

@@ -55,6 +55,12 @@ void ServePort::begin(const SocketAddress& from, const SubscriptionWish& wish, R
   RelayFilter filter;
   if (!wish.source.empty()) filter.sources = {wish.source};
   if (!wish.device.empty()) filter.devices = {wish.device};
+  if (!wish.signal.empty()) filter.signals = {wish.signal};
+  if (!wish.min_change.empty()) {
+    MinChange least;
+    (void)least.addAll(wish.min_change);  // readSubscription() has read it
+    options.pacing.min_change.join(least);
+  }
   if (!filter.passesEverything()) options.filters.push_back(std::move(filter));
   if (wish.rate_hz) {
     constexpr double kLongestSeconds = 3600;

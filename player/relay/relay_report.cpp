@@ -26,6 +26,16 @@ Account accountOf(const FilteredOutCounts& counts) {
                       .reason = "does not pass the output's filter",
                       .count = counts.stopped});
   }
+  if (counts.signals > 0) {
+    account.leaveOut({.kind = "signal",
+                      .reason = "does not pass the output's filter of signals",
+                      .count = counts.signals});
+  }
+  if (counts.held > 0) {
+    account.leaveOut({.kind = "signal",
+                      .reason = "changed too little since it was sent (--min-change)",
+                      .count = counts.held});
+  }
   if (counts.unreadable > 0) {
     account.leaveOut({.kind = "statement",
                       .reason = "not readable: a filtered output has no words for it",

@@ -15,6 +15,10 @@ local fields = {
   statement = ProtoField.string("rocinante.statement", "Statement"),
   kind = ProtoField.string("rocinante.kind", "Kind"),
   device = ProtoField.string("rocinante.device", "Device"),
+  link = ProtoField.string("rocinante.link", "Link"),
+  signal = ProtoField.string("rocinante.signal", "Signal"),
+  unit = ProtoField.string("rocinante.unit", "Unit"),
+  truth = ProtoField.bool("rocinante.truth", "Truth"),
   value = ProtoField.double("rocinante.value", "Value"),
   text = ProtoField.string("rocinante.text", "Text"),
 }
@@ -27,6 +31,8 @@ packet_text.experts = { malformed }
 -- Statements whose first field is a device.
 local of_device = { joints = true, order = true, joint = true, pose = true, add = true,
   remove = true, seen = true }
+
+local truths = { ["true"] = true, ["false"] = false }
 
 -- %XX as in URLs.
 local function decoded(name)
@@ -63,6 +69,33 @@ local function show_header(line, range, tree)
   return decoded(source) .. " " .. words[3][1]
 end
 
+-- The PATH of a signal: DEVICE, DEVICE/LINK, or "-" for neither.
+local function show_path(path, place, branch)
+  if path == "-" then return end
+  local device, link = path:match("^([^/]*)/?(.*)$")
+  branch:add(fields.device, place, decoded(device))
+  if link ~= "" then branch:add(fields.link, place, decoded(link)) end
+end
+
+local function show_value(value, place, branch)
+  if truths[value] ~= nil then
+    branch:add(fields.truth, place, truths[value])
+  elseif tonumber(value) then
+    branch:add(fields.value, place, tonumber(value))
+  end
+end
+
+-- NAME VALUE [UNIT] of `signal`, whose texts in quotes are shown as those of other statements.
+local function show_signal(number, field, place, branch)
+  if number == 3 then
+    branch:add(fields.signal, place, decoded(field))
+  elseif number == 4 then
+    show_value(field, place, branch)
+  elseif number == 5 and not field:match('"') then
+    branch:add(fields.unit, place, field)
+  end
+end
+
 local function show_statement(line, range, tree)
   local branch = tree:add(fields.statement, range, line)
   local number = 0
@@ -75,6 +108,14 @@ local function show_statement(line, range, tree)
       branch:add(fields.kind, place, field)
     elseif number == 2 and of_device[kind] then
       branch:add(fields.device, place, decoded(field))
+    elseif number == 2 and (kind == "signal" or kind == "signals") then
+      show_path(field, place, branch)
+    elseif kind == "signal" then
+      show_signal(number, field, place, branch)
+    elseif kind == "signals" and field:match("=") then
+      local name, value = field:match("^(.-)=(.*)$")
+      branch:add(fields.signal, place, decoded(name))
+      show_value(value, place, branch)
     elseif (kind == "joints" or kind == "pose") and tonumber(field) then
       branch:add(fields.value, place, tonumber(field))
     elseif kind == "joint" and field:match("=") then

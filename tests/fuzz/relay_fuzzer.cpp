@@ -47,9 +47,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Relay relay({"site", "r", std::chrono::seconds(1)});
   LogTime now(std::chrono::seconds(10));
   RelayOutputOptions filtered, rated, slow;
-  filtered.filters.push_back({{}, {"a*"}, ~0U});
+  filtered.filters.push_back({{}, {"a*"}, ~0U, {"a* [!b]*"}});
   rated.pacing.interval = std::chrono::milliseconds(70);
-  rated.pacing.min_change = {0.1, 0.1, 0.1};
+  rated.pacing.min_change = {0.1, 0.1, 0.1, {{"*", 0.1}}};
   slow.bytes_per_second = 3600;
   std::map<Relay::OutputId, Listener> listeners;
   const Relay::OutputId whole = relay.open({}, now);

@@ -25,3 +25,7 @@ show -X lua_script:"$lua" -c 3 -T fields -e rocinante.source -e rocinante.run \
 show -X lua_script:"$lua" -Y rocinante | wc -l
 show -X lua_script:"$lua" -Y 'rocinante.kind == "event"' -T fields -e rocinante.text
 show -X lua_script:"$lua" -Y rocinante.malformed | wc -l
+# Signals: whose, its name, and a number with its unit, a truth or a text.
+make_pcap session.pcap '0:whole:RK1 arm@a 0 -\nsignal arm/tool%200 load 5 kg\nsignal arm mode "auto run"\nsignals - estop=false width=0.25\nsignal arm old default\n'
+show -X lua_script:"$lua" -T fields -e rocinante.kind -e rocinante.device -e rocinante.link -e rocinante.signal \
+  -e rocinante.value -e rocinante.unit -e rocinante.truth -e rocinante.text | sed 's/False/0/'

@@ -18,6 +18,7 @@ python3 -c '
 import zipfile
 print(zipfile.ZipFile("s.npz").namelist())'
 rocinante log table s.mcap >/dev/null
+rocinante log cat s.mcap --until 0.2s --device arm
 rocinante log cut s.mcap --from 0.15s -o later.mcap
 rocinante log state later.mcap --at 0.2 | grep signal
 { rocinante log diff s.mcap later.mcap || true; } | grep -c signal

@@ -10,6 +10,7 @@ try --serve 239.1.2.3:5000
 try --serve :0 --statement joints,wave
 try --serve :0 --min-change joint=0
 try --serve :0 --min-change speed=1
+try --serve :0 --min-change 'signal =1'
 try --serve :0 --max-rate fast
 try --serve :0 --bandwidth 28.8x
 try --serve :0 --bandwidth 100

@@ -37,6 +37,8 @@ TEST(Endpoint, ReadsEveryFormAndWritesTheCanonicalOne) {
            Case{"subscribe://[fe80::1%lo]:5", "subscribe://[fe80::1%lo]:5"},
            Case{"subscribe://10.0.0.1:5?rate=1e3&source=cell?&device=arm*%2C",
                 "subscribe://10.0.0.1:5?device=arm*,&source=cell?&rate=1000"},
+           Case{"subscribe://10.0.0.1:5?min-change=signal arm *%3D0.5,joint=0.1&signal=arm */",
+                "subscribe://10.0.0.1:5?signal=arm%20*/&min-change=signal%20arm%20*=0.5,joint=0.1"},
            Case{"subscribe://10.0.0.1:5?device=a%26b%3D%25 ä",
                 "subscribe://10.0.0.1:5?device=a%26b=%25%20%C3%A4"},
            Case{"pcap://eth0", "pcap://eth0"},
@@ -115,9 +117,11 @@ TEST(Endpoint, RefusesWithTheReasonAndTheText) {
            Refusal{"subscribe://239.0.0.1:5",
                    "a relay is asked at an address of its own, not at a group"},
            Refusal{"subscribe://10.0.0.1:5?ttl=1",
-                   "the options of a subscribe:// endpoint are device=, source= and rate="},
+                   "the options of a subscribe:// endpoint are device=, signal=, source=, "
+                   "min-change= and rate="},
            Refusal{"subscribe://10.0.0.1:5?",
-                   "the options of a subscribe:// endpoint are device=, source= and rate="},
+                   "the options of a subscribe:// endpoint are device=, signal=, source=, "
+                   "min-change= and rate="},
            Refusal{"subscribe://10.0.0.1:5?device",
                    "device= takes a pattern of 1 to 255 bytes, such as arm*"},
            Refusal{"subscribe://10.0.0.1:5?source=%01",
@@ -127,6 +131,14 @@ TEST(Endpoint, RefusesWithTheReasonAndTheText) {
            Refusal{"subscribe://10.0.0.1:5?source=a%2",
                    "a % in source= is written %25, as in URLs"},
            Refusal{"subscribe://10.0.0.1:5?source=a&source=a", "source= is given twice"},
+           Refusal{"subscribe://10.0.0.1:5?min-change=0.5",
+                   "min-change= takes joint=X, position=X, turn=X, signal=X and 'signal "
+                   "PATTERN=X'"},
+           Refusal{"subscribe://10.0.0.1:5?min-change=signal=0.5,",
+                   "min-change= takes joint=X, position=X, turn=X, signal=X and 'signal "
+                   "PATTERN=X'"},
+           Refusal{"subscribe://10.0.0.1:5?min-change=signal=nan",
+                   "min-change= needs a number greater than zero"},
            Refusal{"subscribe://10.0.0.1:5?rate=0", "rate= is a number of hertz above 0"},
            Refusal{"subscribe://10.0.0.1:5?rate=-1", "rate= is a number of hertz above 0"},
            Refusal{"subscribe://10.0.0.1:5?rate=inf", "rate= is a number of hertz above 0"},
@@ -237,6 +249,8 @@ TEST(Endpoint, ASubscriptionRoundTripsWhateverItsPatterns) {
     endpoint.address.port = static_cast<std::uint16_t>(1 + random() % 65'535);
     endpoint.selection.source = pattern();
     endpoint.selection.device = pattern();
+    endpoint.selection.signal = pattern();
+    if (random() % 2 != 0) endpoint.selection.min_change = "turn=1,signal " + pattern() + "x=2.5";
     if (random() % 2 != 0) {
       endpoint.selection.rate_hz = std::ldexp(1 + static_cast<double>(random()) / 7, -20);
     }

@@ -95,6 +95,59 @@ TEST(FilteredOutput, SignalsGoWithTheirDevice) {
                                          HasSubstr("leg mode \"x\""), Not(HasSubstr("joints")))));
 }
 
+TEST(FilteredOutput, PassesSignalsByPatternAndCountsTheOthers) {
+  RelayedListeners net;
+  const auto id = net.open(filteredBy({{}, {"arm"}, ~0U, {"arm lo*", "- estop", "leg load"}}));
+  net.receive(1,
+              "RK1 s@a 1 -\nsignals arm load=2 a=true b=3\nsignal arm mode \"x\"\n"
+              "signal - estop true\nsignal - speed 5\nsignal leg load 1\njoints arm 1\n"
+              "signal arm mode default\n");
+  EXPECT_THAT(net.listeners[id].heard,
+              ElementsAre("RK1 s@a 1 - via=site:1:0\nsignal - estop true\nsignal arm load 2\n"
+                          "joints arm 1\n"));
+  EXPECT_EQ(net.relay.filteredOut(id).stopped, 1U) << "of the leg";
+  EXPECT_EQ(net.relay.filteredOut(id).signals, 5U) << "a, b, mode, its default, speed";
+  net.passTime(3.5);
+  EXPECT_EQ(net.listeners[id].heard.back(),
+            "RK1 s@a 1 - restated part=run.1:1/1 by=site via=site:1:1 through=site\n"
+            "order arm\njoints arm 1\nsignal arm load 2\nsignal - estop true\n");
+}
+
+TEST(FilteredOutput, SmallChangesOfNumbersAreHeldUntilALargerOneOrARestatement) {
+  RelayedListeners net;
+  RelayOutputOptions options;
+  options.pacing.min_change.signals = {{"*", 0.1}, {"arm *.effort", 2}};
+  const auto id = net.open(options);
+  int sequence = 0;
+  // What comes of the statement; empty: it is held.
+  const auto after = [&](double seconds, const std::string& statement) {
+    const std::size_t before = net.listeners[id].heard.size();
+    net.receive(seconds, "RK1 s@a " + std::to_string(sequence++) + " -\n" + statement + '\n');
+    const auto& heard = net.listeners[id].heard;
+    return heard.size() == before ? "" : heard.back().substr(heard.back().find('\n') + 1);
+  };
+  EXPECT_EQ(after(1, "signal arm j.effort 10 N.m"), "signal arm j.effort 10 N.m\n");
+  EXPECT_EQ(after(1.01, "signals arm j.effort=11.9"), "");
+  EXPECT_EQ(after(1.5, "signals arm j.effort=8.1"), "") << "rest does not let it through";
+  EXPECT_EQ(after(1.51, "signals arm j.effort=12"), "signal arm j.effort 12 N.m\n");
+  EXPECT_EQ(after(1.52, "signal arm j.effort 12 mN.m"), "signal arm j.effort 12 mN.m\n");
+  EXPECT_EQ(after(1.53, "signal arm j.effort 12.5 mN.m"), "");
+  EXPECT_EQ(after(1.54, "signals arm j.effort=true"), "signal arm j.effort true\n");
+  EXPECT_EQ(after(1.55, "signals arm j.effort=true"), "signal arm j.effort true\n");
+  EXPECT_EQ(after(1.56, "signals arm j.effort=12.5"), "signal arm j.effort 12.5\n");
+  EXPECT_EQ(after(1.57, "signal arm j.effort default"), "signal arm j.effort default\n");
+  EXPECT_EQ(after(1.58, "signals arm j.effort=12.5"), "signal arm j.effort 12.5\n");
+  EXPECT_EQ(after(1.59, "signals arm other=1"), "signal arm other 1\n");
+  EXPECT_EQ(after(1.6, "signals arm other=1.05 j.effort=13"), "");
+  EXPECT_EQ(net.relay.filteredOut(id).held, 5U);
+  net.passTime(3.5);
+  EXPECT_EQ(itemsAndSources(net.listeners[id].fold.state), itemsAndSources(net.relay.state()));
+  EXPECT_EQ(after(3.6, "signals arm j.effort=14.9"), "") << "since the restatement";
+  EXPECT_EQ(after(3.7, "signals arm j.effort=15"), "signal arm j.effort 15\n");
+  net.receive(3.8, "RK1 other@a 0 -\nsignals arm j.effort=15\n");
+  EXPECT_THAT(net.listeners[id].heard.back(), HasSubstr("j.effort 15")) << "it has a new owner";
+}
+
 TEST(FilteredOutput, ForwardsNoPartAndRestatesByItself) {
   RelayedListeners net;
   const auto id = net.open(filteredBy({{}, {"arm"}, ~0U}));

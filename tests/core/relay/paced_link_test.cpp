@@ -58,6 +58,38 @@ TEST(PacedLink, StatesOfASignalWaitInOrderAndTheNewestIsKept) {
   EXPECT_EQ(net.listeners[id].fold.state.findSignal("arm", {"", "step"})->value.text, "199");
 }
 
+TEST(PacedLink, TenThousandStatesAtOnceLeaveSixtyFourOfEachSignalAndAreCounted) {
+  RelayedListeners net;
+  const auto id = net.open(slow(28'800));
+  std::string text;
+  for (int i = 0; i < 5'000; ++i) {
+    text += "signal arm step \"" + std::to_string(i) +
+            "\"\nsignals - busy=" + (i % 2 == 0 ? "false" : "true") + '\n';
+  }
+  // As many statements as a datagram may have, so several.
+  int sequence = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.rfind("signal arm", std::min(at + 20'000, text.size()));
+    const std::size_t next = end <= at || text.size() - at <= 20'000 ? text.size() : end;
+    net.receive(1, "RK1 s@r " + std::to_string(sequence++) + " -\n" + text.substr(at, next - at));
+    at = next;
+  }
+  EXPECT_LE(net.relay.paced(id).waiting, 2U * PacedStatements::kMaxStates);
+  EXPECT_LE(net.relay.paced(id).most, 2U * PacedStatements::kMaxStates);
+  const std::uint64_t dropped = net.relay.paced(id).dropped;
+  EXPECT_GT(dropped, 9'800U);
+  net.passTime(20);
+  std::size_t came = 0;
+  for (const std::string& each : net.listeners[id].heard) {
+    if (each.find(" part=") != each.npos) continue;
+    for (std::size_t at = 0; (at = each.find("signal", at)) != each.npos; ++at) ++came;
+  }
+  EXPECT_EQ(came + dropped, 10'000U) << "each change came or is counted";
+  const SessionState& heard = net.listeners[id].fold.state;
+  EXPECT_EQ(heard.findSignal("arm", {"", "step"})->value.text, "4999");
+  EXPECT_EQ(heard.findSignal("", {"", "busy"})->value.number, 1);
+}
+
 TEST(PacedLink, EventsWaitForTheLinkAndAllArriveInOrder) {
   RelayedListeners net;
   const auto id = net.open(slow(28'800));

@@ -41,6 +41,18 @@ TEST(RelayFilter, OnePatternOfSeveralIsEnough) {
   EXPECT_FALSE(filter.passesDevice("arm"));
 }
 
+TEST(RelayFilter, PatternsOfSignalsAreOverPathAndName) {
+  RelayFilter filter;
+  EXPECT_TRUE(filter.passesSignal("arm load"));
+  filter.signals = {"arm *.effort", "arm/tool0 *", "- estop"};
+  EXPECT_FALSE(filter.passesEverything());
+  EXPECT_TRUE(filter.passesSignal("arm j1.effort"));
+  EXPECT_TRUE(filter.passesSignal("arm/tool0 force"));
+  EXPECT_TRUE(filter.passesSignal("- estop"));
+  EXPECT_FALSE(filter.passesSignal("arm load"));
+  EXPECT_FALSE(filter.passesSignal("estop"));
+}
+
 TEST(TokenBucket, HoldsTheRateAndAllowsABurst) {
   LogTime now{};
   TokenBucket bucket(1000, 100, now);

@@ -27,7 +27,7 @@ std::vector<Case> cases() {
   std::vector<Case> all(6);
   for (Case& each : all) each.passes = isItemOrSource;
   all[1].options.pacing.interval = std::chrono::milliseconds(100);
-  all[2].options.pacing.min_change = {400, 400, 1};
+  all[2].options.pacing.min_change = {400, 400, 1, {{"*", 400}}};
   all[2].options.pacing.interval = std::chrono::milliseconds(50);
   all[3].options.filters.push_back({{"a"}, {}, ~0U});
   all[3].passes = [](const std::string& line) {
@@ -118,6 +118,7 @@ RC_GTEST_PROP(RelayProperty, WhatIsInsertedIsSentOrCounted, (std::uint64_t seed)
   if (random() % 2 == 0) filter.devices = {random() % 2 == 0 ? "other" : "inserted"};
   if (random() % 2 == 0) filter.sources = {random() % 2 == 0 ? "a" : "z"};
   if (random() % 2 == 0) filter.kinds = statementKindsOf("pose").value();
+  if (random() % 2 == 0) filter.signals = {"inserted load"};
   const auto outcome = [&](bool is_inserted) {
     RelayedListeners net;
     RelayOutputOptions options;
@@ -133,7 +134,7 @@ RC_GTEST_PROP(RelayProperty, WhatIsInsertedIsSentOrCounted, (std::uint64_t seed)
     std::string all;
     for (const std::string& each : net.listeners[id].heard) all += each;
     const FilteredOutCounts counts = net.relay.filteredOut(id);
-    return std::tuple(all, counts.stopped, counts.unreadable);
+    return std::tuple(all, counts.stopped, counts.signals, counts.unreadable);
   };
   RC_ASSERT(outcome(true) != outcome(false));
 }

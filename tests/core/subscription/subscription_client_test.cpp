@@ -67,7 +67,9 @@ class Conversation {
 };
 
 TEST(SubscriptionClient, SubscribesWithTheCookieOfTheChallenge) {
-  Conversation talk("subscribe://10.0.0.1:19961?device=arm*&source=cell%20?&rate=2.5");
+  Conversation talk(
+      "subscribe://10.0.0.1:19961?device=arm*&signal=arm%20*&source=cell%20?&"
+      "min-change=signal=2&rate=2.5");
   talk.step();
   ASSERT_EQ(talk.requests.size(), 2U);
   EXPECT_EQ(talk.request(0).cookie, "");
@@ -75,12 +77,14 @@ TEST(SubscriptionClient, SubscribesWithTheCookieOfTheChallenge) {
   EXPECT_NE(talk.request(0).id, talk.request(1).id);
   EXPECT_EQ(talk.relay.wanted.wish.device, "arm*");
   EXPECT_EQ(talk.relay.wanted.wish.source, "cell ?");
+  EXPECT_EQ(talk.relay.wanted.wish.signal, "arm *");
+  EXPECT_EQ(talk.relay.wanted.wish.min_change, "signal=2");
   EXPECT_EQ(talk.relay.wanted.wish.rate_hz, 2.5);
   EXPECT_EQ(talk.relay.wanted.lease_s, kMaxLeaseSeconds);
   EXPECT_TRUE(talk.client().isSubscribed());
   EXPECT_EQ(talk.news, (std::vector<std::string>{
                            "subscribed to relay hall at subscribe://10.0.0.1:19961?device=arm*&"
-                           "source=cell%20?&rate=2.5"}));
+                           "signal=arm%20*&source=cell%20?&min-change=signal=2&rate=2.5"}));
 }
 
 TEST(SubscriptionClient, KeepsTheLeaseAtEveryThirdOfIt) {
