@@ -182,22 +182,25 @@ void Reader::findSignals(const std::string& device, bool are_chosen) {
   const auto rest = rest_;
   const auto line = line_;
   TableNumbers read = read_;
+  std::vector<bool> is_taken(names().size());
   const auto leaveColumnOut = [&](std::size_t column, std::string_view reason) {
     leaveOut(column, reason, tableColumn(names()[column]) ? Severity::warning : Severity::note);
-    std::erase(columns_at_, column);
+    is_taken[column] = true;
   };
   const auto addSignal = [&](std::size_t column, NamedSignal signal) {
     const std::string_view refused = motion_.signals.add(std::move(signal), column);
     if (!refused.empty()) leaveOut(column, refused, Severity::warning);
-    std::erase(columns_at_, column);
+    is_taken[column] = true;
   };
-  for (const std::size_t column : std::vector(columns_at_)) {
+  for (const std::size_t column : columns_at_) {
     if (isSignalColumn(names()[column])) {
       addSignal(column, signalNamed(names()[column]).value_or(NamedSignal()));
     } else if (const auto words = tableColumn(names()[column]); words && !words->quantity.empty()) {
       addSignal(column, signalOf(names()[column], device));
     }
   }
+  const auto isTaken = [&](std::size_t column) { return is_taken[column]; };
+  std::erase_if(columns_at_, isTaken);
   std::vector<std::size_t> undecided = columns_at_;
   bool has_rows = false;
   while (!undecided.empty() && nextLine()) {
@@ -215,6 +218,7 @@ void Reader::findSignals(const std::string& device, bool are_chosen) {
   if (has_rows && rest_.empty() && !are_chosen) {
     for (const std::size_t column : undecided) leaveColumnOut(column, "no row has a value");
   }
+  std::erase_if(columns_at_, isTaken);
   rest_ = rest;
   line_ = line;
 }
@@ -324,7 +328,7 @@ Status Reader::readRow() {
   for (std::size_t i = 0; i < signals.size(); ++i) {
     const std::size_t at = signals[i].column;
     auto value = read_.readSignal(fields_[at].unescaped());
-    if (value && !motion_.signals.say(motion_.rowCount(), i, std::move(*value))) {
+    if (value && !motion_.signals.say(motion_.rowCount(), i, *value)) {
       motion_.left_out.leaveOut({.kind = "value",
                                  .name = names()[at],
                                  .reason = std::string(kNoSignalText),

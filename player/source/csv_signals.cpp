@@ -7,23 +7,43 @@
 #include "core/packet/packet_text.h"
 
 namespace rocinante {
+namespace {
+
+bool isSame(const CsvSignals::Change& a, const CsvSignals::Change& b) {
+  return a.kind == b.kind && a.number == b.number && a.text == b.text;
+}
+
+}  // namespace
 
 std::string_view CsvSignals::add(NamedSignal signal, std::size_t column) {
   const bool has_device = signal.device.empty() || isName(signal.device);
   if (!has_device || !isName(signal.name.name)) return "packets have no such name";
-  const auto is_same = [&](const Column& each) { return each.signal == signal; };
-  if (std::ranges::any_of(columns_, is_same)) return "said twice: the first of them counts";
+  if (!names_.insert(signalNameText(signal.device, signal.name)).second) {
+    return "said twice: the first of them counts";
+  }
   columns_.push_back({std::move(signal), column});
   latest_.emplace_back();
   return {};
 }
 
-bool CsvSignals::say(std::size_t row, std::size_t index, SignalValue value) {
-  if (value.kind == SignalKind::text && !isSignalText(value.text)) return false;
-  std::optional<SignalValue>& latest = latest_[index];
-  if (latest == value) return true;
-  changes_.push_back({row, index, value, !latest.has_value()});
-  latest = std::move(value);
+bool CsvSignals::say(std::size_t row, std::size_t index, const SignalValue& value) {
+  Change change;
+  change.row = row;
+  change.index = static_cast<std::uint32_t>(index);
+  change.kind = value.kind;
+  change.number = value.number;
+  if (value.kind == SignalKind::text) {
+    if (!isSignalText(value.text)) return false;
+    const auto place = static_cast<std::uint32_t>(texts_.size());
+    const auto [known, is_new] = text_places_.try_emplace(value.text, place);
+    if (is_new) texts_.push_back(&known->first);
+    change.text = known->second;
+  }
+  std::optional<Change>& latest = latest_[index];
+  if (latest && isSame(*latest, change)) return true;
+  change.is_first = !latest.has_value();
+  latest = change;
+  changes_.push_back(change);
   return true;
 }
 
@@ -35,7 +55,7 @@ std::span<const CsvSignals::Change> CsvSignals::of(std::size_t row) const {
 bool CsvSignals::changesAgain(std::size_t row) const {
   // A turn begins with what the last one ended with.
   return std::ranges::any_of(of(row), [this](const Change& change) {
-    return !change.is_first || latest_[change.index] != change.value;
+    return !change.is_first || !isSame(*latest_[change.index], change);
   });
 }
 

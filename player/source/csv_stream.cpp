@@ -22,7 +22,8 @@ bool isRestated(std::string_view datagram) {
 std::size_t memoryOf(const CsvSignals& signals) {
   std::vector<std::size_t> texts(signals.columns().size());
   for (const CsvSignals::Change& change : signals.changes()) {
-    texts[change.index] = std::max(texts[change.index], change.value.text.size());
+    if (change.kind != SignalKind::text) continue;
+    texts[change.index] = std::max(texts[change.index], signals.textOf(change).size());
   }
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -123,17 +124,16 @@ Status CsvStream::setSignals(std::size_t row) {
   for (const CsvSignals::Change& change : motion_->signals.of(row)) {
     const auto& [device, name] = motion_->signals.columns()[change.index].signal;
     const PathView path{device, name.link};
-    const SignalValue& value = change.value;
     SourceResult result{};
-    switch (value.kind) {
+    switch (change.kind) {
       case SignalKind::number:
-        result = source_->setSignal(path, name.name, value.number);
+        result = source_->setSignal(path, name.name, change.number);
         break;
       case SignalKind::boolean:
-        result = source_->setSignal(path, name.name, value.number != 0);
+        result = source_->setSignal(path, name.name, change.number != 0);
         break;
       case SignalKind::text:
-        result = source_->setSignal(path, name.name, value.text);
+        result = source_->setSignal(path, name.name, motion_->signals.textOf(change));
     }
     if (result == SourceResult::done) continue;
     return refusal(result, fmt::format("{}, row {}", signalNameText(device, name), row + 1));

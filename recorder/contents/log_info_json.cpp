@@ -16,18 +16,18 @@ std::string metadataOf(const LogChannel& channel, const char* key) {
 double thousandths(double value) { return std::round(value * 1000) / 1000; }
 
 Json channelJson(const ChannelInfo& info) {
-  Json json{{"id", info.channel.id},
-          {"topic", info.channel.topic},
-          {"encoding", info.channel.encoding},
-          {"sender", metadataOf(info.channel, "remote")},
-          {"source", metadataOf(info.channel, "source")},
-          {"messages", info.messages},
-          {"rate_hz", thousandths(info.rateHz())},
-          {"first_ns", info.messages > 0 ? Json(nanosecondsOf(info.first)) : Json(nullptr)},
-          {"last_ns", info.messages > 0 ? Json(nanosecondsOf(info.last)) : Json(nullptr)},
-          {"longest_gap_ns", info.longest_gap.count()},
-          {"longest_gap_from_ns",
-           info.longest_gap.count() > 0 ? Json(nanosecondsOf(info.gap_from)) : Json(nullptr)}};
+  Json json = {{"id", info.channel.id},
+               {"topic", info.channel.topic},
+               {"encoding", info.channel.encoding},
+               {"sender", metadataOf(info.channel, "remote")},
+               {"source", metadataOf(info.channel, "source")},
+               {"messages", info.messages},
+               {"rate_hz", thousandths(info.rateHz())},
+               {"first_ns", info.messages > 0 ? Json(nanosecondsOf(info.first)) : Json(nullptr)},
+               {"last_ns", info.messages > 0 ? Json(nanosecondsOf(info.last)) : Json(nullptr)},
+               {"longest_gap_ns", info.longest_gap.count()},
+               {"longest_gap_from_ns",
+                info.longest_gap.count() > 0 ? Json(nanosecondsOf(info.gap_from)) : Json(nullptr)}};
   // Who made decoded packets, and by which version of a translation.
   for (const char* const key : {"decoder", "decoder_version"}) {
     if (info.channel.metadata.contains(key)) json[key] = metadataOf(info.channel, key);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/name_hint.h"
+
 namespace rocinante::ros {
 namespace {
 
@@ -136,7 +138,14 @@ const DeviceFinder::Joint* DeviceFinder::jointOf(std::string_view device,
 }
 
 bool DeviceFinder::lacksJoint(std::string_view device, std::string_view joint) const {
-  return modelled_.contains(device) && jointOf(device, joint) == nullptr;
+  constexpr std::size_t kTellingBytes = 4;  // of short names any two are close
+  if (!modelled_.contains(device) || jointOf(device, joint) != nullptr) return false;
+  if (joint.size() < kTellingBytes) return true;
+  std::vector<std::string_view> names;
+  for (const auto& [name, of] : joints_) {
+    if (of.device == device) names.push_back(name);
+  }
+  return didYouMean(joint, names).empty();
 }
 
 DeviceFinder::JointHome DeviceFinder::homeOf(std::string_view joint,

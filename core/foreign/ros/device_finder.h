@@ -48,7 +48,8 @@ class DeviceFinder {
   /// Without a cell: the topic's namespace, or else `otherwise`.
   std::string madeUpDevice(std::string_view topic, std::string_view otherwise) const;
 
-  /// Whether the device has a model, and no joint or value of one of this name.
+  /// Whether the device has a model, and no joint or value of one of this name, nor one that it may
+  /// be a misspelling of.
   bool lacksJoint(std::string_view device, std::string_view joint) const;
 
   enum class Fate : std::uint8_t {

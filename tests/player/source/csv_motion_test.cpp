@@ -37,11 +37,10 @@ std::string signalsOf(const CsvMotion& motion) {
     text += signalNameText(signal.device, signal.name) + ":";
     for (const CsvSignals::Change& change : motion.signals.changes()) {
       if (change.index != i) continue;
-      const SignalValue& value = change.value;
       text += fmt::format(" {} ", change.row);
-      if (value.kind == SignalKind::number) text += fmt::format("{}", value.number);
-      if (value.kind == SignalKind::boolean) text += value.number != 0 ? "true" : "false";
-      text += value.text;
+      if (change.kind == SignalKind::number) text += fmt::format("{}", change.number);
+      if (change.kind == SignalKind::boolean) text += change.number != 0 ? "true" : "false";
+      if (change.kind == SignalKind::text) text += motion.signals.textOf(change);
     }
     text += "\n";
   }

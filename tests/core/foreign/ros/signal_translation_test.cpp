@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <random>
 
+#include "core/base/atomic_file.h"
 #include "core/foreign/ros/robot_description.h"
 #include "core/foreign/ros/signal_messages.h"
 #include "tests/core/foreign/ros/translation.h"
@@ -113,6 +115,24 @@ TEST(SignalTranslation, EveryRowIsReadInEverySerializationAndNoFieldIsLost) {
       Bytes longer = bytes;
       longer.resize(bytes.size() + 8);
       EXPECT_EQ(translation.of("/t", row.type, longer, layoutOf(kind)), "malformed");
+    }
+  }
+}
+
+TEST(SignalTranslation, ThePageHasEveryTypeFieldAndUnit) {
+  const Result<std::string> page =
+      readFile(std::filesystem::path(ROCINANTE_SOURCE_DIR) / "docs/other-formats.md", 1U << 20U);
+  ASSERT_TRUE(page.ok());
+  for (const SignalMessage& row : allSignalMessages()) {
+    std::string type(row.type.substr(row.type.find('/') + 1));
+    // `Int8` to `Int64`.
+    if (type.ends_with("Int16") || type.ends_with("Int32")) type.replace(type.size() - 2, 2, "8");
+    EXPECT_THAT(*page, testing::AnyOf(HasSubstr("`" + type + "`"), HasSubstr("/" + type + "`")));
+    for (const SignalField& field : row.fields) {
+      const bool is_signal = field.use == FieldUse::signal || field.use == FieldUse::boolean;
+      if (!is_signal || field.wire >= Wire::header || field.name == kWhole) continue;
+      EXPECT_THAT(*page, HasSubstr("`" + std::string(field.name))) << row.type;
+      EXPECT_THAT(*page, HasSubstr(std::string(field.unit))) << row.type;
     }
   }
 }
