@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/packet/item_text.h"
+#include "core/series/derived_value.h"
 
 namespace rocinante {
 namespace {
@@ -62,6 +63,8 @@ std::string SeriesKey::text() const {
       if (frame.empty()) return in_world;
       return in_world + " in " + frame + (frame_link.empty() ? "" : "/" + frame_link);
     }
+    case Kind::derived:
+      return name;
     case Kind::rate:
       return name.empty() ? "rate" : "rate/" + name;
     case Kind::loss:
@@ -86,6 +89,11 @@ std::array<double, 7> poseNumbers(const Pose& pose) {
 }
 
 std::optional<SeriesKey> parseSeriesKey(std::string_view text) {
+  if (auto derived = parseDerivedKey(text)) return derived;
+  return parseStatedKey(text);
+}
+
+std::optional<SeriesKey> parseStatedKey(std::string_view text) {
   if (auto rate = countKey(text, "rate", SeriesKey::Kind::rate)) return rate;
   if (auto loss = countKey(text, "loss", SeriesKey::Kind::loss)) return loss;
   if (const auto signal = signalNamed(text)) {

@@ -15,6 +15,16 @@ namespace {
 
 constexpr std::size_t kCountBins = 4096;
 
+/// Derived values need those that they are made of.
+std::optional<std::set<SeriesKey>> withStated(const std::optional<std::set<SeriesKey>>& only) {
+  if (!only) return std::nullopt;
+  std::set<SeriesKey> all = *only;
+  for (const SeriesKey& key : *only) {
+    for (SeriesKey& stated : statedOf(key)) all.insert(std::move(stated));
+  }
+  return all;
+}
+
 }  // namespace
 
 /// What is known of one signal.
@@ -54,13 +64,16 @@ struct SeriesScan::Links {
 
 SeriesScan::SeriesScan(Options options)
     : options_(std::move(options)),
-      store_({options_.from, options_.until, options_.max_bins, options_.max_bytes, options_.only}),
+      store_({options_.from, options_.until, options_.max_bins, options_.max_bytes,
+              withStated(options_.only)}),
       reached_(options_.from),
       all_{countBins(), countBins()} {
-  if (options_.cell == nullptr || !options_.only) return;
-  for (const SeriesKey& key : *options_.only) {
+  const auto only = withStated(options_.only);
+  if (!only) return;
+  for (const SeriesKey& key : *only) {
+    if (key.kind == SeriesKey::Kind::derived) store_.derive(key);
     const auto number = posePart(key.part);
-    if (key.kind != SeriesKey::Kind::link || !number) continue;
+    if (key.kind != SeriesKey::Kind::link || !number || options_.cell == nullptr) continue;
     if (links_ == nullptr) links_ = std::make_unique<Links>(*options_.cell);
     links_->parts.push_back({links_->placed.add(key), *number, store_.idOf(key)});
   }
@@ -72,15 +85,16 @@ CountBins SeriesScan::countBins() const {
   return {options_.from, binWidth(options_.from, options_.until, kCountBins), kCountBins};
 }
 
-void SeriesScan::beginWith(SessionState state) {
+void SeriesScan::beginWith(SessionState state, LogTime at) {
   began_ = true;
   state_ = std::move(state);
   for (const auto& [name, said] : state_.devices()) {
-    takeEverything(deviceNamed(name), options_.from);
+    takeEverything(deviceNamed(name), at);
   }
-  if (!state_.signals().empty()) takeEverything(deviceNamed({}), options_.from);
+  if (!state_.signals().empty()) takeEverything(deviceNamed({}), at);
   for (const auto& [name, counts] : state_.counts()) gaps_[name] = counts.gap;
-  takeLinks(options_.from);
+  takeLinks(at);
+  store_.settle(LogTime::min());
 }
 
 void SeriesScan::add(const LogMessage& message) {
@@ -94,7 +108,9 @@ void SeriesScan::add(const LogMessage& message) {
   const MessageFolder::Folded folded = folder_.fold(state_, message);
   if (folded.packet == nullptr) return;
   if (message.channel->captured()) count(*folded.packet, message.log_time);
-  if (folded.applied) take(*folded.packet, message.log_time);
+  if (!folded.applied) return;
+  take(*folded.packet, message.log_time);
+  store_.settle(message.log_time);
 }
 
 void SeriesScan::addLoss(const LossSpan& span) {

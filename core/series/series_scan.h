@@ -53,8 +53,9 @@ class SeriesScan {
   SeriesScan(const SeriesScan&) = delete;
   SeriesScan& operator=(const SeriesScan&) = delete;
 
-  /// Begins with what was said before `from`. Call it first, if at all.
-  void beginWith(SessionState state);
+  /// Begins with what was said until `at`, no later than `from`. Call it first, if at all.
+  void beginWith(SessionState state, LogTime at);
+  void beginWith(SessionState state) { beginWith(std::move(state), options_.from); }
   /// The next message in log order.
   void add(const LogMessage& message);
   /// What the recorder could not keep; counts in all(), as it ends.

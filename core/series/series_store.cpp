@@ -1,6 +1,7 @@
 #include "core/series/series_store.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rocinante {
@@ -51,6 +52,39 @@ SeriesStore::Id SeriesStore::idOf(const SeriesKey& key) {
   series_.emplace_back(options_.from, width, options_.max_bins);
   ids_.emplace(key, series_.size() - 1);
   return series_.size() - 1;
+}
+
+void SeriesStore::derive(const SeriesKey& key) {
+  Derived derived{idOf(key), DerivedValue(key)};
+  if (derived.id == kUnwanted) return;
+  const std::vector<SeriesKey>& stated = derived.value.stated();
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    const Id id = idOf(stated[i]);
+    if (id == kUnwanted) continue;
+    if (id >= followers_.size()) followers_.resize(id + 1);
+    followers_[id].push_back({derived_.size(), i});
+  }
+  derived_.push_back(std::move(derived));
+}
+
+void SeriesStore::tell(Id id, std::optional<double> value) {
+  for (const Follower& follower : followers_[id]) {
+    derived_[follower.derived].value.take(follower.stated, value);
+    told_ = true;
+  }
+}
+
+void SeriesStore::settle(LogTime time) {
+  if (!std::exchange(told_, false)) return;
+  for (Derived& derived : derived_) {
+    const auto said = derived.value.at(time);
+    if (!said) continue;
+    if (*said && std::isfinite(**said)) {
+      record(derived.id, time, **said);
+    } else {
+      end(derived.id, time);
+    }
+  }
 }
 
 StateSeries* SeriesStore::statesOf(const SeriesKey& key) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/series/derived_value.h"
 #include "core/series/series_key.h"
 #include "core/series/value_bins.h"
 
@@ -42,15 +43,23 @@ class SeriesStore {
   explicit SeriesStore(Options options) : options_(std::move(options)) {}
 
   Id idOf(const SeriesKey& key);
+  /// A derived value, which follows those that it is made of from now on.
+  void derive(const SeriesKey& key);
+  /// Derived values take what was recorded since the last call, at this time (min(): not known).
+  void settle(LogTime time);
   /// Made when it is not there; null: it is unwanted. Valid as long as the store.
   StateSeries* statesOf(const SeriesKey& key);
 
   void record(Id id, LogTime time, double value) {
-    if (id != kUnwanted) series_[id].add(time, value);
+    if (id == kUnwanted) return;
+    series_[id].add(time, value);
+    if (id < followers_.size()) tell(id, value);
   }
   /// Nothing for one without a value.
   void end(Id id, LogTime time) {
-    if (id != kUnwanted && !series_[id].bins().empty()) series_[id].end(time);
+    if (id == kUnwanted || series_[id].bins().empty()) return;
+    series_[id].end(time);
+    if (id < followers_.size()) tell(id, std::nullopt);
   }
 
   /// Null without a value.
@@ -61,12 +70,25 @@ class SeriesStore {
   std::uint64_t bytes() const;
 
  private:
+  struct Derived {
+    Id id = kUnwanted;
+    DerivedValue value;
+  };
+  /// Which derived value a stated one is part of, and as which of its values.
+  struct Follower {
+    std::size_t derived = 0, stated = 0;
+  };
+
   bool makeRoom();
+  void tell(Id id, std::optional<double> value);
 
   Options options_;
   std::vector<ValueBins> series_;
   std::map<SeriesKey, Id> ids_;
   std::map<SeriesKey, StateSeries> states_;
+  std::vector<Derived> derived_;
+  std::vector<std::vector<Follower>> followers_;  ///< by the stated value
+  bool told_ = false;                             ///< since they were settled
 };
 
 /// So that `bins` of them cover the time.

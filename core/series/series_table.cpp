@@ -111,7 +111,7 @@ class Rows {
 Result<std::uint64_t> writeSeriesTable(const SeriesTable& table, SessionState before,
                                        LogReader& log, const std::filesystem::path& path) {
   for (const SeriesKey& key : table.keys) {
-    if (!key.isValue()) {
+    if (!key.isValue() || key.kind == SeriesKey::Kind::derived) {
       return Error{ErrorKind::bad_argument, "a table has joints, poses and signals only",
                    key.text()};
     }

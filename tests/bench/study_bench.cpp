@@ -1,7 +1,8 @@
 // What the window reads of a log in the background: 10 minutes at 6,000 packets a second of one
 // arm. How long until the first strokes of six curves, until all of them are whole, until a part
 // shown twenty times larger is as fine as pixels are; and the bare reading and folding of the same
-// log. usage: study_bench [SECONDS [FOLDER]]
+// log; with SIGNALS each packet states two of so many signals too, and a derived curve is asked for
+// at last. usage: study_bench [SECONDS [FOLDER [SIGNALS]]]
 //        study_bench make LOG [SECONDS]     only writes that log, for other benches
 #include <fmt/format.h>
 #include <unistd.h>
@@ -26,11 +27,16 @@ constexpr std::int64_t kOriginNs = 1'770'091'506'000'000'000;
 constexpr std::int64_t kRateHz = 6'000;
 constexpr std::size_t kColumns = 1200;
 
-void writeLog(const std::filesystem::path& path, std::int64_t seconds) {
+void writeLog(const std::filesystem::path& path, std::int64_t seconds, std::int64_t signals) {
   auto writer = bench::need(LogWriter::create(path, {}, "0123456789abcdef0123456789abcdef"));
   const auto channel = bench::need(writer.addChannel("/udp/19960/arm", "rk1", {}));
   for (std::int64_t i = 0; i < seconds * kRateHz; ++i) {
-    const std::string text = test::jointPacket(static_cast<std::size_t>(i), kRateHz);
+    std::string text = test::jointPacket(static_cast<std::size_t>(i), kRateHz);
+    if (signals > 1) {
+      const auto number = [](std::int64_t of) { return 0.001 * static_cast<double>(of % 7919); };
+      text += fmt::format("signals arm current.{}={:.3f} current.{}={:.3f}\n", 2 * i % signals,
+                          number(i), (2 * i + 1) % signals, number(3 * i));
+    }
     const std::int64_t time_ns = kOriginNs + i * 1'000'000'000 / kRateHz;
     bench::need(writer.write(channel, static_cast<std::uint32_t>(i), LogTime(Nanoseconds(time_ns)),
                              time_ns, bytesOf(text)));
@@ -97,6 +103,11 @@ void benchStudy(const std::filesystem::path& path, std::int64_t seconds) {
   wish.until = start + std::chrono::seconds(seconds);
   awaitWhole(study, wish);
   fmt::print("another choice      {:6.3f} s\n", more.wall());
+
+  const Stopwatch derived;
+  wish.keys.push_back(*parseSeriesKey("mean 0.1 d/dt arm.[0]"));
+  awaitWhole(study, wish);
+  fmt::print("a derived curve     {:6.3f} s\n", derived.wall());
 }
 
 void benchBareFold(const std::filesystem::path& path) {
@@ -117,17 +128,17 @@ void benchBareFold(const std::filesystem::path& path) {
 
 int main(int argc, char** argv) {
   if (argc > 2 && std::string_view(argv[1]) == "make") {
-    writeLog(argv[2], argc > 3 ? std::atoll(argv[3]) : 600);
+    writeLog(argv[2], argc > 3 ? std::atoll(argv[3]) : 600, 0);
     return 0;
   }
   const std::int64_t seconds = argc > 1 ? std::atoll(argv[1]) : 600;
   const std::filesystem::path folder = argc > 2 ? argv[2] : "/tmp";
   if (seconds < 20) {
-    fmt::print(stderr, "usage: study_bench [SECONDS [FOLDER]], at least 20 s\n");
+    fmt::print(stderr, "usage: study_bench [SECONDS [FOLDER [SIGNALS]]], at least 20 s\n");
     return 2;
   }
   const auto path = folder / fmt::format("study_bench.{}.mcap", static_cast<long>(::getpid()));
-  writeLog(path, seconds);
+  writeLog(path, seconds, argc > 3 ? std::atoll(argv[3]) : 0);
   benchBareFold(path);
   benchStudy(path, seconds);
   std::filesystem::remove(path);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/pattern.h"
+#include "core/series/derived_value.h"
 
 namespace rocinante {
 namespace {
@@ -73,11 +74,33 @@ PlotValue plotValue(const SeriesKey& key, const Model* model) {
       value.unit = key.part.size() == 1 ? PlotUnit::metres : PlotUnit::quaternion;
       return value;
     case SeriesKey::Kind::signal:
+    case SeriesKey::Kind::derived:
       return value;
     case SeriesKey::Kind::rate:
     case SeriesKey::Kind::loss:
       value.unit = PlotUnit::per_second;
       return value;
+  }
+  return value;
+}
+
+PlotValue plotValue(const SeriesKey& key, const PosedScene& scene) {
+  const auto derivation = derivationOf(key);
+  if (!derivation) {
+    const PosedDevice* const device = key.isOfDevice() ? scene.findDevice(key.name) : nullptr;
+    return plotValue(key, device == nullptr ? nullptr : device->model);
+  }
+  PlotValue value = plotValue(derivation->of[0], scene);
+  value.series = key;
+  value.offset = 0;
+  value.lower.reset();
+  value.upper.reset();
+  if (derivation->how == Derivation::How::rate) ++value.per_seconds;
+  if (derivation->how != Derivation::How::difference) return value;
+  const PlotValue second = plotValue(derivation->of[1], scene);
+  if (second.unit != value.unit) {
+    value.unit = PlotUnit::other;
+    value.factor = 1;
   }
   return value;
 }
@@ -134,19 +157,25 @@ PlotScale plotScale(double low, double high, PlotUnit unit, int ticks) {
   return scale;
 }
 
+std::string perText(int per_seconds) {
+  if (per_seconds == 0) return {};
+  return per_seconds == 1 ? "/s" : per_seconds == 2 ? "/s²" : fmt::format("/s^{}", per_seconds);
+}
+
 std::string unitText(PlotUnit unit, const PlotScale& scale) {
+  const std::string per = perText(scale.per_seconds);
   switch (unit) {
     case PlotUnit::degrees:
-      return "°";
+      return "°" + per;
     case PlotUnit::metres:
-      return scale.millimetres ? "mm" : "m";
+      return (scale.millimetres ? "mm" : "m") + per;
     case PlotUnit::per_second:
       return "/s";
     case PlotUnit::quaternion:
     case PlotUnit::other:
       break;
   }
-  return "";
+  return per;
 }
 
 std::string plotText(double shown, PlotUnit unit, const PlotScale& scale) {
@@ -170,6 +199,7 @@ std::optional<std::pair<double, double>> rangeOf(const std::vector<ValueColumn>&
   std::optional<std::pair<double, double>> range;
   const auto include = [&](float stated) {
     const double shown = value.shown(static_cast<double>(stated));
+    if (!std::isfinite(shown)) return;  // beyond single precision
     if (!range) range.emplace(shown, shown);
     range->first = std::min(range->first, shown);
     range->second = std::max(range->second, shown);

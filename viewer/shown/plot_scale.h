@@ -20,6 +20,7 @@ struct PlotValue {
   SeriesKey
       series;  ///< whose values it shows: of a mimic joint, those of the joint that it follows
   PlotUnit unit = PlotUnit::other;
+  int per_seconds = 0;                 ///< 1: of its change in a second
   double factor = 1, offset = 0;       ///< shown = stated * factor + offset
   std::optional<double> lower, upper;  ///< its limits, as shown
 
@@ -28,6 +29,11 @@ struct PlotValue {
 
 /// `model`: of the key's device; null when it is not known.
 PlotValue plotValue(const SeriesKey& key, const Model* model);
+
+/// The same by the models of a scene, also of a derived value, which has the unit of what it is
+/// derived of: none for a difference of two units. A joint that follows another has no series that
+/// something can be derived of.
+PlotValue plotValue(const SeriesKey& key, const PosedScene& scene);
 
 /// Takes the range that a cell expects of a signal for its limits, where it is in the unit that is
 /// stated.
@@ -41,6 +47,7 @@ struct PlotScale {
   double step = 1;           ///< distance of ticks: 1, 2 or 5 times a power of ten
   double first = -1;         ///< the lowest tick
   int decimals = 0;          ///< that ticks need
+  int per_seconds = 0;       ///< of the values
   bool millimetres = false;  ///< metres shown as a thousand times as many millimetres
 
   /// 0 at the bottom, 1 at the top.
@@ -53,13 +60,15 @@ PlotScale plotScale(double low, double high, PlotUnit unit, int ticks);
 
 /// "12.5°", "0.120 m", "35.0 mm", "60.1 /s": as precisely as `scale` can be read, and a digit more.
 std::string plotText(double shown, PlotUnit unit, const PlotScale& scale);
-/// "°", "m", "mm", "/s" or nothing.
+/// "/s", "/s²" or nothing.
+std::string perText(int per_seconds);
+/// "°", "m", "mm", "/s", "m/s", "°/s²" or nothing.
 std::string unitText(PlotUnit unit, const PlotScale& scale);
 
 /// Widens the range of a curve by its limits, where the curve comes near them.
 void includeLimits(const PlotValue& value, double& low, double& high);
 
-/// The range of the columns, as shown by `value`; empty without any.
+/// The range of the columns, as shown by `value`, but for infinite ones; empty without any.
 std::optional<std::pair<double, double>> rangeOf(const std::vector<ValueColumn>& columns,
                                                  const PlotValue& value);
 

@@ -49,15 +49,23 @@ plots on
 theme light
 frame 2
 screenshot light.png
+unplot all
+plot d/dt arm.bend
+plot mean 0.5 d/dt arm/hand:qy
+plot signal arm load - signal arm/hand force
+plot d/dt signal arm load
+plot arm.bend
+frame 2
+screenshot derived.png
 SCRIPT
 show() {
   with_display rocinante view cell.toml s.mcap --size 1000x640 --samples 1 --profile reproducible --script "$1"
 }
 show plots.script
-for other in none light; do
+for other in none light derived; do
   rocinante golden compare dark.png $other.png --quiet >/dev/null || echo "plots are not as in $other.png"
 done
-for wrong in 'signal arm mood' 'signal amr mode' 'arm.bent' 'arm/hnad:z'; do
+for wrong in 'signal arm mood' 'signal amr mode' 'arm.bent' 'arm/hnad:z' 'd/dt arm.bent'; do
   echo "plot $wrong" >wrong.script
   show wrong.script || echo "exit $?"
 done

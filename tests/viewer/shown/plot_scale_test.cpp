@@ -75,6 +75,42 @@ TEST(PlotValue, OfAJointThatFollowsIsMadeOfTheOther) {
   EXPECT_DOUBLE_EQ(value.shown(2), 1.25);
 }
 
+TEST(PlotValue, OfWhatIsDerivedHasItsUnit) {
+  const Model model = follower();
+  PosedScene scene;
+  scene.devices.emplace_back();
+  scene.devices[0].name = "arm";
+  scene.devices[0].model = &model;
+  scene.device_by_name.emplace("arm", 0);
+  const auto of = [&](const char* text) { return plotValue(*parseSeriesKey(text), scene); };
+  const PlotValue speed = of("mean 0.1 d/dt arm.lead");
+  EXPECT_EQ(speed.unit, PlotUnit::degrees);
+  EXPECT_EQ(speed.per_seconds, 1);
+  EXPECT_NEAR(speed.shown(1), 57.29578, 1e-5);
+  EXPECT_FALSE(speed.upper.has_value()) << "a limit of the joint is none of its speed";
+  PlotScale scale = plotScale(-10, 10, speed.unit, 4);
+  scale.per_seconds = speed.per_seconds;
+  EXPECT_EQ(plotText(12.5, speed.unit, scale), "12.50°/s");
+  const PlotValue faster = of("d/dt d/dt arm/tip:x");
+  EXPECT_EQ(faster.unit, PlotUnit::metres);
+  scale = plotScale(-10, 10, faster.unit, 4);
+  scale.per_seconds = faster.per_seconds;
+  EXPECT_EQ(unitText(faster.unit, scale), "m/s²");
+  EXPECT_EQ(of("arm:x - arm/tip:x").unit, PlotUnit::metres);
+  const PlotValue mixed = of("arm.lead - arm:x");
+  EXPECT_EQ(mixed.unit, PlotUnit::other);
+  EXPECT_EQ(mixed.shown(2), 2);
+}
+
+TEST(PlotScale, LeavesOutWhatIsBeyondSinglePrecision) {
+  ValueColumn column;
+  column.bin.take(1e300);
+  column.bin.take(2);
+  const auto range = rangeOf({column}, PlotValue());
+  ASSERT_TRUE(range.has_value());
+  EXPECT_EQ(range->second, 2);
+}
+
 TEST(PlotValue, WithoutAModelIsAsStated) {
   const PlotValue value = plotValue({SeriesKey::Kind::joint, "arm", "[0]"}, nullptr);
   EXPECT_EQ(value.unit, PlotUnit::other);

@@ -6,7 +6,9 @@
 
 #include "core/base/name_hint.h"
 #include "core/kinematics/joint_values.h"
+#include "core/series/derived_value.h"
 #include "core/series/placed_links.h"
+#include "viewer/shown/plot_scale.h"
 #include "viewer/ui/commands/command_groups.h"
 #include "viewer/ui/commands/study_actions.h"
 
@@ -32,8 +34,24 @@ Status checkStated(const SeriesKey& key, ViewModel& model) {
                              whatThereIs(key.text(), {texts.begin(), texts.end()})));
 }
 
+Status checkKey(const SeriesKey& key, ViewModel& model);
+
+/// Of what a value is derived of; a joint that follows another is never stated.
+Status checkDerived(const SeriesKey& key, ViewModel& model) {
+  for (const SeriesKey& stated : statedOf(key)) {
+    if (Status known = checkKey(stated, model); !known) return known;
+    const SeriesKey series = plotValue(stated, model.scene()).series;
+    if (series != stated) {
+      return badWord(
+          fmt::format("`{}` follows `{}`: derive from that", stated.text(), series.text()));
+    }
+  }
+  return {};
+}
+
 /// Refuses values that neither the cell nor any packet has.
 Status checkKey(const SeriesKey& key, ViewModel& model) {
+  if (key.kind == SeriesKey::Kind::derived) return checkDerived(key, model);
   if (key.kind == SeriesKey::Kind::signal) return checkStated(key, model);
   if (!key.isOfDevice()) return {};
   if (key.kind == SeriesKey::Kind::link) {
@@ -65,7 +83,8 @@ Result<SeriesKey> seriesKeyOf(CommandWords words) {
   if (key) return std::move(*key);
   return badWord(fmt::format(
       "`{}` is not DEVICE.JOINT, DEVICE:x (or y z qx qy qz qw), DEVICE/LINK:x [in PATH], "
-      "signal PATH NAME, rate, loss, rate/SOURCE or loss/SOURCE",
+      "signal PATH NAME, d/dt VALUE, mean SECONDS VALUE, VALUE - VALUE, rate, loss, "
+      "rate/SOURCE or loss/SOURCE",
       word));
 }
 
@@ -170,8 +189,8 @@ std::vector<Command> plotCommands() {
   std::vector<Command> commands{
       {.name = "plot",
        .arguments = "VALUE...",
-       .means = "a curve: DEVICE.JOINT, DEVICE:x, DEVICE/LINK:x [in PATH], signal PATH NAME, rate, "
-                "loss, rate/SOURCE",
+       .means = "a curve: DEVICE.JOINT, DEVICE:x, DEVICE/LINK:x [in PATH], signal PATH NAME, "
+                "d/dt VALUE, mean SECONDS VALUE, VALUE - VALUE, rate, loss, rate/SOURCE",
        .run = plotValueOf},
       {.name = "unplot",
        .arguments = "all|VALUE...",

@@ -11,9 +11,8 @@ Status writePlotted(ViewModel& model, const std::filesystem::path& path) {
   std::set<SeriesKey> seen;
   std::vector<SeriesKey> keys;
   for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
-    if (!curve.key.isValue()) continue;
-    const PosedDevice* const device = model.scene().findDevice(curve.key.name);
-    SeriesKey series = plotValue(curve.key, device == nullptr ? nullptr : device->model).series;
+    if (!curve.key.isValue() || curve.key.kind == SeriesKey::Kind::derived) continue;
+    SeriesKey series = plotValue(curve.key, model.scene()).series;
     if (seen.insert(series).second) keys.push_back(std::move(series));
   }
   LogStudy* const study = model.study();

@@ -47,8 +47,8 @@ void drawGround(const PlotLane& lane, const TimeAxis& axis, LogTime origin) {
                   label.c_str());
     free_below = at_y - px(2);
   }
-  const std::string unit =
-      lane.signal_unit.empty() ? unitText(lane.unit, lane.scale) : lane.signal_unit;
+  const std::string unit = lane.signal_unit.empty() ? unitText(lane.unit, lane.scale)
+                                                    : lane.signal_unit + perText(lane.per_seconds);
   if (!unit.empty()) {
     list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - px(54), lane.top), fadedInk(0.5F),
                   unit.c_str());

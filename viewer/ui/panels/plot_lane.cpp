@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "core/kinematics/joint_values.h"
+#include "core/series/derived_value.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {
@@ -58,29 +60,42 @@ void scaleLane(PlotLane& lane) {
     if (low <= high) includeLimits(plotted.value, low, high);
   }
   lane.scale = plotScale(low, high, lane.unit, std::max(1, static_cast<int>(lane.height / px(15))));
+  // The unit of signals stands beside the lane alone.
+  lane.scale.per_seconds = lane.signal_unit.empty() ? lane.per_seconds : 0;
 }
 
-/// Of the signal now; empty for anything else.
+bool isOfSignals(const SeriesKey& key) {
+  return std::ranges::all_of(statedOf(key), [](const SeriesKey& stated) {
+    return stated.kind == SeriesKey::Kind::signal;
+  });
+}
+
+/// Of the signal now, or of those that a value is derived of, if they have one; empty for anything
+/// else.
 std::string signalUnit(const ViewModel& model, const SeriesKey& key) {
-  if (key.kind != SeriesKey::Kind::signal) return {};
-  const Item<SignalValue>* const said = model.state().findSignal(key.name, {key.link, key.part});
-  return said == nullptr ? std::string() : said->value.unit;
+  if (!isOfSignals(key)) return {};
+  std::optional<std::string> unit;
+  for (const SeriesKey& stated : statedOf(key)) {
+    const auto* const said = model.state().findSignal(stated.name, {stated.link, stated.part});
+    const std::string its = said == nullptr ? std::string() : said->value.unit;
+    if (unit && *unit != its) return {};
+    unit = its;
+  }
+  return unit.value_or("");
 }
 
 }  // namespace
 
 std::vector<PlotLane> plotLanes(const ViewModel& model) {
-  std::map<std::pair<PlotUnit, std::string>, PlotLane> by_unit;
+  std::map<std::tuple<PlotUnit, int, std::string>, PlotLane> by_unit;
   PlotLane of_states;
   of_states.is_states = true;
   const StudyPicture* const picture = model.viewer.picture.get();
   const StudyPicture* const beside = model.viewer.picture_beside.get();
   for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
-    const PosedDevice* const device =
-        curve.key.isOfDevice() ? model.scene().findDevice(curve.key.name) : nullptr;
     PlottedCurve plotted;
     plotted.curve = &curve;
-    plotted.value = plotValue(curve.key, device == nullptr ? nullptr : device->model);
+    plotted.value = plotValue(curve.key, model.scene());
     const SeriesKey& series = plotted.value.series;
     plotted.columns = curveOf(picture, &StudyPicture::curves, series);
     plotted.beside = curveOf(beside, &StudyPicture::curves, series);
@@ -92,9 +107,11 @@ std::vector<PlotLane> plotLanes(const ViewModel& model) {
     }
     const std::string signal_unit = signalUnit(model, curve.key);
     useSignalRange(plotted.value, model.cell().signals, signal_unit);
-    const bool is_alone = curve.key.kind == SeriesKey::Kind::signal && signal_unit.empty();
-    PlotLane& lane = by_unit[{plotted.value.unit, is_alone ? curve.key.text() : signal_unit}];
+    const bool is_alone = isOfSignals(curve.key) && signal_unit.empty();
+    PlotLane& lane = by_unit[{plotted.value.unit, plotted.value.per_seconds,
+                              is_alone ? curve.key.text() : signal_unit}];
     lane.unit = plotted.value.unit;
+    lane.per_seconds = plotted.value.per_seconds;
     lane.signal_unit = signal_unit;
     lane.curves.push_back(std::move(plotted));
   }

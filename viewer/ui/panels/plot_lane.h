@@ -28,6 +28,7 @@ struct PlottedCurve {
 struct PlotLane {
   bool is_states = false;
   PlotUnit unit{};
+  int per_seconds = 0;
   std::string signal_unit{};  ///< of signals, as packets state it; empty: none
   std::vector<PlottedCurve> curves;
   PlotScale scale;

@@ -41,9 +41,10 @@ std::string legendValue(const ViewModel& model, const PlotLane& lane, const Plot
                          ? valueAt(plotted, *picture, axis, *cursors.mouse_x)
                          : shownValue(model, plotted);
   if (there) return plotText(*there, lane.unit, lane.scale);
-  if (!plotted.value.series.isValue() && picture != nullptr) {
-    const auto rate = valueAt(plotted, *picture, axis, cursors.shown_x);
-    if (rate) return plotText(*rate, lane.unit, lane.scale);
+  const SeriesKey& series = plotted.value.series;
+  if (picture != nullptr && (!series.isValue() || series.kind == SeriesKey::Kind::derived)) {
+    const auto seen = valueAt(plotted, *picture, axis, cursors.shown_x);
+    if (seen) return plotText(*seen, lane.unit, lane.scale);
   }
   return "-";
 }

@@ -204,19 +204,16 @@ Result<SessionState> LogStudy::Impl::stateAt(LogTime moment) {
 
 /// A bin that is known is no wider than a pixel.
 bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
-  const Nanoseconds pixel =
-      (wish.until - wish.from) / std::max<std::int64_t>(static_cast<std::int64_t>(wish.columns), 1);
   return std::ranges::all_of(wish.keys, [&](const SeriesKey& key) {
     const LogScan* const scan = key.isValue() ? scanOf(key) : nullptr;
-    return scan == nullptr || scan->isFine(key, std::max(pixel, Nanoseconds(1)));
+    return scan == nullptr || scan->isFine(key, wish.pixel());
   });
 }
 
 /// Reads the part that is shown once more, and a little on both sides, until another wish comes.
 Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop) {
   const Nanoseconds span = wish.until - wish.from;
-  const Nanoseconds pixel = std::max(
-      Nanoseconds(1), span / std::max<std::int64_t>(static_cast<std::int64_t>(wish.columns), 1));
+  const Nanoseconds pixel = wish.pixel();
   std::set<SeriesKey> keys(wish.keys.begin(), wish.keys.end());
   const bool known = part && part->ended() && part->from() <= wish.from &&
                      part->until() >= wish.until &&
@@ -226,14 +223,16 @@ Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop
     const Nanoseconds beside = span / 2;
     const LogTime from = std::max(start, wish.from - std::min(beside, wish.from - start));
     const LogTime until = wish.until + std::min(beside, std::max(Nanoseconds(0), end - wish.until));
-    auto before = stateAt(from);
+    // What is derived begins with what lies before.
+    const LogTime first = from - std::min(reachOf(keys), from - start);
+    auto before = stateAt(first);
     if (!before.ok()) return before.error();
     auto reader = LogReader::open(log);
     if (!reader.ok()) return reader.error();
-    if (Status there = reader->seek(from + Nanoseconds(1)); !there) return there;
+    if (Status there = reader->seek(first + Nanoseconds(1)); !there) return there;
     auto scan =
         std::make_unique<LogScan>(std::move(*reader), optionsFor(from, until, keys), from, until);
-    scan->series().beginWith(std::move(*before));
+    scan->series().beginWith(std::move(*before), first);
     while (!scan->ended()) {
       if (Status read = scan->step(); !read) return read;
       if (stop.stop_requested() || !(wished() == wish)) return {};

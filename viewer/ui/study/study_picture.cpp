@@ -47,7 +47,9 @@ struct Mapping {
 
 }  // namespace
 
-bool isChosen(const SeriesKey& key) { return key.kind == SeriesKey::Kind::link; }
+bool isChosen(const SeriesKey& key) {
+  return key.kind == SeriesKey::Kind::link || key.kind == SeriesKey::Kind::derived;
+}
 
 std::set<SeriesKey> chosenKeys(const StudyWish& wish) {
   std::set<SeriesKey> keys;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <set>
 #include <string>
@@ -18,6 +20,11 @@ struct StudyWish {
   LogTime from{}, until{};
   std::size_t columns = 0;        ///< pixels from `from` to `until`, at most 8192
   std::size_t strip_columns = 0;  ///< of the sources' rates, at most 8192
+  /// How long a column is, at least 1 ns.
+  Nanoseconds pixel() const {
+    const auto count = static_cast<std::int64_t>(columns > 0 ? columns : 1);
+    return std::max(Nanoseconds(1), (until - from) / count);
+  }
   bool operator==(const StudyWish&) const = default;
 };
 

@@ -57,6 +57,11 @@ TEST_F(TimeCommands, PlotsWhatThereIs) {
   EXPECT_EQ(run("plot arm/hand:x in leg"), "no device is named `leg`: there is only arm");
   EXPECT_EQ(run("plot signal arm load"),
             "no packet of the log states `signal arm load`: there is none");
+  EXPECT_EQ(run("plot mean 0.5 d/dt arm.turn"), "");
+  EXPECT_EQ(run("plot arm/hand:x - arm/base:x"), "");
+  EXPECT_EQ(run("plot d/dt arm.bend"), "`arm` has no joint value `bend`: there is only turn");
+  EXPECT_EQ(run("unplot mean 0.5 d/dt arm.turn"), "");
+  EXPECT_EQ(run("unplot arm/hand:x - arm/base:x"), "");
   EXPECT_EQ(run("plots off"), "");
   EXPECT_FALSE(model_->viewer.plots.shown());
   EXPECT_EQ(run("unplot arm:x"), "");

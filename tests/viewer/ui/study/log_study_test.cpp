@@ -82,6 +82,23 @@ TEST_F(StudiedLog, GathersTheLinksThatAreAskedFor) {
   EXPECT_NEAR(*close->curves[2][90].held, std::cos(50 * 0.05 / 2), 1e-6);
 }
 
+TEST_F(StudiedLog, GathersWhatIsDerived) {
+  LogStudy study(cell_, folder_ / "s.mcap");
+  study.waits = true;
+  StudyWish asked = wish(0, 10'000);
+  asked.keys = {*parseSeriesKey("d/dt arm.turn"), *parseSeriesKey("mean 2 d/dt arm.turn")};
+  const auto picture = study.show(asked);
+  ASSERT_EQ(picture->curves.size(), 2U);
+  // 0.05 each 100 ms; a part that is shown larger begins with what lies before it.
+  EXPECT_NEAR(*picture->curves[0][50].held, 0.5, 1e-3);
+  EXPECT_NEAR(*picture->curves[1][50].held, 0.5, 1e-3);
+  asked.from = sessionTime(5000) - Nanoseconds(5000);
+  asked.until = sessionTime(5000) + Nanoseconds(5000);
+  const auto close = study.show(asked);
+  EXPECT_NEAR(*close->curves[1][10].held, 0.5, 1e-3);
+  EXPECT_NEAR(*close->curves[1][90].held, 0.5, 1e-3);
+}
+
 TEST_F(StudiedLog, KeepsStatesWithTheirTexts) {
   test::writeSession(folder_ / "m.mcap", {{0, "signal arm mode \"auto\"\nsignal - estop false\n"},
                                           {5000, "signal arm mode \"fault\"\n"},

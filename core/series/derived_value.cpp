@@ -1,0 +1,253 @@
+#include "core/series/derived_value.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "core/packet/text_number.h"
+
+namespace rocinante {
+namespace {
+
+/// Entries that a mean keeps; beyond them every other one goes.
+constexpr std::size_t kMostEntries = 65536;
+/// Of one another: `d/dt d/dt VALUE` is two.
+constexpr int kMostDerivations = 4;
+/// Of what was stated before samples begin.
+constexpr LogTime kUnknownTime = LogTime::min();
+/// Samples that come this often have a rate wherever one begins to read.
+constexpr Nanoseconds kSlowest = std::chrono::seconds(5);
+
+double secondsBetween(LogTime from, LogTime until) {
+  return static_cast<double>((until - from).count()) * 1e-9;
+}
+
+}  // namespace
+
+/// A part of a derived value. What it says of a moment: nothing, a gap, or a number.
+struct DerivedValue::Node {
+  using Said = std::optional<std::optional<double>>;
+  /// A quantity by time, straight between entries: a mean is its change over the time that passed.
+  struct Entry {
+    LogTime time;
+    double amount = 0;
+  };
+
+  explicit Node(const SeriesKey& key) {
+    const auto derivation = derivationOf(key);
+    if (!derivation) return;
+    how = derivation->how;
+    over = derivation->over;
+    for (const SeriesKey& each : derivation->of) of.emplace_back(each);
+  }
+  /// In the order of statedOf().
+  void addLeaves(std::vector<Node*>& leaves) {
+    if (!how) leaves.push_back(this);
+    for (Node& each : of) each.addLeaves(leaves);
+  }
+
+  std::optional<Derivation::How> how;  ///< empty: a stated value
+  std::vector<Node> of;
+  Nanoseconds over{};
+
+  Said pending;                 ///< of a stated value
+  std::optional<double> now;    ///< the newest number of it, or of what it is made of
+  std::optional<Entry> before;  ///< of a rate: the sample before
+  std::deque<Entry> entries;    ///< of a mean
+  std::optional<double> other;  ///< of a difference: the newest of the second
+
+  Said at(LogTime time) {
+    if (!how) return std::exchange(pending, std::nullopt);
+    switch (*how) {
+      case Derivation::How::rate:
+        return rateAt(time, of[0].at(time));
+      case Derivation::How::mean:
+        // The mean of a rate is the change over that time: means of quotients would weigh bursts.
+        if (of[0].how == Derivation::How::rate) return meanAt(time, of[0].of[0].at(time), false);
+        return meanAt(time, of[0].at(time), true);
+      case Derivation::How::difference:
+        return differenceAt(of[0].at(time), of[1].at(time));
+    }
+    return std::nullopt;
+  }
+
+  Said rateAt(LogTime time, const Said& said) {
+    if (!said) return std::nullopt;
+    if (!*said) {
+      before.reset();
+      return said;
+    }
+    if (time == kUnknownTime) return std::nullopt;
+    const Entry sample{time, **said};
+    if (before && before->time < time) {
+      const double rate = (sample.amount - before->amount) / secondsBetween(before->time, time);
+      before = sample;
+      return std::optional(rate);
+    }
+    // The first one, or another of the same moment.
+    before = sample;
+    return std::nullopt;
+  }
+
+  /// `held`: of a value that holds from sample to sample; else of one whose rate is asked for.
+  Said meanAt(LogTime time, const Said& said, bool held) {
+    if (!said) return std::nullopt;
+    if (!*said) {
+      entries.clear();
+      return said;
+    }
+    if (time == kUnknownTime) return held ? said : std::nullopt;
+    const double value = **said;
+    if (entries.empty()) {
+      entries.push_back({time, held ? 0 : value});
+    } else if (entries.back().time < time) {
+      const double passed = secondsBetween(entries.back().time, time);
+      entries.push_back({time, held ? entries.back().amount + *now * passed : value});
+    } else if (!held) {
+      entries.back().amount = value;
+    }
+    now = value;
+    const LogTime from = time - over;
+    while (entries.size() > 1 && entries[1].time <= from) entries.pop_front();
+    if (entries.size() > kMostEntries) thinOut();
+    const double whole = secondsBetween(entries.front().time, time);
+    if (whole <= 0) return held ? said : std::nullopt;
+    double begin = entries.front().amount;
+    double span = whole;
+    if (entries.front().time < from) {
+      const Entry& next = entries[1];
+      const double part = secondsBetween(entries.front().time, from) /
+                          secondsBetween(entries.front().time, next.time);
+      begin += (next.amount - begin) * part;
+      span = secondsBetween(from, time);
+    }
+    return std::optional((entries.back().amount - begin) / span);
+  }
+
+  void thinOut() {
+    std::deque<Entry> kept;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (i % 2 == 0 || i + 1 == entries.size()) kept.push_back(entries[i]);
+    }
+    entries = std::move(kept);
+  }
+
+  Said differenceAt(const Said& first, const Said& second) {
+    if (!first && !second) return std::nullopt;
+    if (first) now = *first;
+    if (second) other = *second;
+    if (!now || !other) return std::optional<double>();
+    return std::optional(*now - *other);
+  }
+};
+
+namespace {
+
+std::optional<std::string_view> after(std::string_view text, std::string_view word) {
+  if (!text.starts_with(word)) return std::nullopt;
+  return text.substr(word.size());
+}
+
+/// "0.5" of "0.5 VALUE"; leaves VALUE in the text.
+std::optional<Nanoseconds> takeSeconds(std::string_view& text) {
+  const std::size_t blank = std::min(text.find(' '), text.size());
+  double seconds = 0;
+  const char* at = text.data();
+  const char* const end = at + blank;
+  if (blank == text.size() || !readNumber(at, end, seconds) || at != end) return std::nullopt;
+  if (!(seconds >= 1e-9 && seconds * 1e9 <= static_cast<double>(kMostMean.count()))) {
+    return std::nullopt;
+  }
+  text.remove_prefix(blank + 1);
+  return Nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
+}
+
+std::optional<Derivation> read(std::string_view text, int depth);
+
+/// What a rate or a mean is of.
+std::optional<SeriesKey> readOperand(std::string_view text, int depth) {
+  if (depth < kMostDerivations && read(text, depth)) {
+    return SeriesKey{SeriesKey::Kind::derived, std::string(text)};
+  }
+  auto stated = parseStatedKey(text);
+  return stated && stated->isValue() ? stated : std::nullopt;
+}
+
+std::optional<Derivation> read(std::string_view text, int depth) {
+  Derivation made;
+  if (const auto rest = after(text, "d/dt ")) {
+    auto of = readOperand(*rest, depth + 1);
+    if (of) made.of.push_back(*std::move(of));
+    return of ? std::optional(std::move(made)) : std::nullopt;
+  }
+  if (auto rest = after(text, "mean ")) {
+    const auto over = takeSeconds(*rest);
+    auto of = over ? readOperand(*rest, depth + 1) : std::nullopt;
+    if (!of) return std::nullopt;
+    made.how = Derivation::How::mean;
+    made.over = *over;
+    made.of.push_back(*std::move(of));
+    return made;
+  }
+  constexpr std::string_view kMinus = " - ";
+  for (std::size_t at = text.find(kMinus); at != text.npos; at = text.find(kMinus, at + 1)) {
+    auto first = parseStatedKey(text.substr(0, at));
+    auto second = parseStatedKey(text.substr(at + kMinus.size()));
+    if (!first || !second || !first->isValue() || !second->isValue()) continue;
+    made.how = Derivation::How::difference;
+    made.of.push_back(*std::move(first));
+    made.of.push_back(*std::move(second));
+    return made;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SeriesKey> parseDerivedKey(std::string_view text) {
+  if (!read(text, 0)) return std::nullopt;
+  return SeriesKey{SeriesKey::Kind::derived, std::string(text)};
+}
+
+std::optional<Derivation> derivationOf(const SeriesKey& key) {
+  if (key.kind != SeriesKey::Kind::derived) return std::nullopt;
+  return read(key.name, 0);
+}
+
+std::vector<SeriesKey> statedOf(const SeriesKey& key) {
+  const auto derivation = derivationOf(key);
+  if (!derivation) return {key};
+  std::vector<SeriesKey> stated;
+  for (const SeriesKey& of : derivation->of) {
+    for (SeriesKey& each : statedOf(of)) stated.push_back(std::move(each));
+  }
+  return stated;
+}
+
+Nanoseconds reachOf(const std::set<SeriesKey>& keys) {
+  Nanoseconds most{};
+  for (const SeriesKey& key : keys) {
+    const auto derivation = derivationOf(key);
+    if (!derivation) continue;
+    const Nanoseconds of = reachOf({derivation->of.begin(), derivation->of.end()});
+    most = std::max(most, kSlowest + 2 * derivation->over + of);
+  }
+  return most;
+}
+
+DerivedValue::DerivedValue(const SeriesKey& key)
+    : root_(std::make_unique<Node>(key)), stated_(statedOf(key)) {
+  root_->addLeaves(leaves_);
+}
+
+DerivedValue::~DerivedValue() = default;
+DerivedValue::DerivedValue(DerivedValue&&) noexcept = default;
+DerivedValue& DerivedValue::operator=(DerivedValue&&) noexcept = default;
+
+void DerivedValue::take(std::size_t stated, std::optional<double> value) {
+  leaves_[stated]->pending = value;
+}
+
+std::optional<std::optional<double>> DerivedValue::at(LogTime time) { return root_->at(time); }
+
+}  // namespace rocinante

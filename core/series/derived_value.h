@@ -1,0 +1,67 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/series/series_key.h"
+
+namespace rocinante {
+
+/// What a derived value is made of, as docs/programs/view.md, "Derived curves", writes it:
+///   `d/dt VALUE`            the change from one sample to the next, by the seconds between them
+///   `mean SECONDS VALUE`    the mean over the last SECONDS
+///   `VALUE - VALUE`         the difference of two stated values
+/// where VALUE, but for the two of a difference, may be derived in turn, up to four times.
+struct Derivation {
+  enum class How { rate, mean, difference };
+  How how = How::rate;
+  Nanoseconds over{};           ///< of a mean: above 0, at most kMostMean
+  std::vector<SeriesKey> of{};  ///< one, or the two of a difference
+};
+
+inline constexpr Nanoseconds kMostMean = std::chrono::hours(1);
+
+/// Reads one that is derived; empty for anything else. The key has the text for its name.
+std::optional<SeriesKey> parseDerivedKey(std::string_view text);
+
+/// Empty for a key that is not derived.
+std::optional<Derivation> derivationOf(const SeriesKey& key);
+
+/// The stated values that a key is made of: itself, when it is not derived.
+std::vector<SeriesKey> statedOf(const SeriesKey& key);
+
+/// How far back the samples may lie that values need beside the last.
+Nanoseconds reachOf(const std::set<SeriesKey>& keys);
+
+/// A derived value as samples come. A gap in one of its values is a gap of it, and its samples come
+/// with theirs. Bounded memory.
+class DerivedValue {
+ public:
+  /// The key is derived.
+  explicit DerivedValue(const SeriesKey& key);
+  ~DerivedValue();
+  DerivedValue(DerivedValue&&) noexcept;
+  DerivedValue& operator=(DerivedValue&&) noexcept;
+
+  /// In the order of take().
+  const std::vector<SeriesKey>& stated() const { return stated_; }
+  /// A sample of one of them, or its end. Of one moment the last counts.
+  void take(std::size_t stated, std::optional<double> value);
+  /// What the samples since the last call make of it at their time, which must not go back (min():
+  /// it is not known): nothing for none of them, an empty one for a gap.
+  std::optional<std::optional<double>> at(LogTime time);
+
+ private:
+  struct Node;
+  std::unique_ptr<Node> root_;
+  std::vector<Node*> leaves_;  ///< the stated values in it, in order
+  std::vector<SeriesKey> stated_;
+};
+
+}  // namespace rocinante
