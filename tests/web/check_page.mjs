@@ -201,6 +201,37 @@ await check("pictures of ten moments", async () => {
     fs.writeFileSync(`${folder}/${(ns / 1e9).toFixed(3)}.png`, Buffer.from(url.split(",")[1], "base64"));
   }
 });
+await check("signals are listed and plotted, also those of no device and of none of the cell's", async () => {
+  const other = await open(path.replace(/[^/]*$/, "signals.html"), "#t=3.5&select=arm");
+  await shown(other.page);
+  const listed = (of) => other.page.evaluate((name) => {
+    const device = window.rocinante.calls.devices(window.rocinante.now()).find((each) => each.name === name);
+    return device.signals.map((each) => [each.series, each.text, each.kind]);
+  }, of);
+  assert.deepEqual(await listed("arm"), [["signal arm load", "17.5 kg", "number"], ["signal arm mode", "fault <b>", "text"],
+    ["signal arm/tool0 closed", "true", "boolean"]]);
+  assert.deepEqual(await listed(""), [["signal - speed", "0", "number"]]);
+  assert.deepEqual(await listed("oven"), [["signal oven heat", "235 degC", "number"]]);
+  const text = await other.page.locator("#devices").innerText();
+  for (const each of ["load", "17.5 kg", "tool0 closed", "fault <b>", "oven", "235 degC", "Signals of no device"]) {
+    assert.ok(text.includes(each), each + " in " + text);
+  }
+  await other.page.keyboard.press("p");
+  await other.page.waitForFunction(() => window.rocinante.plots.part() === 1);
+  const lanes = () => other.page.locator("#lanes .joint").allInnerTexts();
+  assert.deepEqual((await lanes()).slice(-2), ["signal arm load", "signal arm/tool0 closed"]);
+  const lane = other.page.locator("#lanes .lane", { hasText: "signal arm load" });
+  assert.match(await lane.locator(".range").innerText(), /^0.* to 20.* kg$/);
+  assert.ok((await lane.locator("path.curve").getAttribute("d")).length > 100);
+  await other.page.waitForFunction(() => [...document.querySelectorAll("#lanes .value")].some((each) => each.textContent === "17.5 kg"));
+  await other.page.screenshot({ path: folder + "/../signals.png" });
+  await other.page.locator("#devices h2", { hasText: "oven" }).click();
+  assert.deepEqual(await lanes(), ["signal oven heat"]);
+  await other.page.keyboard.press("Escape");
+  assert.deepEqual(await lanes(), ["signal - speed"]);
+  assert.deepEqual(other.complaints, []);
+  await other.page.close();
+});
 await check("nothing was asked of a network, nothing complained", async () => assert.deepEqual(complaints, []));
 for (const { name, file, says } of JSON.parse(fs.readFileSync(hostile + "/expected.json", "utf8"))) {
   await check("a page that was cut or changed says so in a sentence: " + name, async () => {

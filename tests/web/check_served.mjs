@@ -79,6 +79,13 @@ await check("a live page follows what is sent", async () => {
   }
   await live.page.waitForFunction(() => /43\.0\u00b0/.test(document.querySelector("#devices").innerText));
 });
+await check("its signals are those of now", async () => {
+  await send('signal arm load 5 kg\nsignal arm mode "auto"\nsignal - estop true');
+  await live.page.waitForFunction(() => /load\s+5 kg\s+mode\s+auto[^]*estop\s+true/.test(document.querySelector("#devices").innerText));
+  await send("signals arm load=6\nsignal arm mode default");
+  await live.page.waitForFunction(() => /load\s+6 kg/.test(document.querySelector("#devices").innerText) &&
+    !/mode/.test(document.querySelector("#devices").innerText));
+});
 await check("it has no time line, no curves and no events, and a device is selected in it", async () => {
   for (const id of ["#play", "#track", "#curves", "#lists"]) assert.equal(await live.page.locator(id).isVisible(), false, id);
   for (const key of ["p", "l", " "]) await live.page.keyboard.press(key);

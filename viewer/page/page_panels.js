@@ -1,5 +1,5 @@
 "use strict";
-// Beside the picture: the devices with their joints, and the list of findings and events.
+// Beside the picture: the devices with their joints and signals, and the list of findings and events.
 function rocinantePanels(page) {
   const element = (id) => document.getElementById(id);
   const made = (tag, name, text) => {
@@ -14,11 +14,23 @@ function rocinantePanels(page) {
     return joint.value.toFixed(4) + (joint.kind === "length" ? " m" : "");
   }
 
+  function signalRows(device) {
+    const rows = [];
+    for (const signal of device.signals || []) {
+      rows.push(made("dt", "signal", signal.name), made("dd", "signal " + signal.kind, signal.text));
+      rows[rows.length - 2].title = `${signal.series}, a ${signal.kind} stated by ${signal.owner}`;
+      rows[rows.length - 1].title = signal.text;
+    }
+    if (device.unlisted) rows.push(made("dt", "signal", `and ${device.unlisted} more signals`), made("dd"));
+    return rows;
+  }
+
+  // The last may have no name: what is said of no device.
   function deviceBox(device) {
     const box = made("section");
     box.classList.toggle("away", !device.visible);
     const isSelected = device.name === page.selectedDevice();
-    const title = made("h2", isSelected ? "selected" : "", device.name);
+    const title = made("h2", isSelected && device.name ? "selected" : "", device.name || "Signals of no device");
     title.onclick = () => page.select(isSelected ? "" : device.name, "");
     const list = made("dl");
     if (device.link) {
@@ -28,18 +40,20 @@ function rocinantePanels(page) {
     for (const joint of device.joints) {
       list.append(made("dt", "", joint.name), made("dd", joint.outside ? "outside" : "", jointText(joint)));
     }
+    list.append(...signalRows(device));
     box.append(title, list);
     return box;
   }
 
-  // Returns the selected device's values by joint, or null.
+  // Returns the selected device's values by joint and `signal PATH NAME`, or null.
   function showDevices() {
     if (element("devices").hidden && element("plots").hidden) return null;
     const devices = page.calls.devices(page.now());
     if (devices.error) return null;
     if (!element("devices").hidden) element("devices").replaceChildren(...devices.map(deviceBox));
     const selected = devices.find((device) => device.name === page.selectedDevice());
-    return selected ? new Map(selected.joints.map((joint) => [joint.name, jointText(joint)])) : null;
+    return selected ? new Map([...selected.joints.map((joint) => [joint.name, jointText(joint)]),
+      ...(selected.signals || []).map((signal) => [signal.series, signal.text])]) : null;
   }
 
   const secondsText = (ns) => (ns / 1e9).toFixed(3) + " s";

@@ -1,5 +1,5 @@
 "use strict";
-// Curves of the selected device's joints over the session. What a curve is, its scale and its
+// Curves of the selected device's joints and signals, or of the signals of no device, over the session. What a curve is, its scale and its
 // limits come from viewer/web; here they are laid out, with a cursor that scrubs.
 function rocinantePlots(page) {
   const kHeight = 40;            // of a lane, in pixels
@@ -26,7 +26,7 @@ function rocinantePlots(page) {
   function makeLane(lane, width) {
     const box = document.getElementById("lane").content.firstElementChild.cloneNode(true);
     const one = (name) => box.querySelector("." + name);
-    one("joint").textContent = lane.joint;
+    one("joint").textContent = lane.name;
     one("range").textContent = lane.text || "nothing said";
     const svg = one("curves");
     svg.setAttribute("viewBox", `0 0 ${width} ${kHeight}`);
@@ -37,7 +37,7 @@ function rocinantePlots(page) {
       if (at === null) { one(name).remove(); continue; }
       for (const [key, value] of [["x1", 0], ["x2", width], ["y1", at], ["y2", at]]) one(name).setAttribute(key, value);
     }
-    return {box, svg, joint: lane.joint, value: one("value"), cursor: one("cursor")};
+    return {box, svg, name: lane.name, value: one("value"), cursor: one("cursor")};
   }
 
   function show() {
@@ -48,25 +48,26 @@ function rocinantePlots(page) {
     if (wanted === drawn) return;
     drawn = wanted;
     shownAt = performance.now();
-    const given = device ? page.calls.plots(device, page.now(), width, kHeight) : [];
+    const given = page.calls.plots(device, page.now(), width, kHeight);
     const lists = Array.isArray(given) ? given : [];
     lanes = lists.map((lane) => makeLane(lane, width));
     document.getElementById("lanes").replaceChildren(...lanes.map((lane) => lane.box));
-    say.textContent = !device ? "Choose a device: click it in the picture or in the list."
+    const whose = device || "signals of no device";
+    say.textContent = !device && !lanes.length ? "Choose a device: click it in the picture or in the list."
       : part < 0 ? "The log cannot be read on: the curves end there."
-      : part < 1 ? `${device}: reading the log, ${Math.round(100 * part)} %`
-      : lanes.length ? device : device + " has no joints";
+      : part < 1 ? `${whose}: reading the log, ${Math.round(100 * part)} %`
+      : lanes.length ? whose : device + " has no joints and no signals with numbers";
     moveCursor(page.now(), null);
   }
 
-  // `joints`: name and text of the values of this moment, or null when they are not at hand.
-  function moveCursor(now, joints) {
+  // `values`: name and text of the values of this moment, or null when they are not at hand.
+  function moveCursor(now, values) {
     const length = Math.max(page.about.end_ns - page.about.start_ns, 1);
     for (const lane of lanes) {
       const x = (now - page.about.start_ns) / length * lane.svg.viewBox.baseVal.width;
       lane.cursor.setAttribute("x1", x);
       lane.cursor.setAttribute("x2", x);
-      if (joints) lane.value.textContent = joints.get(lane.joint) || "";
+      if (values) lane.value.textContent = values.get(lane.name) || "";
     }
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "core/report/json_text.h"
@@ -15,6 +16,8 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMaxColumns = 8192;
+/// Lanes of them; a list names all that there are.
+constexpr std::size_t kMaxSignals = 256;
 
 SeriesScan::Options optionsOf(const Cell& cell, LogTime start, LogTime end) {
   SeriesScan::Options options;
@@ -51,7 +54,8 @@ Json placeOf(const std::optional<double>& limit, const PlotScale& scale, double 
   return height - part * height;
 }
 
-Json laneJson(const PlotValue& value, const std::vector<ValueColumn>& columns, double height) {
+Json laneJson(const PlotValue& value, const std::string& unit,
+              const std::vector<ValueColumn>& columns, double height) {
   const auto range = rangeOf(columns, value);
   double low = range ? range->first : 1;
   double high = range ? range->second : -1;
@@ -61,7 +65,7 @@ Json laneJson(const PlotValue& value, const std::vector<ValueColumn>& columns, d
   Json lane;
   if (range) {
     lane["text"] = plotText(range->first, value.unit, scale) + " to " +
-                   plotText(range->second, value.unit, scale);
+                   plotText(range->second, value.unit, scale) + (unit.empty() ? "" : " " + unit);
   }
   lane["curve"] = curvePath(shape, height);
   lane["bars"] = barsPath(shape, height);
@@ -91,25 +95,47 @@ Result<double> WebPlots::read(std::uint64_t messages) {
   return std::clamp(part, 0.0, 0.999);
 }
 
-std::string WebPlots::lanesJson(const PosedDevice& device, const DeviceState* said,
-                                std::size_t width, double height) const {
-  Json lanes = Json::array();
+Json WebPlots::laneOf(const PlotValue& value, const std::string& unit, std::size_t width,
+                      double height) const {
   const std::size_t count = std::clamp<std::size_t>(width, 1, kMaxColumns);
-  for (const JointRow& row : jointRows(*device.model, said, "")) {
-    const PlotValue value =
-        plotValue({SeriesKey::Kind::joint, device.name, row.name}, device.model);
-    const ValueBins* const bins = series_->values(value.series);
-    std::vector<ValueColumn> columns;
-    if (bins != nullptr) columns = bins->columns(start_, end_, count);
-    // Nothing is known behind what was read: a curve ends there.
-    for (std::size_t i = 0; !ended_ && i < columns.size(); ++i) {
-      const Nanoseconds since =
-          (end_ - start_) / static_cast<std::int64_t>(count) * static_cast<std::int64_t>(i);
-      if (start_ + since > series_->reached()) columns[i].held.reset();
-    }
-    Json lane = laneJson(value, columns, height);
-    lane["joint"] = row.name;
+  const ValueBins* const bins = series_->values(value.series);
+  std::vector<ValueColumn> columns;
+  if (bins != nullptr) columns = bins->columns(start_, end_, count);
+  // Nothing is known behind what was read: a curve ends there.
+  for (std::size_t i = 0; !ended_ && i < columns.size(); ++i) {
+    const Nanoseconds since =
+        (end_ - start_) / static_cast<std::int64_t>(count) * static_cast<std::int64_t>(i);
+    if (start_ + since > series_->reached()) columns[i].held.reset();
+  }
+  return laneJson(value, unit, columns, height);
+}
+
+std::string WebPlots::lanesJson(const std::string& name, const PosedDevice* device,
+                                const SessionState& state, std::size_t width, double height) const {
+  Json lanes = Json::array();
+  const auto add = [&](Json lane, std::string of) {
+    lane["name"] = std::move(of);
     lanes.push_back(std::move(lane));
+  };
+  if (device != nullptr) {
+    for (const JointRow& row : jointRows(*device->model, state.findDevice(name), "")) {
+      const PlotValue value = plotValue({SeriesKey::Kind::joint, name, row.name}, device->model);
+      add(laneOf(value, {}, width, height), row.name);
+    }
+  }
+  std::vector<SeriesKey> signals = series_->keys();
+  std::erase_if(signals, [&](const SeriesKey& key) {
+    return key.kind != SeriesKey::Kind::signal || key.name != name;
+  });
+  // As they are listed: those of the device itself first.
+  std::sort(signals.begin(), signals.end(), [](const SeriesKey& a, const SeriesKey& b) {
+    return std::tie(a.link, a.part) < std::tie(b.link, b.part);
+  });
+  if (signals.size() > kMaxSignals) signals.resize(kMaxSignals);
+  for (const SeriesKey& key : signals) {
+    const Item<SignalValue>* const now = state.findSignal(name, {key.link, key.part});
+    const std::string unit = now == nullptr ? std::string() : now->value.unit;
+    add(laneOf(plotValue(key, nullptr), unit, width, height), key.text());
   }
   return lanes.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -8,12 +8,14 @@
 #include "core/cell/posed_scene.h"
 #include "core/log/log_reader.h"
 #include "core/packet/session_state.h"
+#include "core/report/json_text.h"
 #include "core/series/series_scan.h"
+#include "viewer/shown/plot_scale.h"
 
 namespace rocinante {
 
-/// The joint values of a session as curves, drawn as the window's plots are. One pass over the log
-/// gathers them, a few messages at a time, between which a page continues.
+/// The joint values and signals of a session as curves, drawn as the window's plots are. One pass
+/// over the log gathers them, a few messages at a time, between which a page continues.
 class WebPlots {
  public:
   /// Borrows the cell and the bytes of the log.
@@ -22,13 +24,18 @@ class WebPlots {
   /// Reads the next `messages`. Returns the part of the log that is read, 0 to 1.
   Result<double> read(std::uint64_t messages);
 
-  /// JSON: one lane for each joint, of that many pixels: joint, text (its low and high end with the
+  /// JSON: one lane for each joint, and behind them one for each signal that was a number, of that
+  /// many pixels: name (of a joint, or `signal PATH NAME`), text (its low and high end with the
   /// unit), curve and bars (paths of SVG), lower and upper (its limits from the top, where they are
-  /// in the lane).
-  std::string lanesJson(const PosedDevice& device, const DeviceState* said, std::size_t width,
-                        double height) const;
+  /// in the lane). `device`: null for one that the cell has not. `state`: of the moment, whose
+  /// units are shown.
+  std::string lanesJson(const std::string& name, const PosedDevice* device,
+                        const SessionState& state, std::size_t width, double height) const;
 
  private:
+  Json laneOf(const PlotValue& value, const std::string& unit, std::size_t width,
+              double height) const;
+
   LogReader log_;
   LogTime start_, end_;
   std::unique_ptr<SeriesScan> series_;

@@ -11,6 +11,7 @@
 #include "viewer/model/link_poses.h"
 #include "viewer/render/renderer.h"
 #include "viewer/shown/joint_rows.h"
+#include "viewer/shown/signal_rows.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/web/web_context.h"
 
@@ -33,6 +34,21 @@ Json jointJson(const JointRow& row) {
   json["said"] = row.said;
   json["outside"] = row.outside();
   return json;
+}
+
+void addSignals(Json& device, const std::string& name, const Signals& signals) {
+  /// Of one device; a page says how many more there are.
+  constexpr std::size_t kMostListed = 256;
+  if (signals.empty()) return;
+  Json& list = device["signals"] = Json::array();
+  for (const SignalRow& row : signalRows(name, signals, "", kMostListed)) {
+    list.push_back({{"name", row.name},
+                    {"text", row.text},
+                    {"series", row.series.text()},
+                    {"kind", nameOf(row.kind)},
+                    {"owner", row.owner}});
+  }
+  device["unlisted"] = signals.size() - list.size();
 }
 
 Result<Cell> cellOf(Bytes bytes) {
@@ -175,8 +191,20 @@ Result<std::string> WebSession::devicesJson(std::int64_t ns) {
         one["link"] = {{"name", selected_->path.second}, {"place", {place.x, place.y, place.z}}};
       }
     }
+    if (said != nullptr) addSignals(one, device.name, said->signals);
     json.push_back(std::move(one));
   }
+  // What the cell has not is listed by what it says.
+  const auto addBare = [&](const std::string& name, const Signals& signals) {
+    if (signals.empty()) return;
+    Json one = {{"name", name}, {"visible", true}, {"joints", Json::array()}};
+    addSignals(one, name, signals);
+    json.push_back(std::move(one));
+  };
+  for (const auto& [name, said] : (*state)->devices()) {
+    if (scene.findDevice(name) == nullptr) addBare(name, said.signals);
+  }
+  addBare({}, (*state)->signals());
   return text(json);
 }
 
@@ -262,9 +290,8 @@ Result<std::string> WebSession::plotsJson(const std::string& device, std::int64_
   const auto state = stateAt(ns);
   if (!state) return state.error();
   const PosedScene scene = poseScene(maker_.cell(), **state);
-  const PosedDevice* const posed = scene.findDevice(device);
-  if (posed == nullptr || !plots_) return std::string("[]");
-  return plots_->lanesJson(*posed, (*state)->findDevice(device), width, height);
+  if (!plots_) return std::string("[]");
+  return plots_->lanesJson(device, scene.findDevice(device), **state, width, height);
 }
 
 Status WebSession::useCamera(const std::string& name) {

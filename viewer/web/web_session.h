@@ -57,8 +57,9 @@ class WebSession {
   std::string aboutJson();
   /// JSON: events and marks, each with ns (from the origin) and text.
   std::string eventsJson();
-  /// JSON: devices at that moment, each with its joints' names, values and kinds, and of the
-  /// selected link its place in the world.
+  /// JSON: devices at that moment, each with its joints' names, values and kinds, its signals'
+  /// names, texts and kinds, and of the selected link its place in the world. The last has no name
+  /// and the signals of no device, if there are any.
   Result<std::string> devicesJson(std::int64_t ns);
   /// What `rocinante model fk --json` prints for that moment.
   Result<std::string> posesJson(std::int64_t ns);
@@ -90,7 +91,7 @@ class WebSession {
 
   /// Reads on for the plots; the part that is read, 0 to 1.
   Result<double> readPlots(std::uint64_t messages);
-  /// WebPlots::lanesJson() of a device at that moment.
+  /// WebPlots::lanesJson() of a device, or without a name of none, at that moment.
   Result<std::string> plotsJson(const std::string& device, std::int64_t ns, std::size_t width,
                                 double height);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/plain_text.h"
+#include "viewer/shown/signal_rows.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
@@ -13,21 +14,6 @@ namespace {
 
 constexpr std::size_t kMaxSignalRows = 8;
 constexpr float kLeastWidth = 230;
-/// Of a text, more than a row has room for.
-constexpr std::size_t kShownBytes = 256;
-
-std::string valueText(const SignalValue& value) {
-  switch (value.kind) {
-    case SignalKind::number:
-      return fmt::format("{:.5g}{}{}", value.number == 0 ? 0 : value.number,
-                         value.unit.empty() ? "" : " ", value.unit);
-    case SignalKind::boolean:
-      return value.number != 0 ? "true" : "false";
-    case SignalKind::text:
-      break;
-  }
-  return plainText(std::string_view(value.text).substr(0, kShownBytes));
-}
 
 void drawSignal(ViewModel& model, const std::string& device, const SignalName& name,
                 const Item<SignalValue>& item) {
@@ -44,7 +30,7 @@ void drawSignal(ViewModel& model, const std::string& device, const SignalName& n
                 {key});
   explain(fmt::format("{}\nstated last by {}", key.text(), plainText(item.owner)).c_str());
   ImGui::TableNextColumn();
-  const std::string text = valueText(value);
+  const std::string text = signalValueText(value);
   const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
   ImGui::TextUnformatted(shown.c_str());
   if (shown != text) explain(text.c_str());
