@@ -192,6 +192,8 @@ struct Cell {
   /// baked cell (docs/baked-cell.md); otherwise empty.
   std::map<std::filesystem::path, ByteView> pictures;
   std::shared_ptr<const void> keeps_pictures;
+  /// Key into `models`: of devices that packets alone tell of. Empty: such devices are not shown.
+  std::string bare_model;
 
   /// The model of a device with its appearance; null when it could not be read.
   const Model* modelOf(const CellDevice& device) const;

@@ -67,6 +67,7 @@ class ScenePoser {
     const DeviceAppearance dress(layers_, state_);
     for (Standing& standing : standing_) {
       dress.dress(standing.device, standing.color, standing.of_cell);
+      if (!standing.device.placed) standing.device.link_visible.assign(1, false);
       noteLooks(standing.device);
       scene_.devices.push_back(std::move(standing.device));
     }
@@ -164,6 +165,18 @@ class ScenePoser {
     for (const auto& [name, state] : state_.devices()) {
       if (!isAdded(&state) || !isChosen(name) || cell_.findDevice(name) != nullptr) continue;
       if (const Model* model = modelNamed(state.presence->value.model)) stand(name, *model, &state);
+    }
+    if (const Model* bare = modelNamed(cell_.bare_model)) addBareDevices(*bare);
+  }
+
+  /// What no cell describes. Where a link is that carries one, nobody knows.
+  void addBareDevices(const Model& bare) {
+    for (const auto& [name, state] : state_.devices()) {
+      if (isRemoved(&state) || scene_.device_by_name.contains(name)) continue;
+      if (cell_.findDevice(name) != nullptr) continue;
+      PosedDevice& device = stand(name, bare, &state).device;
+      device.bare = true;
+      device.placed = state.pose && state.pose->value.carrier.first.empty();
     }
   }
 

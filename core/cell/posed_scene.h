@@ -46,6 +46,8 @@ struct PosedDevice {
   std::string layer;
   bool visible = true;  ///< the device and its layer are shown; single links may still be hidden
   bool ghost = false;   ///< another source's device, drawn as a ghost (CellSource::ghost_of)
+  bool bare = false;    ///< no cell describes it: Cell::bare_model
+  bool placed = true;   ///< of a bare one: a pose of it in the world was stated
   std::vector<PosedShare> shares;    ///< further layers: its tags, then as the cell lists them
   bool has_parts = false;            ///< some of them hold parts, which are judged one by one
   std::vector<LayerLook> link_look;  ///< by link; empty: none has any
@@ -81,7 +83,7 @@ struct PosedCamera {
 /// The cell in one state: what the app stage hands to cull and draw. A plain value (but for the
 /// borrowed model and drawing pointers).
 struct PosedScene {
-  std::vector<PosedDevice> devices;  ///< the cell's order, then added ones by name, then ghosts
+  std::vector<PosedDevice> devices;  ///< the cell's order, then added and bare ones, then ghosts
   std::vector<PosedDrawing> drawings;
   std::vector<PosedCamera> cameras;  ///< the cell's order, then the session's by name
   const PosedDevice* findDevice(std::string_view name) const;

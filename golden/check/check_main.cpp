@@ -8,6 +8,7 @@
 #include "core/check/check.h"
 #include "core/check/drift/model_drift.h"
 #include "core/check/reports/baseline.h"
+#include "core/check/rules/without_cell.h"
 #include "core/cli/import_progress.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
@@ -30,7 +31,7 @@ using namespace rocinante;
 constexpr const char* kExamples =
     "  rocinante check cell.toml                         the model alone\n"
     "  rocinante check cell.toml session.mcap            does this session fit this model?\n"
-    "  rocinante check session.mcap                      a log that carries its cell\n"
+    "  rocinante check session.mcap                      a log that carries its cell, or none\n"
     "  rocinante check arm.urdf session.mcap --json      for a program\n"
     "  rocinante check arm.urdf bag.db3                  a bag, a capture or a table\n"
     "  rocinante check cell.toml session.mcap -o junit=check.xml -o sarif=check.sarif\n"
@@ -120,6 +121,16 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell,
   return report;
 }
 
+/// A session alone, which carries no cell: it is judged by what needs none.
+Result<bool> hasNoCell(const CheckArguments& my) {
+  if (my.cell != my.log || !isLog(my.cell)) return false;
+  const auto log = LogReader::open(my.log);
+  if (!log) return log.error();
+  const auto carried = readAttachedCell(*log);
+  if (!carried) return carried.error();
+  return !carried->has_value();
+}
+
 /// The cell, with the rules of the command line.
 Result<Cell> loadWithRules(const CheckArguments& my) {
   const Result<std::vector<CellRule>> rules = readRuleArguments(my);
@@ -128,7 +139,9 @@ Result<Cell> loadWithRules(const CheckArguments& my) {
   static_cast<ModelSearch&>(options) = my;
   options.parallel = cli::workerThreads();
   options.progress = cli::loadProgress(my.cell);
-  Result<Cell> cell = loadCellOrLog(my.cell, options);
+  const Result<bool> is_bare = hasNoCell(my);
+  if (!is_bare) return is_bare.error();
+  Result<Cell> cell = *is_bare ? Cell() : loadCellOrLog(my.cell, options);
   if (cell) cell->rules.insert(cell->rules.end(), rules->begin(), rules->end());
   return cell;
 }
@@ -226,6 +239,8 @@ Result<cli::Exit> run(CheckArguments& my) {
   }
   Result<CheckReport> report = judge(my, opened);
   if (!report) return opened.named(report.error());
+  const Result<bool> is_bare = hasNoCell(my);
+  if (is_bare && *is_bare) concludeWithoutCell(*report);
   if (opened.imported) report->cell = opened.named({{}, report->cell, {}}).what;
   if (Status concluded = concludeWith(my, baseline, *report); !concluded) return concluded.error();
   if (Status written = writeReport(*report, my, *outputs); !written) return written.error();

@@ -203,13 +203,13 @@ void fields(Fields& io, Taken<Fields, Finding>& fault) {
      accepted);
 }
 
-/// All but what models and pictures have sections of their own for, and what keeps files and
-/// memory.
+/// All but what models and pictures have sections of their own for, what keeps files and memory,
+/// and what a session without a cell has.
 template <class Fields>
 void fields(Fields& io, Taken<Fields, Cell>& cell) {
   auto& [file, devices, device_by_name, models, cameras, insets, layers, sources, rules, clearances,
          signals, scene, decoders, faults, files, keeps_files, files_below, files_shown_as,
-         pictures, keeps_pictures] = cell;
+         pictures, keeps_pictures, bare_model] = cell;
   io(file, devices, device_by_name, models, cameras, insets, layers, sources, rules, clearances,
      signals, scene, decoders, faults, files, files_below, files_shown_as);
 }

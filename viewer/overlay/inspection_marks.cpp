@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "core/base/plain_text.h"
 #include "core/cell/view_path.h"
 #include "core/math/transform.h"
 
@@ -16,12 +18,13 @@ constexpr double kAxisPx = 34;
 constexpr double kAxisWidthPx = 2.5;
 constexpr std::array<std::uint32_t, 3> kAxisColors{0xE8453BFF, 0x49B044FF, 0x3F86F0FF};
 constexpr std::uint32_t kAxisShade = 0x14181C90;
-constexpr std::uint32_t kMeasureInk = 0xFFD84AFF;
+constexpr std::uint32_t kMeasureInk = 0xFFD84AFF, kNameInk = 0xE8ECF0FF;
 constexpr std::uint32_t kKeptInk = 0x52C765FF, kViolatedInk = 0xFF5A4DFF;
 
 struct LinkSpace {
   Mat4 to_world{1.0};
   double depth = 0;
+  std::string name;  ///< beside its axes; empty: none
 };
 
 void addAxes(Overlay& overlay, const LinkSpace& space, const Camera& camera) {
@@ -58,7 +61,8 @@ void addSpan(Overlay& overlay, const Vec3& from, const Vec3& to, std::uint32_t i
 }  // namespace
 
 void addLinkFrames(Overlay& overlay, const PosedScene& scene, const ViewChoice& choice,
-                   const std::vector<std::string>& frames, const Camera& camera) {
+                   const std::vector<std::string>& frames, const Camera& camera,
+                   const TextAtlas& atlas) {
   std::vector<ViewPath> paths;
   for (const std::string& frame : frames) {
     if (auto path = parseViewPath(frame)) paths.push_back(std::move(*path));
@@ -69,16 +73,20 @@ void addLinkFrames(Overlay& overlay, const PosedScene& scene, const ViewChoice& 
     for (std::size_t link = 0; link < device.link_world.size(); ++link) {
       const bool named = std::ranges::any_of(
           paths, [&](const ViewPath& path) { return path.namesLink(device, link); });
-      if (!named || !choice.linkVisible(device, link)) continue;
+      if (!named || !device.placed || !choice.linkVisible(device, link)) continue;
       const double depth = camera.depthOf(positionOf(device.link_world[link]));
       // NaN has no order, and what is behind the camera no picture.
       if (!std::isfinite(depth) || (depth <= 0 && !camera.orthographic())) continue;
-      spaces.push_back({device.link_world[link], depth});
+      spaces.push_back({device.link_world[link], depth, device.bare ? device.name : ""});
     }
   }
   std::ranges::stable_sort(
       spaces, [](const LinkSpace& a, const LinkSpace& b) { return a.depth > b.depth; });
   for (const LinkSpace& space : spaces) addAxes(overlay, space, camera);
+  for (const LinkSpace& space : spaces) {
+    if (space.name.empty()) continue;
+    overlay.addLabel(atlas, positionOf(space.to_world), kNameInk, plainText(space.name));
+  }
 }
 
 void addCameraCone(Overlay& overlay, const Camera& shown, double depth_m, const Camera& camera) {

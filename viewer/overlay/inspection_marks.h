@@ -9,9 +9,11 @@
 namespace rocinante {
 
 /// Adds the axes of the links that RenderStyle::frames names and that are shown, over everything:
-/// x red, y green, z blue, all as long in the picture, whatever their distance.
+/// x red, y green, z blue, all as long in the picture, whatever their distance. Those of a device
+/// that no cell describes have its name.
 void addLinkFrames(Overlay& overlay, const PosedScene& scene, const ViewChoice& choice,
-                   const std::vector<std::string>& frames, const Camera& camera);
+                   const std::vector<std::string>& frames, const Camera& camera,
+                   const TextAtlas& atlas);
 
 /// Adds the distances of RenderStyle::measures, over everything: a line between two points, and its
 /// length. Those with a missing device or link are left out.

@@ -151,7 +151,7 @@ Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
   Overlay on_top(camera, frame.scale);
   addLabels(on_top, frame.scene->drawings, *frame.choice, camera, glyphs, style.labels);
   on_top.setOwner(0);
-  addLinkFrames(on_top, *frame.scene, *frame.choice, style.frames, camera);
+  addLinkFrames(on_top, *frame.scene, *frame.choice, style.frames, camera, glyphs);
   addMeasures(on_top, *frame.scene, style, glyphs);
   if (style.camera_cone && &view != &frame.camera && camera.orthographic()) {
     const Camera shown(frame.camera, whole_width, whole_height, passes.clipDepth(), 1);

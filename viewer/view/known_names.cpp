@@ -101,6 +101,12 @@ std::optional<KnownNames::Models> KnownNames::modelsOf(const std::string& named)
   return known ? std::optional(std::move(models)) : std::nullopt;
 }
 
+/// Where no cell is, whatever a packet names is a device.
+void KnownNames::noteBare(std::string_view device) {
+  if (cell_.bare_model.empty() || device.empty()) return;
+  added_[std::string(device)].insert(cell_.bare_model);
+}
+
 Status KnownNames::readLog() {
   if (log_read_ || log_.empty()) return {};
   // The initial state of a cut or split log is in its first keyframe.
@@ -112,6 +118,7 @@ Status KnownNames::readLog() {
   if (!first) return first.error();
   for (const auto& [device, state] : (*first)->devices()) {
     if (state.presence) added_[device].insert(state.presence->value.model);
+    noteBare(device);
   }
   for (const auto& [name, view] : (*first)->views()) views_.insert(name);
 
@@ -125,6 +132,8 @@ Status KnownNames::readLog() {
     const Packet* const packet = folder.decode(**message);
     if (packet == nullptr) continue;
     for (const Statement& statement : packet->statements) {
+      if (isOfDevice(statement.kind)) noteBare(statement.name);
+      if (isSignal(statement.kind)) noteBare(statement.path.first);
       if (statement.kind == StatementKind::add) {
         added_[std::string(statement.name)].emplace(statement.text);
       } else if (statement.kind == StatementKind::view) {

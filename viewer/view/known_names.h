@@ -47,6 +47,7 @@ class KnownNames {
   Status checkLayer(const std::string& layer) const;
   Status checkBelow(const ViewPath& path, const Models& models) const;
   Status readLog();
+  void noteBare(std::string_view device);
   /// The possible models of a device; empty for an unknown name.
   std::optional<Models> modelsOf(const std::string& named) const;
   Models allModels() const;

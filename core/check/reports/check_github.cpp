@@ -98,7 +98,8 @@ std::string checkGithub(const CheckReport& report, std::size_t most_a_rule) {
     text += fmt::format("::error title=rocinante check::{}\n",
                         escapedData(verdictText(report.verdict)));
   }
-  return text + fmt::format("{}{}{}: {}\n", report.cell, report.session.empty() ? "" : " and ",
+  return text + fmt::format("{}{}{}: {}\n", report.cell,
+                            report.session.empty() || !report.has_cell ? "" : " and ",
                             report.session, verdictText(report.verdict));
 }
 

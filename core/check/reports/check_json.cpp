@@ -65,7 +65,10 @@ std::string checkJson(const CheckReport& report) {
   Json json;
   json["format"] = 1;
   json["verdict"] = std::string(nameOf(report.verdict));
-  json["cell"] = report.cell;
+  json["cell"] = orNull(report.cell);
+  if (!report.has_cell) {
+    for (const auto& [rules, why] : report.unjudged) json["not_judged"].push_back(rules);
+  }
   json["session"] = orNull(report.session);
   json["datagrams"] = report.datagrams;
   json["packets"] = report.packets;

@@ -42,7 +42,8 @@ JunitCase testCase(const CheckReport& report, std::string_view rule,
     test.outcome = JunitCase::Outcome::skipped;
     test.message = "accepted by the baseline";
   } else if (findings.empty()) {
-    const auto why = report.unjudged.find(rule.substr(0, rule.find('.')));
+    auto why = report.unjudged.find(rule.substr(0, rule.find('.')));
+    if (why == report.unjudged.end()) why = report.unjudged.find(rule);
     if (why != report.unjudged.end()) {
       test.outcome = JunitCase::Outcome::skipped;
       test.message = "nothing to judge: " + why->second;

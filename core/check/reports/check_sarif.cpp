@@ -43,7 +43,9 @@ Json locationOf(const CheckReport& report, const Finding& finding) {
   Json location;
   Json& physical = location["physicalLocation"];
   // Code scanning shows nothing without a file: a session's findings are shown at its cell.
-  physical["artifactLocation"]["uri"] = uriOf(finding.file.empty() ? report.cell : finding.file);
+  physical["artifactLocation"]["uri"] = uriOf(!finding.file.empty() ? finding.file
+                                              : report.has_cell     ? report.cell
+                                                                    : report.session);
   physical["region"]["startLine"] = std::max(finding.line, 1);
   if (finding.line > 0 && finding.column > 0) physical["region"]["startColumn"] = finding.column;
   if (!finding.subject.empty()) {

@@ -7,6 +7,7 @@
 #include "core/base/plain_text.h"
 #include "core/check/reports/report_formats.h"
 #include "core/check/reports/time_strip.h"
+#include "core/check/rules/without_cell.h"
 #include "core/report/account.h"
 
 namespace rocinante {
@@ -124,8 +125,8 @@ class ReportText {
   void writeHead() {
     std::string head = report_.cell;
     if (!report_.session.empty()) {
-      head += fmt::format(" and {}: {} of {}, over {} s", report_.session,
-                          plural(report_.packets, "packet"),
+      head += fmt::format("{}{}: {} of {}, over {} s", report_.has_cell ? " and " : "",
+                          report_.session, plural(report_.packets, "packet"),
                           plural(report_.sources.size(), "source"), rounded(report_.duration));
       if (report_.datagrams > report_.packets) {
         head += fmt::format("; {} not decoded",
@@ -133,6 +134,7 @@ class ReportText {
       }
     }
     out_.line(0, head, "1");
+    if (!report_.has_cell) out_.line(0, withoutCellSentence());
   }
 
   void writeCounts() {

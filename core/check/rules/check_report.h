@@ -49,6 +49,7 @@ struct CheckReport {
   std::string cell;     ///< as the user named it
   std::string session;  ///< log or endpoint; empty when the model alone was judged
   bool has_session = false;
+  bool has_cell = true;  ///< false: `cell` is empty, and what needs one is not judged
   std::uint64_t datagrams = 0;
   std::uint64_t packets = 0;  ///< of those, decoded
   /// Live, where senders must sign: datagrams refused, by reason, and not judged. Otherwise empty.
@@ -59,7 +60,7 @@ struct CheckReport {
   Findings findings;                         ///< errors first, then by first time, then by rule
   std::vector<CheckedClearance> clearances;  ///< as the cell has them, then by device
   RuleSettings rules;  ///< the rules as the cell sets them; conclude() applies them
-  /// Why the rules with this first part ("urdf", "joint") had nothing to judge.
+  /// Why the rules with this first part ("urdf", "joint"), or of this id, had nothing to judge.
   std::map<std::string, std::string, std::less<>> unjudged;
   bool has_baseline = false;
   bool interrupted = false;

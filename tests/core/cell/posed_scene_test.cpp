@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/cell/bare_cell.h"
 #include "core/math/transform.h"
 #include "tests/core/cell/cell_fixture.h"
 
@@ -199,6 +200,30 @@ TEST_F(PosedSceneTest, AGhostStandsWithItsOriginalUntilItIsToldOtherwise) {
   EXPECT_EQ(at(posed, "plan_arm", "tip"), Vec3(1, 0, 0.5));
   EXPECT_EQ(at(scene("pose arm 4 0 0 0 0 0 1\njoints plan_arm 0\n"), "plan_arm"), Vec3(4, 0, 0));
   EXPECT_EQ(at(scene("pose plan_arm 9 0 0 0 0 0 1\n"), "plan_arm"), Vec3(9, 0, 0));
+}
+
+TEST(BareCell, StandsWhereItsPosesAreAndListsTheRest) {
+  const Cell cell = bareCell();
+  const SessionState state = stateOf(
+      "pose base 1 0 0 0 0 0 1\npose tool 1 0 1 0 0 0 1\n"
+      "pose part 0 0 1 0 0 0 1 in base/flange\njoints arm 1 2\nsignal plc load 5\nadd new m\n"
+      "remove gone\nhide shy\npose shy 0 0 0 0 0 0 1\nsignal - estop true\n");
+  const PosedScene scene = poseScene(cell, state);
+  const auto placeOf = [&](std::string_view name) -> std::optional<Vec3> {
+    const PosedDevice* const device = scene.findDevice(name);
+    if (device == nullptr || !device->placed) return std::nullopt;
+    EXPECT_TRUE(device->bare);
+    return positionOf(device->base);
+  };
+  EXPECT_EQ(placeOf("tool"), Vec3(1, 0, 1));
+  for (const char* name : {"part", "arm", "plc", "new"}) {
+    ASSERT_NE(scene.findDevice(name), nullptr) << name;
+    EXPECT_FALSE(placeOf(name)) << name;
+    EXPECT_FALSE(scene.findDevice(name)->link_visible[0]) << name;
+  }
+  EXPECT_EQ(scene.findDevice("gone"), nullptr);
+  EXPECT_FALSE(scene.findDevice("shy")->visible);
+  EXPECT_TRUE(poseScene(Cell(), state).devices.empty());
 }
 
 TEST_F(PosedSceneTest, ALongChainOfCarriersIsWalkedWithoutRecursion) {

@@ -30,6 +30,10 @@ bool showsBackdrop(const ViewModel& model) {
 }  // namespace
 
 Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSize& size) const {
+  if (shown_.cell.empty()) {
+    return Error{
+        ErrorKind::bad_argument, "this log carries no cell: a picture of it needs one", {}};
+  }
   EvidenceRequest request;
   request.cell = shown_.cell;
   request.log = shown_.log;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/bundle/attached_cell.h"
+#include "core/cell/bare_cell.h"
 #include "core/check/log_account.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
@@ -68,7 +69,8 @@ Result<OpenedRecording> openRecordingOf(const ContentRequest& request, const fs:
   return opened;
 }
 
-/// The file that has the cell. Of a log without one it is the cell that was shown before.
+/// The file that has the cell. Of a log without one it is the cell that was shown before, and empty
+/// where there was none.
 Result<fs::path> cellFile(const ContentRequest& request, const OpenedRecording& opened) {
   if (!request.cell.empty() && request.cell != request.log) return request.cell;
   const auto log = LogReader::open(opened.log);
@@ -76,10 +78,7 @@ Result<fs::path> cellFile(const ContentRequest& request, const OpenedRecording& 
   const auto carried = readAttachedCell(*log);
   if (!carried.ok()) return carried.error();
   if (*carried) return opened.log;
-  if (!request.fallback_cell.empty()) return request.fallback_cell;
-  return Error{ErrorKind::not_found,
-               "this log carries no cell: open it together with its cell or model",
-               request.log.string()};
+  return request.fallback_cell;
 }
 
 /// A recording that continues, in this log or in a later piece, is followed; any other log is read
@@ -233,7 +232,8 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   const auto file = cellFile(request, recording);
   if (!file.ok()) return recording.named(file.error());
   const bool is_own_cell = !recording.log.empty() && *file == recording.log;
-  if (recording.imported && request.cell.empty() && !is_own_cell) {
+  const bool is_bare = file->empty() && !request.log.empty();
+  if (recording.imported && request.cell.empty() && !is_own_cell && !is_bare) {
     // Of the cell that is shown: its names are meant.
     auto opened = openRecordingOf(request, request.log, *file, progress, stop);
     if (!opened.ok()) return opened.error();
@@ -247,8 +247,9 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   request.cell = is_own_cell ? request.log : *file;
   options.parallel = cli::workerThreads();
   options.progress = progress;
-  auto cell = CellCache::ofUser().load(*file, options);
+  Result<Cell> cell = is_bare ? bareCell() : CellCache::ofUser().load(*file, options);
   if (!cell.ok()) return recording.named(cell.error());
+  if (is_bare) cell->file = request.log.string();
   if (recording.folder) {
     // A temporary log lasts as long as the cell that is shown with it.
     cell->keeps_files = std::make_shared<
@@ -257,6 +258,12 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   }
   ViewContent content;
   std::vector<PictureNote> notes = notesOf(*cell);
+  if (is_bare) {
+    notes.push_back(
+        {"this log carries no cell: what its packets say is shown, poses as axes; open "
+         "it together with its cell or model to see more",
+         false});
+  }
   for (const std::string& warning : recording.warnings) notes.push_back({warning, false});
   if (!recording.not_kept.empty()) notes.push_back({recording.not_kept, false});
   for (const PictureNote& note : notes) content.warnings.push_back(note.text);
@@ -267,7 +274,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
     if (!opened.ok()) return recording.named(opened.error());
     session = std::move(*opened);
     if (!session->growing()) {
-      const std::string note = logAccount(*session, &*cell).note();
+      const std::string note = logAccount(*session, is_bare ? nullptr : &*cell).note();
       if (!note.empty()) {
         content.warnings.push_back(note);
         notes.push_back({note, false});
@@ -284,6 +291,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   if (auto shown = showBeside(request, *file, progress, stop, content); !shown) {
     return shown.error();
   }
+  if (is_bare) request.styles.insert(request.styles.begin(), "axes=*");
   if (auto applied = applyArguments(request, *content.model, content.warnings); !applied) {
     return applied.error();
   }

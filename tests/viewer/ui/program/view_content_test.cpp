@@ -40,9 +40,29 @@ TEST_F(OpenedFiles, WithALogComesTheShownCell) {
   EXPECT_NE(content->model->cursor(), nullptr);
 
   const auto alone = loadContent(*requestOf({folder_ / "s.mcap"}, {}), {});
-  ASSERT_FALSE(alone.ok());
-  EXPECT_EQ(alone.error().what,
-            "this log carries no cell: open it together with its cell or model");
+  ASSERT_TRUE(alone.ok()) << alone.error().text();
+  EXPECT_TRUE(alone->request.cell.empty());
+  ASSERT_FALSE(alone->warnings.empty());
+  EXPECT_TRUE(alone->warnings[0].starts_with("this log carries no cell")) << alone->warnings[0];
+}
+
+TEST_F(OpenedFiles, ALogWithoutACellShowsItsPosesAsAxes) {
+  test::writeSession(folder_ / "tf.mcap", {{0,
+                                            "pose base 1 2 3 0 0 0 1\n"
+                                            "pose tool 0 0 1 0 0 0 1\n"
+                                            "signal plc load 5 kg\nsignal - estop true\n"}});
+  const auto content = loadContent(*requestOf({folder_ / "tf.mcap"}, {}), {});
+  ASSERT_TRUE(content.ok()) << content.error().text();
+  ViewModel& model = *content->model;
+  EXPECT_EQ(model.style().frames, std::vector<std::string>{"*"});
+  ASSERT_TRUE(model.update(SteadyTime{}).ok());
+  const PosedDevice* const tool = model.scene().findDevice("tool");
+  ASSERT_NE(tool, nullptr);
+  EXPECT_TRUE(tool->bare && tool->placed);
+  const PosedDevice* const plc = model.scene().findDevice("plc");
+  ASSERT_NE(plc, nullptr);
+  EXPECT_FALSE(plc->placed);
+  EXPECT_FALSE(isHopeless(model.cell()));
 }
 
 TEST_F(OpenedFiles, AreRefusedWithASentence) {
