@@ -32,6 +32,7 @@ std::string acceptingLimit(const std::string& item, const ColumnMeasure& measure
   const double needed = std::max(measure.largest, measure.missing);
   const double digit = std::pow(10, std::floor(std::log10(needed)) - 1);
   const double limit = std::ceil(needed * 1.02 / digit) * digit;
+  if (!std::isfinite(limit) || limit < needed) return {};
   return fmt::format("\"{}\" = {{ {} = {:.4g} }}", item, measure.key, limit);
 }
 

@@ -22,8 +22,12 @@ class ColumnJudge {
     const RunLimits limits = times.spec.limitsOf(item_);
     reach_ = times.reachOf(limits);
     if (column.kind == TrackColumn::Kind::number) {
-      measures_.push_back(
-          {column.unit, "signal", limits.signal.value_or(learntLimit(limits, accepted)), 0, 1, {}});
+      measures_.push_back({column.unit,
+                           "signal",
+                           limits.signal.value_or(learntLimit(limits, accepted).limit),
+                           0,
+                           1,
+                           {}});
     } else if (column.kind == TrackColumn::Kind::pose) {
       measures_.push_back({"mm", "pose_mm", limits.ofPose_mm(), 0, 3, {}});
       measures_.push_back({"°", "pose_deg", limits.ofPose_deg(), 3, 3, {}});

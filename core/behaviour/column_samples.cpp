@@ -243,7 +243,9 @@ double ColumnSamples::cornerOf(std::size_t i) const {
   if (std::isnan(known)) {
     bool is_jump = false;
     const Apart its = corner(i, is_jump);
-    known = is_jump ? -1 : static_cast<float>(its[0]);
+    // Numbers of signals may be of any size; an infinite corner would accept everything.
+    constexpr float kMost = std::numeric_limits<float>::max();
+    known = is_jump ? -1 : its[0] < kMost ? static_cast<float>(its[0]) : kMost;
   }
   return known;
 }
@@ -306,16 +308,24 @@ double ColumnSamples::farthestWithin(std::int64_t reach, std::int64_t& when) con
 }
 
 std::pair<double, double> ColumnSamples::extremes() const {
-  std::pair<double, double> found{0, 0};
-  bool any = false;
+  constexpr double kFar = 100;
+  constexpr std::size_t kOneIn = 100;
+  std::vector<double> stated;
   for (std::size_t i = 0; i < size(); ++i) {
-    if (!isStated(i)) continue;
-    const double its = *value(i);
-    found = any ? std::pair(std::min(found.first, its), std::max(found.second, its))
-                : std::pair(its, its);
-    any = true;
+    if (isStated(i)) stated.push_back(*value(i));
   }
-  return found;
+  if (stated.empty()) return {0, 0};
+  const auto [least, most] = std::ranges::minmax(stated);
+  const auto at = [&](std::size_t place) {
+    const auto found = stated.begin() + static_cast<std::ptrdiff_t>(place);
+    std::ranges::nth_element(stated, found);
+    return *found;
+  };
+  const std::size_t outside = stated.size() / kOneIn;
+  const double low = at(outside);
+  const double high = at(stated.size() - 1 - outside);
+  const bool is_far = high > low && (most - least) / kFar > high - low;
+  return is_far ? std::pair(low, high) : std::pair(least, most);
 }
 
 double ColumnSamples::noise() const {

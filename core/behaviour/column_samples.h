@@ -60,7 +60,8 @@ class ColumnSamples {
   bool isLost(std::int64_t time, std::int64_t& from, std::int64_t& until) const;
   /// The farthest that a column of one number moves within a time, and when.
   double farthestWithin(std::int64_t reach, std::int64_t& when) const;
-  /// Of a column of one number: the least and the most that is stated; 0 where nothing is.
+  /// Of a column of one number: the least and the most that is stated, without single values that
+  /// are a hundred times as far away as all others; 0 where nothing is stated.
   std::pair<double, double> extremes() const;
   /// Of a column of one number: the standard deviation of what changes from packet to packet and
   /// goes on nowhere, by the median; 0 for a smooth or a stepped curve, and for few values.

@@ -105,7 +105,12 @@ FastMotion judgeDevices(const RunTimes& times, const ParallelFor& parallel, RunJ
 
 /// How far a signal's number may leave the band where no limit in its unit is written: a share of
 /// the range that the accepted sessions have together, and what lies in their noise.
-double learntLimit(const RunLimits& limits, const std::vector<ColumnSamples>& accepted);
+struct LearntLimit {
+  double limit = 0, range = 0;
+  /// Nothing that the accepted sessions have would be different anywhere.
+  bool isBlind() const { return range > 0 && limit >= range; }
+};
+LearntLimit learntLimit(const RunLimits& limits, const std::vector<ColumnSamples>& accepted);
 
 /// Judges the numbers of all signals that some session has, each as a column of its own, and adds
 /// what it judged and found to `judged`. `parallel` may be empty.

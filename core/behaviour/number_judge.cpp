@@ -16,10 +16,13 @@
 namespace rocinante {
 namespace {
 
+constexpr const char* kNoisySignal = "its noise is as large as its range, so no value is different";
+
 struct NumberToJudge {
   std::string item;
   std::vector<RunFinding> findings;
   ColumnOutcome outcome;
+  bool is_blind = false;
 };
 
 /// The first that an accepted session says.
@@ -53,11 +56,13 @@ void judge(const RunTimes& times, NumberToJudge& number) {
   }
   const ColumnSamples run = samplesOf(times.run, times.run_map);
   number.outcome = judgeColumn(times, number.item, column, accepted, run, number.findings);
+  const RunLimits limits = times.spec.limitsOf(number.item);
+  number.is_blind = !limits.signal && learntLimit(limits, accepted).isBlind();
 }
 
 }  // namespace
 
-double learntLimit(const RunLimits& limits, const std::vector<ColumnSamples>& accepted) {
+LearntLimit learntLimit(const RunLimits& limits, const std::vector<ColumnSamples>& accepted) {
   constexpr double kDeviations = 6;  // of the difference of two values, 4.2
   constexpr double kRounding = 1e-9;
   std::optional<std::pair<double, double>> all;
@@ -69,10 +74,10 @@ double learntLimit(const RunLimits& limits, const std::vector<ColumnSamples>& ac
                     std::max(most, all ? all->second : most));
     noise = std::max(noise, its.noise());
   }
-  if (!all) return 0;
+  if (!all) return {};
   const double range = std::min(all->second - all->first, std::numeric_limits<double>::max());
   const double largest = std::max(std::abs(all->first), std::abs(all->second));
-  return limits.signal_share * range + kDeviations * noise + kRounding * largest;
+  return {limits.signal_share * range + kDeviations * noise + kRounding * largest, range};
 }
 
 void judgeNumbers(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged) {
@@ -86,7 +91,7 @@ void judgeNumbers(const RunTimes& times, const ParallelFor& parallel, RunJudgeme
     const auto has = [&](const SessionTrack* track) { return track->numbers.contains(item); };
     const bool is_accepted = std::ranges::any_of(times.accepted, has);
     if (is_accepted && has(&times.run)) {
-      numbers.push_back({item, {}, {}});
+      numbers.push_back({item, {}, {}, false});
       continue;
     }
     if (is_accepted && !std::ranges::all_of(times.accepted, has)) continue;
@@ -110,6 +115,7 @@ void judgeNumbers(const RunTimes& times, const ParallelFor& parallel, RunJudgeme
   forEachIndex(parallel, numbers.size(), [&](std::size_t i) { judge(times, numbers[i]); });
   for (NumberToJudge& number : numbers) {
     std::ranges::move(number.findings, std::back_inserter(judged.findings));
+    if (number.is_blind) judged.coverage.left_out.leaveOut({"signal", number.item, kNoisySignal});
     judged.items += number.outcome.measures;
     judged.values += number.outcome.values;
   }

@@ -24,22 +24,35 @@ void NumberRecorder::begin(const SessionState& state, LogTime start) {
     Signal* const signal = signalOf(item.device, item.name.link, item.name.name);
     if (signal == nullptr) return;
     const bool is_number = value.kind == SignalKind::number;
-    said_.push_back({signal, true, is_number, value.number, true, value.unit});
+    said_.push_back({nullptr, signal, true, is_number, value.number, true, value.unit});
   };
   eachItem(state, ByKind{take, [](const auto&) {}});
   keep(state, start);
 }
 
+NumberRecorder::Device* NumberRecorder::deviceOf(std::string_view name) {
+  auto known = devices_.find(name);
+  if (known == devices_.end()) {
+    if (count_ == kMaxSignals) {
+      ++beyond_;
+      return nullptr;
+    }
+    known = devices_.try_emplace(std::string(name)).first;
+    known->second.name = &known->first;
+  }
+  return &known->second;
+}
+
 NumberRecorder::Signal* NumberRecorder::signalOf(std::string_view device, std::string_view link,
                                                  std::string_view name) {
-  if (last_device_ == nullptr || last_device_->first != device) {
-    auto of_device = signals_.find(device);
-    if (of_device == signals_.end()) of_device = signals_.try_emplace(std::string(device)).first;
-    last_device_ = &*of_device;
-    next_ = last_device_->second.begin();
+  if (last_device_ == nullptr || *last_device_->name != device) {
+    Device* const of_device = deviceOf(device);
+    if (of_device == nullptr) return nullptr;
+    last_device_ = of_device;
+    next_ = last_device_->signals.begin();
   }
   // Neighbours in a statement are usually neighbours in the map.
-  Signals& signals = last_device_->second;
+  Signals& signals = last_device_->signals;
   const bool is_next =
       next_ != signals.end() && next_->first.name == name && next_->first.link == link;
   if (!is_next) next_ = signals.find(SignalNameView(link, name));
@@ -51,7 +64,7 @@ NumberRecorder::Signal* NumberRecorder::signalOf(std::string_view device, std::s
     ++count_;
     SignalName its{std::string(link), std::string(name)};
     next_ = signals.emplace(std::move(its), Signal()).first;
-    next_->second.device = &last_device_->first;
+    next_->second.device = last_device_;
     next_->second.name = &next_->first;
   }
   return &(next_++)->second;
@@ -59,15 +72,15 @@ NumberRecorder::Signal* NumberRecorder::signalOf(std::string_view device, std::s
 
 void NumberRecorder::read(const Statement& statement) {
   if (statement.kind == StatementKind::remove) {
-    const auto device = signals_.find(statement.name);
-    if (device == signals_.end()) return;
-    for (auto& [name, signal] : device->second) said_.push_back({&signal});
+    const auto device = devices_.find(statement.name);
+    if (device != devices_.end()) said_.push_back({&device->second});
     return;
   }
   if (!isSignal(statement.kind)) return;
   const PathView& path = statement.path;
   for (std::size_t i = 0; i < statement.names.size(); ++i) {
-    Said said{signalOf(path.first, path.second, statement.names[i])};
+    Said said;
+    said.signal = signalOf(path.first, path.second, statement.names[i]);
     if (said.signal == nullptr) continue;
     if (!statement.is_default) {
       said.is_stated = true;
@@ -83,15 +96,22 @@ void NumberRecorder::read(const Statement& statement) {
 bool NumberRecorder::keep(const SessionState& state, LogTime time) {
   bool says_fact = false;
   for (const Said& said : said_) {
+    if (said.removed != nullptr) {
+      says_fact = says_fact || !said.removed->stated.empty();
+      while (!said.removed->stated.empty()) takeBack(*said.removed->stated.back(), time);
+      continue;
+    }
     Signal& signal = *said.signal;
     if (!said.is_stated) {
       says_fact = takeBack(signal, time) || says_fact;
       continue;
     }
-    if (!signal.is_stated) {
+    if (signal.place == kUnstatedPlace) {
       // The state may have had no room for it.
-      if (state.findSignal(*signal.device, *signal.name) == nullptr) continue;
-      signal.is_stated = true;
+      Device& device = *signal.device;
+      if (state.findSignal(*device.name, *signal.name) == nullptr) continue;
+      signal.place = device.stated.size();
+      device.stated.push_back(&signal);
       ++stated_;
     }
     if (!said.is_number) {
@@ -114,7 +134,12 @@ bool NumberRecorder::keep(const SessionState& state, LogTime time) {
 }
 
 bool NumberRecorder::takeBack(Signal& signal, LogTime time) {
-  if (!std::exchange(signal.is_stated, false)) return false;
+  if (signal.place == kUnstatedPlace) return false;
+  std::vector<Signal*>& stated = signal.device->stated;
+  stated[signal.place] = stated.back();
+  stated[signal.place]->place = signal.place;
+  stated.pop_back();
+  signal.place = kUnstatedPlace;
   --stated_;
   signal.unit.clear();
   if (std::exchange(signal.is_number, false)) add(signal, time, kUnstated);
@@ -123,9 +148,10 @@ bool NumberRecorder::takeBack(Signal& signal, LogTime time) {
 
 /// A whole restatement forgets what it does not repeat.
 void NumberRecorder::takeBackLost(const SessionState& state, LogTime time) {
-  for (auto& [device, signals] : signals_) {
-    for (auto& [name, signal] : signals) {
-      if (signal.is_stated && state.findSignal(device, name) == nullptr) takeBack(signal, time);
+  for (auto& [name, device] : devices_) {
+    for (std::size_t i = device.stated.size(); i-- > 0;) {
+      Signal& signal = *device.stated[i];
+      if (state.findSignal(name, *signal.name) == nullptr) takeBack(signal, time);
     }
   }
   unseen_ = state.signalCount() - stated_;
@@ -139,7 +165,7 @@ void NumberRecorder::add(Signal& signal, LogTime time, double value) {
 
 void NumberRecorder::store(Signal& signal) {
   if (signal.times.empty()) return;
-  TrackSeries& series = numbers_[signalNameText(*signal.device, *signal.name)];
+  TrackSeries& series = numbers_[signalNameText(*signal.device->name, *signal.name)];
   series.width = 1;
   series.rows += signal.times.size();
   series.blocks.push_back(store_.size());
@@ -150,8 +176,8 @@ void NumberRecorder::store(Signal& signal) {
 }
 
 void NumberRecorder::finish(Account& left_out) {
-  for (auto& [device, signals] : signals_) {
-    for (auto& [name, signal] : signals) store(signal);
+  for (auto& [name, device] : devices_) {
+    for (auto& [of_device, signal] : device.signals) store(signal);
   }
   if (beyond_ == 0) return;
   left_out.leaveOut({.kind = "signal",

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/behaviour/session_track.h"
@@ -37,15 +36,24 @@ class NumberRecorder {
   static constexpr std::size_t kMaxSignals = 262'144;
 
  private:
+  struct Device;
   struct Signal {
-    const std::string* device = nullptr;
+    Device* device = nullptr;
     const SignalName* name = nullptr;
     std::string unit;
-    bool is_stated = false, is_number = false;
+    std::size_t place = kUnstatedPlace;  ///< in the device's `stated`
+    bool is_number = false;
     std::vector<double> times, values;  ///< that are not in the store yet
   };
   using Signals = std::map<SignalName, Signal, SignalOrder>;
+  struct Device {
+    const std::string* name = nullptr;
+    Signals signals;
+    std::vector<Signal*> stated;
+  };
+  static constexpr std::size_t kUnstatedPlace = ~std::size_t{0};
   struct Said {
+    Device* removed = nullptr;  ///< or else
     Signal* signal = nullptr;
     bool is_stated = false, is_number = false;
     double number = 0;
@@ -53,9 +61,10 @@ class NumberRecorder {
     std::string_view unit{};
   };
 
-  /// Null beyond kMaxSignals.
+  /// Both null beyond kMaxSignals.
+  Device* deviceOf(std::string_view name);
   Signal* signalOf(std::string_view device, std::string_view link, std::string_view name);
-  /// False when it was not stated.
+  /// False when it was not stated. The last of those that are takes its place.
   bool takeBack(Signal& signal, LogTime time);
   void takeBackLost(const SessionState& state, LogTime time);
   void add(Signal& signal, LogTime time, double value);
@@ -64,8 +73,8 @@ class NumberRecorder {
   Numbers& numbers_;
   SampleStore& store_;
   LogTime start_{};
-  std::map<std::string, Signals, std::less<>> signals_;  ///< by device
-  std::pair<const std::string, Signals>* last_device_ = nullptr;
+  std::map<std::string, Device, std::less<>> devices_;
+  Device* last_device_ = nullptr;
   Signals::iterator next_;  ///< behind the last signal that was said of it
   std::size_t count_ = 0, stated_ = 0;
   std::size_t unseen_ = 0;    ///< signals of the state that are not in `stated_`

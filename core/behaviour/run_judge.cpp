@@ -10,6 +10,7 @@
 #include "core/base/figure_text.h"
 #include "core/behaviour/motion_judge.h"
 #include "core/behaviour/run_coverage.h"
+#include "core/packet/item_text.h"
 
 namespace rocinante {
 namespace {
@@ -127,7 +128,7 @@ void keepFirstPart(std::vector<RunFinding>& findings, std::size_t before) {
 /// judgeNumbers() tells.
 bool isOfNewSignal(const RunTimes& times, const std::string& fact) {
   const std::string item = itemOfFact(fact);
-  if (!item.starts_with("signal ")) return false;
+  if (!signalNamed(item) || (fact != item && fact != unitFact(item))) return false;
   const auto has = [&](const SessionTrack* track) {
     return fact == item ? track->facts.contains(fact) || track->numbers.contains(item)
                         : track->numbers.contains(item);

@@ -4,6 +4,7 @@
 
 #include "core/base/duration_text.h"
 #include "core/base/pattern.h"
+#include "core/packet/item_text.h"
 
 namespace rocinante {
 
@@ -26,13 +27,18 @@ std::optional<RunAlign> runAlignNamed(std::string_view name) {
   return std::nullopt;
 }
 
-std::string_view deviceOfItem(std::string_view item) {
+std::string deviceOfItem(std::string_view item) {
   constexpr std::string_view kSignal = "signal ";
-  if (item.starts_with(kSignal)) {
-    item.remove_prefix(kSignal.size());
-    item = item.substr(0, item.find(' '));
+  std::string_view path = item;
+  const std::size_t blank = item.starts_with(kSignal) ? item.find(' ', kSignal.size()) : item.npos;
+  if (blank != item.npos) {
+    path = item.substr(kSignal.size(), blank - kSignal.size());
+    // Names in packets are percent-encoded. This is asked for each value of a run with masks.
+    if (path.find('%') != std::string_view::npos) {
+      if (const auto signal = signalNamed(item)) return signal->device;
+    }
   }
-  return item.substr(0, item.find('/'));
+  return std::string(path.substr(0, path.find('/')));
 }
 
 std::string maskText(const RunMask& mask) {
@@ -62,7 +68,7 @@ RunLimits RunSpec::limitsOf(std::string_view item) const {
     found.link_positions = found.link_positions || own->second.position_mm;
     found.link_turns = found.link_turns || own->second.turn_deg;
   };
-  const std::string_view device = deviceOfItem(item);
+  const std::string device = deviceOfItem(item);
   apply(device);
   if (device != item) apply(item);
   return found;

@@ -56,7 +56,7 @@ struct RunMask {
 
 /// The device that an item is about: "arm" of "arm/elbow" and of "signal arm/tool0 force"; "-" of a
 /// signal of none.
-std::string_view deviceOfItem(std::string_view item);
+std::string deviceOfItem(std::string_view item);
 
 /// "arm/wrist from 2 s until 4 s".
 std::string maskText(const RunMask& mask);

@@ -85,21 +85,25 @@ local function show_value(value, place, branch)
   end
 end
 
--- NAME VALUE [UNIT] of `signal`, whose texts in quotes are shown as those of other statements.
-local function show_signal(number, field, place, branch)
+-- NAME VALUE [UNIT] of `signal`, whose texts in quotes are shown as those of other statements:
+-- what follows a number is a unit, and in a text with blanks a word. True when it shows a number.
+local function show_signal(number, field, place, branch, is_number)
   if number == 3 then
     branch:add(fields.signal, place, decoded(field))
   elseif number == 4 then
     show_value(field, place, branch)
-  elseif number == 5 and not field:match('"') then
+    return tonumber(field) ~= nil
+  elseif number == 5 and is_number then
     branch:add(fields.unit, place, field)
   end
+  return false
 end
 
 local function show_statement(line, range, tree)
   local branch = tree:add(fields.statement, range, line)
   local number = 0
   local kind
+  local is_number = false
   each_field(line, function(field, at)
     number = number + 1
     local place = range(at, #field)
@@ -111,7 +115,7 @@ local function show_statement(line, range, tree)
     elseif number == 2 and (kind == "signal" or kind == "signals") then
       show_path(field, place, branch)
     elseif kind == "signal" then
-      show_signal(number, field, place, branch)
+      is_number = show_signal(number, field, place, branch, is_number)
     elseif kind == "signals" and field:match("=") then
       local name, value = field:match("^(.-)=(.*)$")
       branch:add(fields.signal, place, decoded(name))

@@ -173,6 +173,37 @@ TEST_F(NumberSignals, AConstantIsJudgedToTheBitThatCounts) {
   EXPECT_EQ(judged(drive(constant(1e300)), drive(constant(-1e300))).findings.size(), 1U);
 }
 
+TEST_F(NumberSignals, WhatOneWildValueOrNoiseAloneHidesIsNamed) {
+  const auto wild = [](double at_s) { return at_s >= 3 && at_s < 3.01 ? 3.4e38 : torque(at_s); };
+  const auto off = [](double at_s) { return torque(at_s) + 30; };
+  EXPECT_EQ(judged(drive(wild), drive(off)).findings.size(), 1U) << "one value is no range";
+  // A heartbeat: nothing in its range is different, and that is said.
+  int count = 0;
+  const SaidSession beat = drive([&](double) { return ++count % 2; });
+  const RunJudgement found = judged(beat, drive([](double) { return 0; }));
+  EXPECT_NE(accountSentence(found.coverage.left_out).find("its noise is as large as its range"),
+            std::string::npos)
+      << textOfFindings(found);
+  const auto huge = [](double at_s) { return 1e43 * std::sin(3 * at_s); };
+  const auto doubled = [&](double at_s) { return 2 * huge(at_s); };
+  EXPECT_EQ(judged(drive(huge), drive(doubled)).findings.size(), 1U);
+  const RunJudgement most =
+      judged(drive([](double) { return -1.7e308; }), drive([](double) { return 1.7e308; }));
+  ASSERT_EQ(most.findings.size(), 1U);
+  EXPECT_EQ(most.findings.front().accept.find("nan"), std::string::npos);
+}
+
+TEST_F(NumberSignals, ADeviceThatIsCalledLikeASignalIsNone) {
+  SessionTrack accepted = need(drive(torque));
+  SessionTrack run = accepted;
+  run.facts["visibility of signal tower/lamp"] = {
+      {run.start + std::chrono::seconds(3), "hide", {}, false}};
+  RunSpec spec;
+  spec.align = RunAlign::origin;
+  EXPECT_EQ(judgeRun(spec, {&accepted}, run).findings.size(), 1U);
+  EXPECT_EQ(deviceOfItem("signal tower/lamp"), "signal tower");
+}
+
 TEST_F(NumberSignals, AnotherUnitAnotherKindAndSilenceAreNamed) {
   const SaidSession accepted = drive(torque);
   SaidSession unit = accepted;
@@ -259,6 +290,7 @@ TEST_F(NumberSignals, AMaskOfTheDeviceOrOfTheSignalCoversIt) {
   EXPECT_EQ(judged(accepted, run, spec).findings.size(), 1U);
   EXPECT_EQ(deviceOfItem("signal arm/tool0 force"), "arm");
   EXPECT_EQ(deviceOfItem("signal - estop"), "-");
+  EXPECT_EQ(deviceOfItem("signal my%20arm/tool0 load"), "my arm");
   EXPECT_EQ(deviceOfItem("arm/elbow"), "arm");
 }
 
@@ -289,6 +321,7 @@ TEST(NumberRecorder, KeepsWhatWasFoldedAndNothingElse) {
   EXPECT_TRUE(say("\nsignals arm load=8\n", true));
   EXPECT_TRUE(say("\nremove arm\n", true));
   EXPECT_FALSE(say("\nremove other\n", true));
+  EXPECT_FALSE(say("\nremove arm\nremove arm\n", true)) << "it has nothing left";
   EXPECT_TRUE(say("\nsignal arm load 9 kg\nsignal arm mode \"up\"\n", true));
   EXPECT_TRUE(say(" restated part=a:1/1\nsignal arm mode \"up\"\n", true))
       << "a whole restatement forgets the load";
