@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,8 +23,8 @@ class LinkColumns {
                                 const std::string& frame, MomentWalk& session, LogTime moment);
 
   const std::vector<std::string>& columns() const { return columns_; }
-  /// True if something that moves one of them was written at `moment`.
-  bool wereMoved(const SessionState& state, LogTime moment) const;
+  /// True if something that moves one of them, or carries what does, was written at `moment`.
+  bool wereMoved(const SessionState& state, LogTime moment);
   /// `row` is as long as columns().
   void fill(const SessionState& state, std::span<double> row);
 
@@ -31,6 +33,7 @@ class LinkColumns {
 
   PlacedLinks placed_;
   std::vector<std::string> columns_;
+  std::optional<std::size_t> stated_;  ///< devices of the state in which carriers were looked for
 };
 
 }  // namespace rocinante

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -99,6 +100,32 @@ TEST_F(LogTable, WritesNoRowForWhatIsNotInTheTable) {
             "no chosen device has joints or a pose; there are arm, leg");
   EXPECT_EQ(tableOf(all, {}, nullptr, {"arms"}).csv,
             "no chosen device has joints or a pose; did you mean `arm`?");
+}
+
+TEST_F(LogTable, ALinkMovesWithWhatCarriesItsDevice) {
+  armCell();
+  ASSERT_TRUE(writeFileWhole(folder_ / "cell.toml",
+                             bytesOf("format = 1\n"
+                                     "[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n"
+                                     "[[device]]\nname = \"gripper\"\nmodel = \"arm.urdf\"\n"
+                                     "on = \"arm/c\"\n"),
+                             true)
+                  .ok());
+  const auto cell = loadCell(folder_ / "cell.toml", {});
+  ASSERT_TRUE(cell.ok()) << cell.error().text();
+  const std::vector<Said> all = {{0, "RK1 s 0 0\njoint arm j2=0\n"},
+                                 {10, "RK1 s 1 0\njoint arm j2=0.5\n"}};
+  test::writeSession(folder_ / "s.mcap", all);
+  auto session = MomentWalk::open(folder_ / "s.mcap");
+  ASSERT_TRUE(session.ok());
+  auto links = LinkColumns::of(*cell, {"gripper/c"}, "", *session, LogTime::max());
+  ASSERT_TRUE(links.ok()) << links.error().text();
+  TableOptions options;
+  options.links = &*links;
+  // The gripper itself is never stated.
+  const Made made = tableOf(folder_ / "s.mcap", options, &*cell, {"gripper"});
+  EXPECT_EQ(std::ranges::count(made.csv, '\n'), 3) << made.csv;
+  EXPECT_THAT(made.csv, HasSubstr("gripper/c:z"));
 }
 
 TEST_F(LogTable, AGridHoldsTheLastValue) {
