@@ -251,12 +251,14 @@ void SeriesScan::takeSignal(SignalSeries& signal, SignalKind kind, double number
     store_.record(signal.id, time, number);
   }
   if (kind != SignalKind::number) {
+    if (!options_.states) return;
     if (signal.states == nullptr) signal.states = store_.statesOf(signal.key);
     if (signal.states == nullptr) return;
     signal.states->has_numbers = signal.states->has_numbers || signal.was_number;
-    return signal.states->add(time, kind == SignalKind::text ? text
-                                    : number != 0            ? "true"
-                                                             : "false");
+    return store_.record(*signal.states, time,
+                         kind == SignalKind::text ? text
+                         : number != 0            ? "true"
+                                                  : "false");
   }
   signal.was_number = true;
   if (signal.states == nullptr) return;

@@ -28,9 +28,9 @@ struct SourceSeries {
 /// pass: joints, poses, signals (a boolean is 1 or 0 and a state, a text a state alone), packets
 /// and losses by source; of links those that are asked for, from the first packet on. A joint that
 /// no packet has stated has no series. Bounded: all series together take at most `max_bytes`; when
-/// they would take more, all of them halve their number of bins, down to 64. Folds by itself, in
-/// log order: a damaged log continues with the next packet. Copies and moves are not possible: it
-/// points into itself. One thread.
+/// they would take more, all of them halve their number of bins, down to 64, and further texts of
+/// signals are one state. Folds by itself, in log order: a damaged log continues with the next
+/// packet. Copies and moves are not possible: it points into itself. One thread.
 class SeriesScan {
  public:
   struct Options {
@@ -42,6 +42,7 @@ class SeriesScan {
     /// Only these values; empty: all that packets state, but no link, of which there are too many.
     /// Sources are counted in any case.
     std::optional<std::set<SeriesKey>> only;
+    bool states = true;  ///< false: numbers alone, so that a text has no series
   };
   /// Sources counted one by one; only a hostile session has more, which count in all().
   static constexpr std::size_t kMaxSources = 256;

@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::size_t kMinBins = 64;
 constexpr std::size_t kMaxStateBytes = 256;
+/// What a text takes beside its bytes, in a list that has room for more.
+constexpr std::size_t kBesideText = 2 * sizeof(std::string);
 
 }  // namespace
 
@@ -17,29 +19,46 @@ Nanoseconds binWidth(LogTime from, LogTime until, std::size_t bins) {
   return (until - from) / static_cast<std::int64_t>(bins) + Nanoseconds(1);
 }
 
-void StateSeries::add(LogTime time, std::string_view text) {
+void SeriesStore::record(StateSeries& states, LogTime time, std::string_view text) {
   text = text.substr(0, kMaxStateBytes);
+  std::vector<std::string>& texts = states.texts;
   auto found = std::ranges::find(texts, text);
-  if (found == texts.end() && texts.size() + 1 < StateBin::kStates) {
-    found = texts.insert(found, std::string(text));
-  } else if (found == texts.end()) {
-    if (texts.size() < StateBin::kStates) texts.emplace_back("other texts");
+  if (found == texts.end()) {
+    if (!states.has_others) {
+      states.has_others = texts.size() + 1 >= StateBin::kStates || !makeTextRoom(text.size());
+      texts.emplace_back(states.has_others ? "other texts" : text);
+    }
     found = texts.end() - 1;
   }
-  bins.add(time, static_cast<StateBin::Value>(found - texts.begin()));
+  states.bins.add(time, static_cast<StateBin::Value>(found - texts.begin()));
 }
 
-bool SeriesStore::makeRoom() {
-  const std::size_t count = series_.size() + states_.size();
-  if (count >= kMaxSeries) return false;
+bool SeriesStore::makeTextRoom(std::size_t bytes) {
+  const std::uint64_t all = text_bytes_ + bytes + kBesideText;
+  if (all > options_.max_bytes / 4) return false;
+  text_bytes_ = all;
+  fit(series_.size() + states_.size());
+  return true;
+}
+
+/// Halves bins until so many series fit.
+void SeriesStore::fit(std::size_t count) {
   // By what they may take, since the last sample of each may come at the end.
   static_assert(sizeof(StateBin) == sizeof(ValueBin));
-  const auto most_bytes = [&] { return (count + 1) * options_.max_bins * sizeof(ValueBin); };
+  const auto most_bytes = [&] {
+    return count * options_.max_bins * sizeof(ValueBin) + text_bytes_;
+  };
   while (options_.max_bins > kMinBins && most_bytes() > options_.max_bytes) {
     options_.max_bins /= 2;
     for (ValueBins& series : series_) series.halve();
     for (auto& [key, states] : states_) states.bins.halve();
   }
+}
+
+bool SeriesStore::makeRoom() {
+  const std::size_t count = series_.size() + states_.size();
+  if (count >= kMaxSeries) return false;
+  fit(count + 1);
   return true;
 }
 
@@ -122,7 +141,7 @@ std::vector<SeriesKey> SeriesStore::keys() const {
 }
 
 std::uint64_t SeriesStore::bytes() const {
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = text_bytes_;
   for (const ValueBins& series : series_) bytes += series.bytes();
   for (const auto& [key, states] : states_) bytes += states.bins.bytes();
   return bytes;

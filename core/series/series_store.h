@@ -18,15 +18,15 @@ namespace rocinante {
 /// The states of a signal that is a boolean or a text.
 struct StateSeries {
   StateBins bins;
-  /// What the states of `bins` are, the first 256 bytes of each. All beyond the first 63 are one.
+  /// What the states of `bins` are, the first 256 bytes of each. All beyond the first 63, or for
+  /// which there was no room, are one, the last.
   std::vector<std::string> texts;
   bool has_numbers = false;  ///< it was a number too
-
-  void add(LogTime time, std::string_view text);
+  bool has_others = false;   ///< the last of `texts` stands for all others
 };
 
 /// Functions of time by key, within bounds: when all together would take more than they may, all
-/// halve their number of bins, down to 64. One thread.
+/// halve their number of bins, down to 64; texts of states take a quarter at most. One thread.
 class SeriesStore {
  public:
   struct Options {
@@ -49,6 +49,8 @@ class SeriesStore {
   void settle(LogTime time);
   /// Made when it is not there; null: it is unwanted. Valid as long as the store.
   StateSeries* statesOf(const SeriesKey& key);
+  /// A state of one that statesOf() returned.
+  void record(StateSeries& states, LogTime time, std::string_view text);
 
   void record(Id id, LogTime time, double value) {
     if (id == kUnwanted) return;
@@ -80,12 +82,15 @@ class SeriesStore {
   };
 
   bool makeRoom();
+  bool makeTextRoom(std::size_t bytes);
+  void fit(std::size_t count);
   void tell(Id id, std::optional<double> value);
 
   Options options_;
   std::vector<ValueBins> series_;
   std::map<SeriesKey, Id> ids_;
   std::map<SeriesKey, StateSeries> states_;
+  std::uint64_t text_bytes_ = 0;  ///< of their texts
   std::vector<Derived> derived_;
   std::vector<std::vector<Follower>> followers_;  ///< by the stated value
   bool told_ = false;                             ///< since they were settled

@@ -24,6 +24,7 @@ SeriesScan::Options optionsOf(const Cell& cell, LogTime start, LogTime end) {
   options.from = start;
   options.until = end;
   options.names = positionalNames(cell);
+  options.states = false;
   return options;
 }
 

@@ -175,6 +175,36 @@ TEST(SeriesScan, StaysWithinItsMemory) {
   EXPECT_LE(scan->bytes(), options.max_bytes * 2);  // capacity may be twice the size
 }
 
+TEST(SeriesScan, TextsStayWithinItsMemoryToo) {
+  std::vector<test::Spoken> packets;
+  for (int i = 0; i < 50; ++i) {
+    const std::string text = std::string(200, 'x') + std::to_string(i);
+    packets.push_back(
+        {i, "RK1 s - -\nsignal arm a \"" + text + "\"\nsignal arm b \"" + text + "\""});
+  }
+  SeriesScan::Options options;
+  options.max_bytes = std::uint64_t{64} << 10U;
+  const auto scan = scanOf(packets, options);
+  std::size_t bytes = 0;
+  for (const char* key : {"signal arm a", "signal arm b"}) {
+    const StateSeries* const states = scan->states(*parseSeriesKey(key));
+    ASSERT_NE(states, nullptr);
+    EXPECT_EQ(states->texts.front(), std::string(200, 'x') + "0");
+    EXPECT_EQ(states->texts.back(), "other texts");
+    for (const std::string& text : states->texts) bytes += text.size();
+    EXPECT_EQ(stateAt(*scan, key, 100), "other texts");
+  }
+  EXPECT_LE(bytes, options.max_bytes / 4);
+
+  SeriesScan::Options of_numbers;
+  of_numbers.states = false;
+  const auto numbers =
+      scanOf({{0, "RK1 s 0 -\nsignal arm mode \"auto\"\nsignal - estop true"}}, of_numbers);
+  EXPECT_EQ(numbers->states(*parseSeriesKey("signal arm mode")), nullptr);
+  ASSERT_EQ(numbers->keys().size(), 1U);
+  EXPECT_EQ(numbers->keys()[0].text(), "signal - estop");
+}
+
 TEST(SeriesScan, OnlyWhatIsAskedFor) {
   SeriesScan::Options options;
   options.only.emplace();
