@@ -1,6 +1,7 @@
 #include "core/series/derived_value.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -11,6 +12,8 @@ namespace {
 
 /// Entries that a mean keeps; beyond them every other one goes.
 constexpr std::size_t kMostEntries = 65536;
+/// In which a mean follows its value behind a sample.
+constexpr int kMeanSteps = 16;
 /// Of one another: `d/dt d/dt VALUE` is two.
 constexpr int kMostDerivations = 4;
 /// Of what was stated before samples begin.
@@ -55,18 +58,32 @@ struct DerivedValue::Node {
   std::optional<Entry> before;  ///< of a rate: the sample before
   std::deque<Entry> entries;    ///< of a mean
   std::optional<double> other;  ///< of a difference: the newest of the second
+  std::optional<LogTime> due;   ///< of a mean: when it changes next without a sample
 
-  Said at(LogTime time) {
-    if (!how) return std::exchange(pending, std::nullopt);
+  /// The first `due` of all parts.
+  std::optional<LogTime> firstDue() const {
+    std::optional<LogTime> first = due;
+    for (const Node& each : of) {
+      const std::optional<LogTime> its = each.firstDue();
+      if (its && (!first || *its < *first)) first = its;
+    }
+    return first;
+  }
+
+  /// `sampled`: with what was stated; else of a moment between samples.
+  Said at(LogTime time, bool sampled) {
+    if (!how) return sampled ? std::exchange(pending, std::nullopt) : std::nullopt;
     switch (*how) {
       case Derivation::How::rate:
-        return rateAt(time, of[0].at(time));
+        return rateAt(time, of[0].at(time, sampled));
       case Derivation::How::mean:
         // The mean of a rate is the change over that time: means of quotients would weigh bursts.
-        if (of[0].how == Derivation::How::rate) return meanAt(time, of[0].of[0].at(time), false);
-        return meanAt(time, of[0].at(time), true);
+        if (of[0].how == Derivation::How::rate) {
+          return meanAt(time, of[0].of[0].at(time, sampled), false);
+        }
+        return meanAt(time, of[0].at(time, sampled), true);
       case Derivation::How::difference:
-        return differenceAt(of[0].at(time), of[1].at(time));
+        return differenceAt(of[0].at(time, sampled), of[1].at(time, sampled));
     }
     return std::nullopt;
   }
@@ -91,7 +108,8 @@ struct DerivedValue::Node {
 
   /// `held`: of a value that holds from sample to sample; else of one whose rate is asked for.
   Said meanAt(LogTime time, const Said& said, bool held) {
-    if (!said) return std::nullopt;
+    if (!said) return held && due && *due <= time ? betweenAt(time) : std::nullopt;
+    due.reset();
     if (!*said) {
       entries.clear();
       return said;
@@ -107,22 +125,44 @@ struct DerivedValue::Node {
       entries.back().amount = value;
     }
     now = value;
-    const LogTime from = time - over;
-    while (entries.size() > 1 && entries[1].time <= from) entries.pop_front();
+    const Said mean = meanUntil(entries.back());
     if (entries.size() > kMostEntries) thinOut();
-    const double whole = secondsBetween(entries.front().time, time);
-    if (whole <= 0) return held ? said : std::nullopt;
-    double begin = entries.front().amount;
-    double span = whole;
-    if (entries.front().time < from) {
-      const Entry& next = entries[1];
-      const double part = secondsBetween(entries.front().time, from) /
-                          secondsBetween(entries.front().time, next.time);
-      begin += (next.amount - begin) * part;
-      span = secondsBetween(from, time);
-    }
-    return std::optional((entries.back().amount - begin) / span);
+    if (!mean) return held ? said : std::nullopt;
+    const bool ends = time > LogTime::max() - 2 * over;
+    if (held && !ends && isApart(**mean)) due = time + stepOver();
+    return mean;
   }
+
+  /// Behind the last sample, whose value holds: what it was before leaves the mean.
+  Said betweenAt(LogTime time) {
+    const Entry& last = entries.back();
+    const LogTime settled = last.time + over;
+    const double held = *now * secondsBetween(last.time, time);
+    const Said mean = meanUntil({time, last.amount + held});
+    due = time < settled ? std::optional(std::min(time + stepOver(), settled)) : std::nullopt;
+    return mean;
+  }
+
+  /// `end`: the last entry, or one behind it. Empty where no time has passed.
+  Said meanUntil(const Entry& end) {
+    const LogTime from = end.time - over;
+    while (entries.size() > 1 && entries[1].time <= from) entries.pop_front();
+    const Entry& first = entries.front();
+    double begin = first.amount;
+    double span = secondsBetween(first.time, end.time);
+    if (span <= 0) return std::nullopt;
+    if (first.time < from) {
+      const Entry& next = entries.size() > 1 ? entries[1] : end;
+      const double part = secondsBetween(first.time, from) / secondsBetween(first.time, next.time);
+      begin += (next.amount - begin) * part;
+      span = secondsBetween(from, end.time);
+    }
+    return std::optional((end.amount - begin) / span);
+  }
+
+  Nanoseconds stepOver() const { return std::max(Nanoseconds(1), over / kMeanSteps); }
+  /// By more than sums are rounded.
+  bool isApart(double mean) const { return std::abs(mean - *now) > 1e-9 * std::abs(*now); }
 
   void thinOut() {
     std::deque<Entry> kept;
@@ -248,6 +288,15 @@ void DerivedValue::take(std::size_t stated, std::optional<double> value) {
   leaves_[stated]->pending = value;
 }
 
-std::optional<std::optional<double>> DerivedValue::at(LogTime time) { return root_->at(time); }
+std::optional<std::optional<double>> DerivedValue::at(LogTime time) {
+  return root_->at(time, true);
+}
+
+std::optional<DerivedValue::Between> DerivedValue::nextBefore(LogTime time) {
+  for (auto due = root_->firstDue(); due && *due < time; due = root_->firstDue()) {
+    if (const auto said = root_->at(*due, false)) return Between{*due, *said};
+  }
+  return std::nullopt;
+}
 
 }  // namespace rocinante

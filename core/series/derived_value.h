@@ -40,7 +40,7 @@ std::vector<SeriesKey> statedOf(const SeriesKey& key);
 Nanoseconds reachOf(const std::set<SeriesKey>& keys);
 
 /// A derived value as samples come. A gap in one of its values is a gap of it, and its samples come
-/// with theirs. Bounded memory.
+/// with theirs, those of a mean also between them. Bounded memory.
 class DerivedValue {
  public:
   /// The key is derived.
@@ -56,6 +56,13 @@ class DerivedValue {
   /// What the samples since the last call make of it at their time, which must not go back (min():
   /// it is not known): nothing for none of them, an empty one for a gap.
   std::optional<std::optional<double>> at(LogTime time);
+  /// What it is between samples, where it changes: the next one before `time`, if any, of which
+  /// there are few behind each sample. Ask until there is none, then at(time).
+  struct Between {
+    LogTime time;
+    std::optional<double> value;  ///< empty: a gap
+  };
+  std::optional<Between> nextBefore(LogTime time);
 
  private:
   struct Node;

@@ -94,15 +94,21 @@ void SeriesStore::tell(Id id, std::optional<double> value) {
 }
 
 void SeriesStore::settle(LogTime time) {
+  const auto take = [this](Id id, LogTime at, const std::optional<double>& said) {
+    if (said && std::isfinite(*said)) {
+      record(id, at, *said);
+    } else {
+      end(id, at);
+    }
+  };
+  for (Derived& derived : derived_) {
+    while (const auto between = derived.value.nextBefore(time)) {
+      take(derived.id, between->time, between->value);
+    }
+  }
   if (!std::exchange(told_, false)) return;
   for (Derived& derived : derived_) {
-    const auto said = derived.value.at(time);
-    if (!said) continue;
-    if (*said && std::isfinite(**said)) {
-      record(derived.id, time, **said);
-    } else {
-      end(derived.id, time);
-    }
+    if (const auto said = derived.value.at(time)) take(derived.id, time, *said);
   }
 }
 

@@ -45,7 +45,8 @@ class SeriesStore {
   Id idOf(const SeriesKey& key);
   /// A derived value, which follows those that it is made of from now on.
   void derive(const SeriesKey& key);
-  /// Derived values take what was recorded since the last call, at this time (min(): not known).
+  /// Derived values take what was recorded since the last call, at this time (min(): not known),
+  /// and what they were until then.
   void settle(LogTime time);
   /// Made when it is not there; null: it is unwanted. Valid as long as the store.
   StateSeries* statesOf(const SeriesKey& key);

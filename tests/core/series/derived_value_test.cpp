@@ -88,6 +88,34 @@ TEST(DerivedValue, AMeanWeighsByTheTimeThatValuesHold) {
   EXPECT_EQ(said[5].second, 7);
 }
 
+TEST(DerivedValue, AMeanFollowsAValueThatIsSentOnChange) {
+  DerivedValue value(*parseSeriesKey("mean 1 arm.a"));
+  const auto none = [&](double seconds) { return !value.nextBefore(afterSeconds(seconds)); };
+  value.take(0, 0);
+  ASSERT_TRUE(value.at(afterSeconds(0)).has_value());
+  value.take(0, 10);
+  EXPECT_TRUE(none(10)) << "a value that holds changes no mean";
+  EXPECT_NEAR(**value.at(afterSeconds(10)), 0, 1e-9);
+  // What is stated next does not count before its time.
+  value.take(0, 4);
+  std::size_t count = 0;
+  double last = 0;
+  while (const auto between = value.nextBefore(afterSeconds(12))) {
+    ASSERT_LE(++count, 17U);
+    const double seconds = static_cast<double>((between->time - afterSeconds(10)).count()) * 1e-9;
+    ASSERT_TRUE(between->value.has_value());
+    last = *between->value;
+    EXPECT_NEAR(last, 10 * seconds, 1e-6) << "the part of the second that has passed";
+  }
+  EXPECT_GE(count, 16U);
+  EXPECT_NEAR(last, 10, 1e-6);
+  EXPECT_NEAR(**value.at(afterSeconds(12)), 10, 1e-6);
+  // A gap ends it.
+  value.take(0, std::nullopt);
+  ASSERT_TRUE(value.at(afterSeconds(12.5)).has_value());
+  EXPECT_TRUE(none(20));
+}
+
 TEST(DerivedValue, TheMeanOfARateIsTheChangeOverThatTime) {
   // Bursts: two samples 1 us apart, each 10 ms. The rate is wild, its mean is not.
   Pairs samples;
@@ -151,6 +179,27 @@ TEST(DerivedValue, IsGatheredWithWhatItIsMadeOf) {
   EXPECT_EQ(differences[1].bin.high, -3);
   EXPECT_EQ(differences[2].held, -1);
   EXPECT_FALSE(differences[6].held.has_value());
+}
+
+TEST(DerivedValue, AMeanIsGatheredBetweenItsSamples) {
+  const test::TemporaryFolder folder;
+  test::writeSpoken(folder / "s.mcap", {{0, "RK1 s 0 -\njoint arm a=0"},
+                                        {400, "RK1 s 1 -\njoint arm a=10"},
+                                        {900, "RK1 s 2 -\njoint leg a=1"}});
+  auto log = LogReader::open(folder / "s.mcap");
+  ASSERT_TRUE(log.ok());
+  SeriesScan::Options options;
+  options.from = spokenTime(0);
+  options.until = spokenTime(1000);
+  const SeriesKey mean = *parseSeriesKey("mean 0.1 arm.a");
+  options.only = {{mean}};
+  SeriesScan scan(std::move(options));
+  for (auto message = log->next(); message.ok() && *message; message = log->next()) {
+    scan.add(**message);
+  }
+  const auto columns = scan.values(mean)->columns(spokenTime(0), spokenTime(1000), 10);
+  EXPECT_NEAR(*columns[2].held, 0, 1e-4);
+  EXPECT_NEAR(*columns[6].held, 10, 1e-4) << "0.2 s behind the only change";
 }
 
 }  // namespace
