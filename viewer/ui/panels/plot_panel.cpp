@@ -249,8 +249,11 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
   ImDrawList* const list = ImGui::GetWindowDrawList();
   std::optional<SeriesKey> removed;
   const PlotBoard::Curve* looked_at = nullptr;
-  for (const PlotLane& lane : lanes) {
-    const auto* over = drawLegend(model, lane, axis, cursors, room, removed);
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    // One that was a state and a number stands in two lanes.
+    ImGui::PushID(static_cast<int>(i));
+    const auto* over = drawLegend(model, lanes[i], axis, cursors, room, removed);
+    ImGui::PopID();
     if (over != nullptr) looked_at = over;
   }
   for (const PlotLane& lane : lanes) drawLane(model, lane, axis, looked_at);
