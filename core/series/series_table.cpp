@@ -116,7 +116,9 @@ Result<std::uint64_t> writeSeriesTable(const SeriesTable& table, SessionState be
                    key.text()};
     }
   }
-  if (table.keys.empty()) return Error{ErrorKind::bad_argument, "a table needs a value", ""};
+  if (table.keys.empty()) {
+    return Error{ErrorKind::bad_argument, "a table needs a value that is a number", ""};
+  }
   if (Status may = mayWriteFile(path, true); !may) return may.error();
   if (Status there = log.seek(table.from + Nanoseconds(1)); !there) return there.error();
   const LogTime origin = log.summary().origin;

@@ -289,11 +289,12 @@ Result<std::string> LogStudy::Impl::tableOf(const TableWish& wish, const std::st
   if (!before.ok()) return before.error();
   auto reader = LogReader::open(log);
   if (!reader.ok()) return reader.error();
-  const SeriesTable table{wish.keys, wish.from, wish.until,
-                          names,     &cell,     [&stop] { return !stop.stop_requested(); }};
+  auto [keys, left_out] = tableKeys(wish.keys, all->series());
+  const SeriesTable table{std::move(keys), wish.from, wish.until,
+                          names,           &cell,     [&stop] { return !stop.stop_requested(); }};
   const auto rows = writeSeriesTable(table, std::move(*before), *reader, wish.path);
   if (!rows.ok()) return rows.error();
-  return fmt::format("{}: {} rows", wish.path.string(), *rows);
+  return fmt::format("{}: {} rows{}", wish.path.string(), *rows, left_out);
 }
 
 /// A log that grows is known as finely as it was gathered.

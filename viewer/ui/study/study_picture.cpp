@@ -59,6 +59,19 @@ std::set<SeriesKey> chosenKeys(const StudyWish& wish) {
   return keys;
 }
 
+TableKeys tableKeys(const std::vector<SeriesKey>& keys, const SeriesScan& all) {
+  TableKeys made;
+  for (const SeriesKey& key : keys) {
+    if (all.values(key) != nullptr || all.states(key) == nullptr) {
+      made.keys.push_back(key);
+      continue;
+    }
+    made.left_out += made.left_out.empty() ? "; texts are left out: " : ", ";
+    made.left_out += key.text();
+  }
+  return made;
+}
+
 std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyWish& wish,
                                       LogTime reached) {
   return columnsOf(values, wish, reached);

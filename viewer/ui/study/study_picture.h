@@ -42,6 +42,14 @@ struct StateCurve {
   bool has_numbers = false;        ///< it was a number too
 };
 
+/// What of some values a table has.
+struct TableKeys {
+  std::vector<SeriesKey> keys;
+  std::string left_out;  ///< the others, as the end of a sentence; or empty
+};
+/// Without those that packets state as texts alone.
+TableKeys tableKeys(const std::vector<SeriesKey>& keys, const SeriesScan& all);
+
 /// The answer to a wish, ready to be drawn.
 struct StudyPicture {
   StudyWish wish;

@@ -167,6 +167,28 @@ TEST_F(StudiedLog, WritesATable) {
   EXPECT_FALSE(study.takeTable().has_value());
 }
 
+TEST_F(StudiedLog, ATableHasNoColumnOfTextsAndNamesThem) {
+  test::writeSession(folder_ / "texts.mcap",
+                     {{0, "signal arm mode \"auto\"\nsignal arm load 5\nsignal - estop false\n"},
+                      {1000, "signal arm mode \"hold\"\nsignal arm load 6\n"}});
+  LogStudy study(cell_, folder_ / "texts.mcap");
+  study.waits = true;
+  const SeriesKey mode = *parseSeriesKey("signal arm mode");
+  study.writeTable({mode, *parseSeriesKey("signal arm load"), *parseSeriesKey("signal - estop")},
+                   sessionTime(0), sessionTime(1000), folder_ / "t.csv");
+  const auto made = study.takeTable();
+  ASSERT_TRUE(made.has_value() && made->ok());
+  EXPECT_TRUE((*made)->ends_with("; texts are left out: signal arm mode")) << **made;
+  const std::string table = *readFile(folder_ / "t.csv");
+  EXPECT_EQ(table.find("mode"), table.npos) << table;
+  EXPECT_NE(table.find("load"), table.npos) << table;
+  EXPECT_NE(table.find("estop"), table.npos) << "true is 1: " << table;
+  study.writeTable({mode}, sessionTime(0), sessionTime(1000), folder_ / "none.csv");
+  const auto none = study.takeTable();
+  ASSERT_TRUE(none.has_value() && !none->ok());
+  EXPECT_EQ(none->error().what, "a table needs a value that is a number");
+}
+
 TEST_F(StudiedLog, ALogThatIsGoneIsASentence) {
   LogStudy study(cell_, folder_ / "gone.mcap");
   study.waits = true;
