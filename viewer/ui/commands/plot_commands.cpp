@@ -16,8 +16,8 @@ namespace rocinante {
 namespace {
 
 /// Refuses what no packet of the log states, with what they do state; while a log is not read, or
-/// goes on, anything may come.
-Status checkStated(const SeriesKey& key, ViewModel& model) {
+/// goes on, anything may come. `asked`: what was asked for, which may follow `key`.
+Status checkStated(const SeriesKey& key, const SeriesKey& asked, ViewModel& model) {
   LogStudy* const study = model.study();
   if (study == nullptr) return {};
   const auto picture = model.study_waits
@@ -30,7 +30,8 @@ Status checkStated(const SeriesKey& key, ViewModel& model) {
   for (const SeriesKey& each : stated) {
     if (each.kind == key.kind) texts.push_back(each.text());
   }
-  return badWord(fmt::format("no packet of the log states `{}`: {}", key.text(),
+  const std::string follows = asked == key ? "" : fmt::format(", which `{}` follows", asked.text());
+  return badWord(fmt::format("no packet of the log states `{}`{}: {}", key.text(), follows,
                              whatThereIs(key.text(), {texts.begin(), texts.end()})));
 }
 
@@ -52,7 +53,7 @@ Status checkDerived(const SeriesKey& key, ViewModel& model) {
 /// Refuses values that neither the cell nor any packet has.
 Status checkKey(const SeriesKey& key, ViewModel& model) {
   if (key.kind == SeriesKey::Kind::derived) return checkDerived(key, model);
-  if (key.kind == SeriesKey::Kind::signal) return checkStated(key, model);
+  if (key.kind == SeriesKey::Kind::signal) return checkStated(key, key, model);
   if (!key.isOfDevice()) return {};
   if (key.kind == SeriesKey::Kind::link) {
     const Status there = checkLink(model.cell(), model.state(), key);
@@ -66,12 +67,16 @@ Status checkKey(const SeriesKey& key, ViewModel& model) {
     return badWord(
         fmt::format("no device is named `{}`: {}", key.name, whatThereIs(key.name, names)));
   }
-  if (device == nullptr || device->model == nullptr) return checkStated(key, model);
-  if (key.kind == SeriesKey::Kind::pose) return {};
+  const bool is_pose = key.kind == SeriesKey::Kind::pose;
+  if (device == nullptr || device->model == nullptr || is_pose) {
+    return checkStated(key, key, model);
+  }
   const Model& of_device = *device->model;
-  if (of_device.findJointValue(key.part)) return {};
   const auto joint = of_device.findJoint(key.part);
-  if (joint && of_device.joints[*joint].mimic) return {};
+  if (of_device.findJointValue(key.part) || (joint && of_device.joints[*joint].mimic)) {
+    // A joint that follows another is never stated itself.
+    return checkStated(plotValue(key, &of_device).series, key, model);
+  }
   const std::vector<std::string> names = positionalNames(of_device);
   return badWord(fmt::format("`{}` has no joint value `{}`: {}", key.name, key.part,
                              whatThereIs(key.part, {names.begin(), names.end()})));

@@ -45,7 +45,8 @@ class TimeCommands : public testing::Test {
 
 TEST_F(TimeCommands, PlotsWhatThereIs) {
   EXPECT_EQ(run("plot arm.turn"), "");
-  EXPECT_EQ(run("plot arm:x"), "");
+  EXPECT_EQ(run("plot arm/hand:z"), "");
+  EXPECT_EQ(run("plot arm:x"), "no packet of the log states `arm:x`: there is none");
   EXPECT_EQ(run("plot rate/robot"), "");
   EXPECT_EQ(model_->viewer.plots.curves().size(), 3U);
   EXPECT_EQ(run("plot arm.bend"), "`arm` has no joint value `bend`: there is only turn");
@@ -64,8 +65,8 @@ TEST_F(TimeCommands, PlotsWhatThereIs) {
   EXPECT_EQ(run("unplot arm/hand:x - arm/base:x"), "");
   EXPECT_EQ(run("plots off"), "");
   EXPECT_FALSE(model_->viewer.plots.shown());
-  EXPECT_EQ(run("unplot arm:x"), "");
-  EXPECT_EQ(run("unplot arm:x"), "`arm:x` is not plotted");
+  EXPECT_EQ(run("unplot arm/hand:z"), "");
+  EXPECT_EQ(run("unplot arm/hand:z"), "`arm/hand:z` is not plotted");
   EXPECT_EQ(run("unplot all"), "");
   EXPECT_TRUE(model_->viewer.plots.curves().empty());
 }
