@@ -2,13 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "core/base/plain_text.h"
 
 namespace rocinante {
+namespace {
+
+/// Of a text, more than a row has room for.
+constexpr std::size_t kShownBytes = 256;
+
+/// A longer text ends with dots behind a whole character.
+std::string shownText(std::string_view text) {
+  constexpr std::string_view kMore = "...";
+  if (text.size() <= kShownBytes) return plainText(text);
+  std::size_t end = kShownBytes - kMore.size();
+  const auto isInside = [&] { return (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80; };
+  for (int step = 0; step < 3 && isInside(); ++step) --end;
+  return plainText(text.substr(0, end)).append(kMore);
+}
+
+}  // namespace
 
 std::string signalValueText(const SignalValue& value) {
-  /// Of a text, more than a row has room for.
-  constexpr std::size_t kShownBytes = 256;
   switch (value.kind) {
     case SignalKind::number:
       return fmt::format("{:.5g}{}{}", value.number == 0 ? 0 : value.number,
@@ -18,7 +34,7 @@ std::string signalValueText(const SignalValue& value) {
     case SignalKind::text:
       break;
   }
-  return plainText(std::string_view(value.text).substr(0, kShownBytes));
+  return shownText(value.text);
 }
 
 std::vector<SignalRow> signalRows(const std::string& device, const Signals& signals,

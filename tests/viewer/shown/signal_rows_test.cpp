@@ -24,6 +24,18 @@ TEST(SignalRows, ReadAsPeopleWriteThem) {
             256U);
 }
 
+TEST(SignalRows, ALongTextEndsBehindACharacterAndSaysSo) {
+  const auto shown = [](const std::string& text) {
+    return signalValueText(said(SignalKind::text, 0, text).value);
+  };
+  const std::string whole(256, 'x');
+  EXPECT_EQ(shown(whole), whole);
+  EXPECT_EQ(shown(whole + "x"), std::string(253, 'x') + "...");
+  const std::string before(252, 'x');
+  EXPECT_EQ(shown(before + "\xc3\xa9 and more"), before + "...");
+  EXPECT_EQ(shown(before.substr(1) + "\xc3\xa9 and more"), before.substr(1) + "\xc3\xa9...");
+}
+
 TEST(SignalRows, OfADeviceItsLinksAndOfNone) {
   Signals signals;
   signals[{"", "mode"}] = said(SignalKind::text, 0, "auto");
