@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "core/packet/joint_order.h"
@@ -31,6 +30,7 @@ std::optional<std::set<SeriesKey>> withStated(const std::optional<std::set<Serie
 struct SeriesScan::SignalSeries {
   SeriesKey key;
   SeriesId id = kUnwanted;        ///< of its numbers; known once there is one
+  std::string unit;               ///< the last that was stated
   StateSeries* states = nullptr;  ///< null: it was no state yet
   bool is_known = false;          ///< `id` is
   bool was_number = false;        ///< and not only a boolean
@@ -185,15 +185,8 @@ void SeriesScan::takeStatement(const Statement& statement, std::string_view sour
       }
       return;
     case StatementKind::pose:
-      if (!device.pose) {
-        device.pose.emplace();
-        for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
-          (*device.pose)[part] = store_.idOf(
-              SeriesKey{SeriesKey::Kind::pose, device.name, std::string(kPoseParts[part])});
-        }
-      }
       for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
-        store_.record((*device.pose)[part], time, statement.numbers[part]);
+        store_.record(poseIds(device)[part], time, statement.numbers[part]);
       }
       return;
     case StatementKind::add:
@@ -221,6 +214,7 @@ void SeriesScan::takeLinks(LogTime time) {
 void SeriesScan::takeSignals(const Statement& statement, Device& device, LogTime time) {
   for (std::size_t i = 0; i < statement.names.size(); ++i) {
     SignalSeries& signal = signalOf(device, {statement.path.second, statement.names[i]});
+    if (!statement.unit.empty()) signal.unit = statement.unit;
     if (statement.is_default) {
       endSignal(signal, time);
     } else {
@@ -237,6 +231,7 @@ void SeriesScan::takeAllSignals(Device& device, const Signals& said, LogTime tim
       endSignal(signal, time);
     } else {
       const SignalValue& value = found->second.value;
+      if (!value.unit.empty()) signal.unit = value.unit;
       takeSignal(signal, value.kind, value.number, value.text, time);
     }
   }
@@ -296,7 +291,6 @@ void SeriesScan::takeJoints(const Statement& statement, std::string_view source,
   const bool fits = device.names.empty() || device.names.size() == statement.numbers.size();
   for (std::size_t i = 0; i < device.positions.size(); ++i) {
     const SeriesId id = device.positions[i];
-    if (id == kUnwanted) continue;
     // As it is drawn: as if it had none.
     if (fits && i < statement.numbers.size()) {
       store_.record(id, time, statement.numbers[i]);
@@ -330,7 +324,6 @@ void SeriesScan::takeEverything(Device& device, LogTime time) {
     }
   }
   for (const auto& [name, id] : device.joints) {
-    if (id == kUnwanted) continue;
     if (const auto value = jointSaid(*said, name, device.names)) {
       store_.record(id, time, *value);
     } else {
@@ -339,13 +332,7 @@ void SeriesScan::takeEverything(Device& device, LogTime time) {
   }
   if (!said->pose && !device.pose) return;
   for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
-    if (!device.pose) device.pose.emplace().fill(kUnwanted);
-    SeriesId& id = (*device.pose)[part];
-    if (id == kUnwanted) {
-      id =
-          store_.idOf(SeriesKey{SeriesKey::Kind::pose, device.name, std::string(kPoseParts[part])});
-    }
-    if (id == kUnwanted) continue;
+    const SeriesId id = poseIds(device)[part];
     if (said->pose) {
       store_.record(id, time, poseNumbers(said->pose->value.pose)[part]);
     } else {
@@ -374,6 +361,16 @@ SeriesScan::Device& SeriesScan::deviceNamed(std::string_view name) {
   return *found->second;
 }
 
+std::array<SeriesStore::Id, 7>& SeriesScan::poseIds(Device& device) {
+  if (device.pose) return *device.pose;
+  device.pose.emplace();
+  for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
+    (*device.pose)[part] =
+        store_.idOf(SeriesKey{SeriesKey::Kind::pose, device.name, std::string(kPoseParts[part])});
+  }
+  return *device.pose;
+}
+
 SeriesScan::SeriesId SeriesScan::idOf(Device& device, std::string_view joint) {
   auto found = device.joints.find(joint);
   if (found == device.joints.end()) {
@@ -382,6 +379,13 @@ SeriesScan::SeriesId SeriesScan::idOf(Device& device, std::string_view joint) {
     found = device.joints.emplace(std::string(joint), id).first;
   }
   return found->second;
+}
+
+std::string_view SeriesScan::unitOf(const SeriesKey& key) const {
+  const auto device = devices_.find(key.name);
+  if (device == devices_.end()) return {};
+  const auto signal = device->second->signals.find(SignalNameView{key.link, key.part});
+  return signal == device->second->signals.end() ? std::string_view() : signal->second.unit;
 }
 
 SeriesScan::SignalSeries& SeriesScan::signalOf(Device& device, const SignalNameView& name) {

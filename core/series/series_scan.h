@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/cell/cell.h"
@@ -66,6 +68,8 @@ class SeriesScan {
   const ValueBins* values(const SeriesKey& key) const { return store_.values(key); }
   /// Null when no packet stated it as a boolean or a text.
   const StateSeries* states(const SeriesKey& key) const { return store_.states(key); }
+  /// The last unit that packets stated of a signal; empty: none. Valid until the next add().
+  std::string_view unitOf(const SeriesKey& key) const;
   /// Every value that packets stated, sorted.
   std::vector<SeriesKey> keys() const { return store_.keys(); }
   const std::map<std::string, SourceSeries, std::less<>>& sources() const { return sources_; }
@@ -94,6 +98,7 @@ class SeriesScan {
   void takeLinks(LogTime time);
   void count(const Packet& packet, LogTime time);
   Device& deviceNamed(std::string_view name);
+  std::array<SeriesId, 7>& poseIds(Device& device);
   SeriesId idOf(Device& device, std::string_view joint);
   SignalSeries& signalOf(Device& device, const SignalNameView& name);
   void learnNames(Device& device, const DeviceState& said);

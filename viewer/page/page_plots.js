@@ -49,10 +49,9 @@ function rocinantePlots(page) {
     drawn = wanted;
     shownAt = performance.now();
     const given = page.calls.plots(device, page.now(), width, kHeight);
-    const lists = Array.isArray(given) ? given : [];
-    lanes = lists.map((lane) => makeLane(lane, width));
+    lanes = (given.lanes || []).map((lane) => makeLane(lane, width));
     document.getElementById("lanes").replaceChildren(...lanes.map((lane) => lane.box));
-    const whose = device || "signals of no device";
+    const whose = (device || "signals of no device") + (given.more ? `, and ${given.more} more signals without a curve` : "");
     say.textContent = !device && !lanes.length ? "Choose a device: click it in the picture or in the list."
       : part < 0 ? "The log cannot be read on: the curves end there."
       : part < 1 ? `${whose}: reading the log, ${Math.round(100 * part)} %`

@@ -55,7 +55,7 @@ Json placeOf(const std::optional<double>& limit, const PlotScale& scale, double 
   return height - part * height;
 }
 
-Json laneJson(const PlotValue& value, const std::string& unit,
+Json laneJson(const PlotValue& value, std::string_view unit,
               const std::vector<ValueColumn>& columns, double height) {
   const auto range = rangeOf(columns, value);
   double low = range ? range->first : 1;
@@ -65,8 +65,9 @@ Json laneJson(const PlotValue& value, const std::string& unit,
   const PlotShape shape = plotShape(columns, value, scale, static_cast<float>(height));
   Json lane;
   if (range) {
-    lane["text"] = plotText(range->first, value.unit, scale) + " to " +
-                   plotText(range->second, value.unit, scale) + (unit.empty() ? "" : " " + unit);
+    lane["text"] =
+        fmt::format("{} to {}{}{}", plotText(range->first, value.unit, scale),
+                    plotText(range->second, value.unit, scale), unit.empty() ? "" : " ", unit);
   }
   lane["curve"] = curvePath(shape, height);
   lane["bars"] = barsPath(shape, height);
@@ -96,7 +97,7 @@ Result<double> WebPlots::read(std::uint64_t messages) {
   return std::clamp(part, 0.0, 0.999);
 }
 
-Json WebPlots::laneOf(const PlotValue& value, const std::string& unit, std::size_t width,
+Json WebPlots::laneOf(const PlotValue& value, std::string_view unit, std::size_t width,
                       double height) const {
   const std::size_t count = std::clamp<std::size_t>(width, 1, kMaxColumns);
   const ValueBins* const bins = series_->values(value.series);
@@ -132,13 +133,13 @@ std::string WebPlots::lanesJson(const std::string& name, const PosedDevice* devi
   std::sort(signals.begin(), signals.end(), [](const SeriesKey& a, const SeriesKey& b) {
     return std::tie(a.link, a.part) < std::tie(b.link, b.part);
   });
-  if (signals.size() > kMaxSignals) signals.resize(kMaxSignals);
+  const std::size_t more = signals.size() - std::min(signals.size(), kMaxSignals);
+  signals.resize(signals.size() - more);
   for (const SeriesKey& key : signals) {
-    const Item<SignalValue>* const now = state.findSignal(name, {key.link, key.part});
-    const std::string unit = now == nullptr ? std::string() : now->value.unit;
-    add(laneOf(plotValue(key, nullptr), unit, width, height), key.text());
+    add(laneOf(plotValue(key, nullptr), series_->unitOf(key), width, height), key.text());
   }
-  return lanes.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const Json json = {{"lanes", std::move(lanes)}, {"more", more}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace rocinante

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/cell/posed_scene.h"
@@ -24,16 +25,16 @@ class WebPlots {
   /// Reads the next `messages`. Returns the part of the log that is read, 0 to 1.
   Result<double> read(std::uint64_t messages);
 
-  /// JSON: one lane for each joint, and behind them one for each signal that was a number, of that
-  /// many pixels: name (of a joint, or `signal PATH NAME`), text (its low and high end with the
-  /// unit), curve and bars (paths of SVG), lower and upper (its limits from the top, where they are
-  /// in the lane). `device`: null for one that the cell has not. `state`: of the moment, whose
-  /// units are shown.
+  /// JSON: `lanes`, one for each joint, and behind them one for each of the first 256 signals that
+  /// were numbers, of that many pixels: name (of a joint, or `signal PATH NAME`), text (its low and
+  /// high end with the last unit), curve and bars (paths of SVG), lower and upper (its limits from
+  /// the top, where they are in the lane); and `more`, the number of signals without a lane.
+  /// `device`: null for one that the cell has not. `state`: of the moment, for its joints.
   std::string lanesJson(const std::string& name, const PosedDevice* device,
                         const SessionState& state, std::size_t width, double height) const;
 
  private:
-  Json laneOf(const PlotValue& value, const std::string& unit, std::size_t width,
+  Json laneOf(const PlotValue& value, std::string_view unit, std::size_t width,
               double height) const;
 
   LogReader log_;

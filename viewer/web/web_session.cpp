@@ -290,7 +290,7 @@ Result<std::string> WebSession::plotsJson(const std::string& device, std::int64_
   const auto state = stateAt(ns);
   if (!state) return state.error();
   const PosedScene scene = poseScene(maker_.cell(), **state);
-  if (!plots_) return std::string("[]");
+  if (!plots_) return std::string("{}");
   return plots_->lanesJson(device, scene.findDevice(device), **state, width, height);
 }
 

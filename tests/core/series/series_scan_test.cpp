@@ -130,6 +130,15 @@ TEST(SeriesScan, NumbersAndBooleansOfSignals) {
   EXPECT_EQ(heldAt(*scan, "signal - estop", 350), std::nullopt);
 }
 
+TEST(SeriesScan, KeepsTheLastUnitOfASignal) {
+  const auto scan = scanOf({{0, "RK1 s 0 -\nsignal arm load 5 kg\nsignal - speed 1"},
+                            {100, "RK1 s 1 -\nsignals arm load=6"},
+                            {200, "RK1 s 2 -\nremove arm"}});
+  EXPECT_EQ(scan->unitOf(*parseSeriesKey("signal arm load")), "kg");
+  EXPECT_EQ(scan->unitOf(*parseSeriesKey("signal - speed")), "");
+  EXPECT_EQ(scan->unitOf(*parseSeriesKey("signal oven heat")), "");
+}
+
 TEST(SeriesScan, PosesAndWhatIsRemoved) {
   const auto scan = scanOf({{0, "RK1 s 0 -\npose tray 1 2 3 0 0 0 1"},
                             {100, "RK1 s 1 -\nremove tray"},
