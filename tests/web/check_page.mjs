@@ -232,6 +232,24 @@ await check("signals are listed and plotted, also those of no device and of none
   assert.deepEqual(other.complaints, []);
   await other.page.close();
 });
+await check("what is not listed and not plotted is counted", async () => {
+  const other = await open(path.replace(/[^/]*$/, "many.html"), "#t=0.027");
+  await shown(other.page);
+  const devices = await other.page.evaluate(() => window.rocinante.calls.devices(window.rocinante.now()));
+  assert.equal(devices.filter((each) => /^x[0-9]+$/.test(each.name)).length, 1024);
+  assert.deepEqual(devices.filter((each) => each.more), [{ more: 1100 - 1024 }]);
+  assert.equal(devices[devices.length - 1].signals.length, 256);
+  assert.equal(devices[devices.length - 1].unlisted, 300 - 256);
+  const list = await other.page.locator("#devices").innerText();
+  assert.ok(list.includes("and 76 more devices"), list.slice(-200));
+  const plots = await other.page.evaluate(() => {
+    for (let part = 0; part >= 0 && part < 1;) part = window.rocinante.calls.readPlots(1000);
+    return window.rocinante.calls.plots("", window.rocinante.now(), 100, 40);
+  });
+  assert.equal(plots.lanes.length, 256);
+  assert.equal(plots.more, 300 - 256);
+  await other.page.close();
+});
 await check("nothing was asked of a network, nothing complained", async () => assert.deepEqual(complaints, []));
 for (const { name, file, says } of JSON.parse(fs.readFileSync(hostile + "/expected.json", "utf8"))) {
   await check("a page that was cut or changed says so in a sentence: " + name, async () => {

@@ -27,6 +27,7 @@ function rocinantePanels(page) {
 
   // The last may have no name: what is said of no device.
   function deviceBox(device) {
+    if (device.more) return made("p", "", `and ${device.more} more devices that the cell has not`);
     const box = made("section");
     box.classList.toggle("away", !device.visible);
     const isSelected = device.name === page.selectedDevice();

@@ -36,12 +36,17 @@ Json jointJson(const JointRow& row) {
   return json;
 }
 
-void addSignals(Json& device, const std::string& name, const Signals& signals) {
-  /// Of one device; a page says how many more there are.
-  constexpr std::size_t kMostListed = 256;
-  if (signals.empty()) return;
+/// What is listed of a session that states more; the page says how many more there are.
+constexpr std::size_t kMostOfDevice = 256;  // signals
+constexpr std::size_t kMostSignals = 4096;  // of all devices
+constexpr std::size_t kMostBare = 1024;     // devices that the cell has not
+
+/// At most `room` of them; returns how many.
+std::size_t addSignals(Json& device, const std::string& name, const Signals& signals,
+                       std::size_t room) {
+  if (signals.empty()) return 0;
   Json& list = device["signals"] = Json::array();
-  for (const SignalRow& row : signalRows(name, signals, "", kMostListed)) {
+  for (const SignalRow& row : signalRows(name, signals, "", std::min(room, kMostOfDevice))) {
     list.push_back({{"name", row.name},
                     {"text", row.text},
                     {"series", row.series.text()},
@@ -49,6 +54,7 @@ void addSignals(Json& device, const std::string& name, const Signals& signals) {
                     {"owner", row.owner}});
   }
   device["unlisted"] = signals.size() - list.size();
+  return list.size();
 }
 
 Result<Cell> cellOf(Bytes bytes) {
@@ -175,6 +181,18 @@ Result<std::string> WebSession::devicesJson(std::int64_t ns) {
   if (!state) return state.error();
   const PosedScene scene = poseScene(maker_.cell(), **state);
   Json json = Json::array();
+  std::size_t room = kMostSignals;
+  // Whose values are beside its curves is listed in any case.
+  const auto isSelected = [&](const std::string& name) {
+    return name == (selected_ ? selected_->path.first : std::string());
+  };
+  const auto addSignalsOf = [&](Json& one, const std::string& name, const Signals& signals) {
+    if (isSelected(name)) {
+      addSignals(one, name, signals, kMostOfDevice);
+    } else {
+      room -= addSignals(one, name, signals, room);
+    }
+  };
   for (const PosedDevice& device : scene.devices) {
     Json one;
     one["name"] = device.name;
@@ -191,19 +209,22 @@ Result<std::string> WebSession::devicesJson(std::int64_t ns) {
         one["link"] = {{"name", selected_->path.second}, {"place", {place.x, place.y, place.z}}};
       }
     }
-    if (said != nullptr) addSignals(one, device.name, said->signals);
+    if (said != nullptr) addSignalsOf(one, device.name, said->signals);
     json.push_back(std::move(one));
   }
   // What the cell has not is listed by what it says.
+  std::size_t bare = 0;
   const auto addBare = [&](const std::string& name, const Signals& signals) {
     if (signals.empty()) return;
+    if (!name.empty() && !isSelected(name) && ++bare > kMostBare) return;
     Json one = {{"name", name}, {"visible", true}, {"joints", Json::array()}};
-    addSignals(one, name, signals);
+    addSignalsOf(one, name, signals);
     json.push_back(std::move(one));
   };
   for (const auto& [name, said] : (*state)->devices()) {
     if (scene.findDevice(name) == nullptr) addBare(name, said.signals);
   }
+  if (bare > kMostBare) json.push_back(Json{{"more", bare - kMostBare}});
   addBare({}, (*state)->signals());
   return text(json);
 }
