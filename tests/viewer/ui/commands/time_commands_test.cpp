@@ -18,8 +18,12 @@ class TimeCommands : public testing::Test {
                                             {500, "joints stranger 1\n"},
                                             {1000, "joints arm 1\n"},
                                             {4000, "joints arm 2\n"}});
+    show("s.mcap");
+  }
+  void show(const char* log) {
+    model_.reset();
     auto cell = loadCell(folder_ / "arm.urdf", {});
-    auto session = Timeline::open(folder_ / "s.mcap");
+    auto session = Timeline::open(folder_ / log);
     ASSERT_TRUE(cell.ok() && session.ok());
     auto model = ViewModel::make(std::move(*cell), std::move(*session), std::nullopt, {}, {});
     ASSERT_TRUE(model.ok());
@@ -69,6 +73,21 @@ TEST_F(TimeCommands, PlotsWhatThereIs) {
   EXPECT_EQ(run("unplot arm/hand:z"), "`arm/hand:z` is not plotted");
   EXPECT_EQ(run("unplot all"), "");
   EXPECT_TRUE(model_->viewer.plots.curves().empty());
+}
+
+TEST_F(TimeCommands, AJointThatFollowsAnotherIsPlottedByThatOne) {
+  test::writeText(folder_ / "arm.urdf", R"(<robot name="arm">
+<link name="a"/><link name="b"/><link name="c"/>
+<joint name="turn" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
+<joint name="half" type="continuous"><parent link="b"/><child link="c"/><axis xyz="0 0 1"/>
+<mimic joint="turn" multiplier="0.5"/></joint></robot>)");
+  show("s.mcap");
+  EXPECT_EQ(run("plot arm.half"), "");
+  test::writeSession(folder_ / "n.mcap", {{0, "signal - x 1\n"}, {1000, "signal - x 2\n"}});
+  show("n.mcap");
+  EXPECT_EQ(run("plot arm.turn"), "no packet of the log states `arm.turn`: there is none");
+  EXPECT_EQ(run("plot arm.half"),
+            "no packet of the log states `arm.turn`, which `arm.half` follows: there is none");
 }
 
 TEST_F(TimeCommands, ATableOfWhatIsSeen) {
