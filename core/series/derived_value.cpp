@@ -34,6 +34,7 @@ struct DerivedValue::Node {
   struct Entry {
     LogTime time;
     double amount = 0;
+    double held = 0;  ///< of a value that holds: from here to the next
   };
 
   explicit Node(const SeriesKey& key) {
@@ -57,6 +58,7 @@ struct DerivedValue::Node {
   std::optional<double> now;    ///< the newest number of it, or of what it is made of
   std::optional<Entry> before;  ///< of a rate: the sample before
   std::deque<Entry> entries;    ///< of a mean
+  std::size_t gone = 0;         ///< entries that left it since amounts began at 0
   std::optional<double> other;  ///< of a difference: the newest of the second
   std::optional<LogTime> due;   ///< of a mean: when it changes next without a sample
 
@@ -124,7 +126,9 @@ struct DerivedValue::Node {
     } else if (!held) {
       entries.back().amount = value;
     }
+    entries.back().held = value;
     now = value;
+    dropBefore(time - over, held);
     const Said mean = meanUntil(entries.back());
     if (entries.size() > kMostEntries) thinOut();
     if (!mean) return held ? said : std::nullopt;
@@ -138,6 +142,7 @@ struct DerivedValue::Node {
     const Entry& last = entries.back();
     const LogTime settled = last.time + over;
     const double held = *now * secondsBetween(last.time, time);
+    dropBefore(time - over, true);
     const Said mean = meanUntil({time, last.amount + held});
     due = time < settled ? std::optional(std::min(time + stepOver(), settled)) : std::nullopt;
     return mean;
@@ -146,7 +151,6 @@ struct DerivedValue::Node {
   /// `end`: the last entry, or one behind it. Empty where no time has passed.
   Said meanUntil(const Entry& end) {
     const LogTime from = end.time - over;
-    while (entries.size() > 1 && entries[1].time <= from) entries.pop_front();
     const Entry& first = entries.front();
     double begin = first.amount;
     double span = secondsBetween(first.time, end.time);
@@ -160,6 +164,25 @@ struct DerivedValue::Node {
     return std::optional((end.amount - begin) / span);
   }
 
+  void dropBefore(LogTime from, bool held) {
+    constexpr double kExact = 1e9;
+    bool was_large = false;
+    for (; entries.size() > 1 && entries[1].time <= from; entries.pop_front(), ++gone) {
+      const double part = std::abs(entries[1].amount - entries[0].amount);
+      was_large =
+          was_large || !(part <= kExact * std::abs(entries.back().amount - entries[1].amount));
+    }
+    // Beside a large amount small ones are lost: what stays is summed anew, and now and then
+    // anyway.
+    if (!held || !(was_large || gone > entries.size())) return;
+    gone = 0;
+    entries.front().amount = 0;
+    for (std::size_t i = 1; i < entries.size(); ++i) {
+      const Entry& last = entries[i - 1];
+      entries[i].amount = last.amount + last.held * secondsBetween(last.time, entries[i].time);
+    }
+  }
+
   Nanoseconds stepOver() const { return std::max(Nanoseconds(1), over / kMeanSteps); }
   /// By more than sums are rounded.
   bool isApart(double mean) const { return std::abs(mean - *now) > 1e-9 * std::abs(*now); }
@@ -168,6 +191,10 @@ struct DerivedValue::Node {
     std::deque<Entry> kept;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (i % 2 == 0 || i + 1 == entries.size()) kept.push_back(entries[i]);
+    }
+    for (std::size_t i = 0; i + 1 < kept.size(); ++i) {
+      const double seconds = secondsBetween(kept[i].time, kept[i + 1].time);
+      kept[i].held = (kept[i + 1].amount - kept[i].amount) / seconds;
     }
     entries = std::move(kept);
   }
@@ -206,6 +233,9 @@ std::optional<Derivation> read(std::string_view text, int depth);
 
 /// What a rate or a mean is of.
 std::optional<SeriesKey> readOperand(std::string_view text, int depth) {
+  if (depth == kMostDerivations && (after(text, "d/dt ") || after(text, "mean "))) {
+    return std::nullopt;
+  }
   if (depth < kMostDerivations && read(text, depth)) {
     return SeriesKey{SeriesKey::Kind::derived, std::string(text)};
   }

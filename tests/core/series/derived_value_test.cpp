@@ -54,9 +54,9 @@ TEST(DerivedValue, TextIsReadBack) {
 }
 
 TEST(DerivedValue, OtherTextIsNone) {
-  for (const char* text :
-       {"d/dt", "d/dt ", "d/dt rate", "mean arm.j", "mean 0 arm.j", "mean -1 arm.j",
-        "mean nan arm.j", "mean inf arm.j", "mean 3601 arm.j", "mean 1", "rate - loss"}) {
+  for (const char* text : {"d/dt", "d/dt ", "d/dt rate", "mean arm.j", "mean 0 arm.j",
+                           "mean -1 arm.j", "d/dt d/dt d/dt d/dt d/dt arm.j", "mean nan arm.j",
+                           "mean inf arm.j", "mean 3601 arm.j", "mean 1", "rate - loss"}) {
     EXPECT_FALSE(parseDerivedKey(text).has_value()) << text;
   }
   std::string deep;
@@ -86,6 +86,19 @@ TEST(DerivedValue, AMeanWeighsByTheTimeThatValuesHold) {
   EXPECT_NEAR(said[3].second, 10, 1e-9);
   EXPECT_TRUE(std::isnan(said[4].second));
   EXPECT_EQ(said[5].second, 7);
+}
+
+TEST(DerivedValue, AMeanForgetsAWildValueThatHasLeftIt) {
+  for (const double wild : {3.4e38, 1e308}) {
+    Pairs samples;
+    for (int i = 0; i < 100; ++i) samples.emplace_back(i / 10.0, i == 20 ? wild : 1);
+    const Pairs said = saidOf("mean 1 arm.a", samples);
+    ASSERT_EQ(said.size(), samples.size());
+    EXPECT_DOUBLE_EQ(said[10].second, 1) << wild;
+    for (std::size_t i = 40; i < said.size(); ++i) {
+      EXPECT_NEAR(said[i].second, 1, 1e-9) << wild << ", sample " << i;
+    }
+  }
 }
 
 TEST(DerivedValue, AMeanFollowsAValueThatIsSentOnChange) {
