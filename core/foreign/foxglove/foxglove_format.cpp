@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/foreign/bytes/little_endian.h"
-#include "core/foreign/foxglove/signal_json.h"
+#include "core/foreign/foxglove/signal_topics.h"
 #include "core/foreign/proto/proto_schema.h"
 #include "core/foreign/proto/proto_writer.h"
 
@@ -254,25 +254,16 @@ class FoxgloveFormat final : public SessionFormat {
   }
 
   bool knowSignals(const KnownSignals& known) override {
-    for (const auto& [owner, signals] : known.byOwner()) signals_.emplace(owner, signals);
+    signals_.know(known);
     return true;
   }
 
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
                  std::span<const SaidSignal> said) override {
-    const auto fields = signals_.find(owner);
-    if (fields == signals_.end()) return {};
-    const std::string topic = topicOf("/signals", ownerText(owner));
-    auto schema = signal_schemas_.find(topic);
-    if (schema == signal_schemas_.end()) {
-      const std::string text = fields->second.schema();
-      const ByteView bytes = bytesOf(text);
-      MessageSchema made{"rocinante" + topic, "jsonschema", Bytes(bytes.begin(), bytes.end()),
-                         "json"};
-      schema = signal_schemas_.emplace(topic, std::move(made)).first;
-    }
-    return out.write(topic, schema->second, time, bytesOf(fields->second.message(said)));
+    return signals_.write(out, time, owner, said);
   }
+
+  void addLeftOut(Account& account) const override { account.add(signals_.leftOut()); }
 
   Status event(MessageSink& out, LogTime time, EventLevel level, std::string_view name,
                std::string_view text) override {
@@ -359,8 +350,7 @@ class FoxgloveFormat final : public SessionFormat {
   }
 
   Bytes message_;
-  std::map<SignalOwner, SignalJson> signals_;
-  std::map<std::string, MessageSchema> signal_schemas_;  ///< by topic
+  SignalTopics signals_;
   std::set<std::string> scenes_;                         ///< sources with /drawings
   std::map<std::string, std::set<std::string>> clouds_;  ///< by source: ids of the last message
 };

@@ -15,6 +15,7 @@ namespace rocinante {
 /// itself, or a part is empty, the whole name is a key: `/signals/arm."j1.velocity"`.
 class SignalJson {
  public:
+  SignalJson() = default;
   explicit SignalJson(const KnownSignals::Signals& signals);
 
   /// JSON schema of the messages; a unit is the field's description.

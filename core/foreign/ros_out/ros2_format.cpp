@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include "core/foreign/ros_out/cdr_writer.h"
 
@@ -330,8 +331,7 @@ class Ros2Format final : public SessionFormat {
   /// A topic has one type: a signal that changes its kind gets another one, and so does a second
   /// one whose names ROS would write alike.
   const std::string& signalTopic(const SignalOwner& owner, std::string_view name, SignalKind kind) {
-    std::string whole = ownerText(owner) + " " + std::string(name);
-    auto [place, is_new] = signal_topics_.try_emplace({whole, kind});
+    auto [place, is_new] = signal_topics_.try_emplace({owner, std::string(name), kind});
     if (!is_new) return place->second;
     std::string wanted = "/signals";
     for (const std::string_view part :
@@ -345,15 +345,16 @@ class Ros2Format final : public SessionFormat {
     if (place->second != wanted) {
       left_out_.leaveOut({.kind = "topic",
                           .name = wanted,
-                          .reason = "it is another signal's, or of another type: `" + whole +
-                                    "` is on " + place->second});
+                          .reason = "it is another signal's, or of another type: `" +
+                                    ownerText(owner) + " " + std::string(name) + "` is on " +
+                                    place->second});
     }
     return place->second;
   }
 
   Bytes message_;
   Account left_out_;
-  std::map<std::pair<std::string, SignalKind>, std::string> signal_topics_;
+  std::map<std::tuple<SignalOwner, std::string, SignalKind>, std::string> signal_topics_;
   std::set<std::string> given_topics_;
   std::map<std::string, std::string> names_;  ///< as ROS has them
   std::set<std::string> given_;

@@ -181,6 +181,57 @@ TEST(Ros2Signals, HaveATopicOfOneTypeEach) {
       "signal's, or of another type: `arm/tool0 a_b` is on /signals/arm/tool0/a_b_2)");
 }
 
+/// Owners and names that are one text when they are written behind each other.
+const std::vector<std::pair<SignalOwner, std::string>> kAlike = {
+    {{"arm", ""}, "1 load"}, {{"arm 1", ""}, "load"}, {{"a", "b"}, "x"}, {{"a/b", ""}, "x"}};
+
+TEST(Ros2Signals, OfOwnersThatAreWrittenAlikeHaveTopicsOfTheirOwn) {
+  const auto format = makeRos2Format();
+  NotingSink sink;
+  const SignalValue one = number(1);
+  for (const auto& [owner, name] : kAlike) {
+    const SaidSignal said{name, &one, true};
+    ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1)).ok());
+  }
+  const std::string rest = " std_msgs/msg/Float64 000000000000F03F";
+  EXPECT_THAT(sink.notes,
+              testing::ElementsAre("/signals/arm/_1_load" + rest, "/signals/arm_1/load" + rest,
+                                   "/signals/a/b/x" + rest, "/signals/a_b/x" + rest));
+}
+
+/// Notes topics and messages of text.
+class TextSink final : public MessageSink {
+ public:
+  Status write(std::string_view topic, const MessageSchema& schema, LogTime, ByteView message,
+               const std::map<std::string, std::string>&) override {
+    EXPECT_EQ(schema.name, "rocinante" + std::string(topic));
+    notes.push_back(std::string(topic) + " " + std::string(textOf(message)));
+    return {};
+  }
+  std::vector<std::string> notes;
+};
+
+TEST(FoxgloveSignals, OfOwnersThatAreWrittenAlikeHaveTopicsOfTheirOwn) {
+  const auto format = makeFoxgloveFormat();
+  KnownSignals known;
+  PacketTextDecoder decoder;
+  known.notice(*decoder.decode(bytesOf("RK1 s 0 -\nsignals a/b x=1\nsignals a%2Fb x=1\n")));
+  EXPECT_TRUE(format->knowSignals(known));
+  TextSink sink;
+  const SignalValue one = number(1);
+  const SaidSignal said{"x", &one, true};
+  for (const SignalOwner& owner : {SignalOwner("a", "b"), SignalOwner("a/b", "")}) {
+    ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1)).ok());
+  }
+  EXPECT_THAT(sink.notes,
+              testing::ElementsAre(R"(/signals/a/b {"x":1.0})", R"(/signals/a/b_2 {"x":1.0})"));
+  Account account;
+  format->addLeftOut(account);
+  EXPECT_EQ(accountSentence(account),
+            "left out: 1 topic `/signals/a/b` (it is another owner's: the signals of device `a/b` "
+            "are on /signals/a/b_2)");
+}
+
 TEST(Ros2Signals, SpeedsAndEffortsAreThoseOfTheJoints) {
   DeviceState state;
   const auto say = [&](const char* name, SignalValue value) {

@@ -1,0 +1,47 @@
+#include "core/foreign/foxglove/signal_topics.h"
+
+namespace rocinante {
+
+std::string SignalTopics::nameOf(const SignalOwner& owner) {
+  const std::string wanted = topicOf("/signals", ownerText(owner));
+  std::string given = wanted;
+  for (int number = 2; !given_.insert(given).second; ++number) {
+    given = wanted + "_" + std::to_string(number);
+  }
+  if (given != wanted) {
+    const auto& [device, link] = owner;
+    const std::string whose =
+        link.empty() ? "device `" + device + "`" : "link `" + link + "` of `" + device + "`";
+    left_out_.leaveOut(
+        {.kind = "topic",
+         .name = wanted,
+         .reason = "it is another owner's: the signals of " + whose + " are on " + given});
+  }
+  return given;
+}
+
+void SignalTopics::know(const KnownSignals& known) {
+  for (const auto& [owner, signals] : known.byOwner()) {
+    Topic& topic = topics_[owner];
+    if (topic.name.empty()) topic.name = nameOf(owner);
+    topic.json = SignalJson(signals);
+    topic.schema.reset();
+  }
+}
+
+Status SignalTopics::write(MessageSink& out, LogTime time, const SignalOwner& owner,
+                           std::span<const SaidSignal> said) {
+  const auto found = topics_.find(owner);
+  if (found == topics_.end()) return {};
+  Topic& topic = found->second;
+  if (!topic.schema) {
+    const std::string text = topic.json.schema();
+    const ByteView bytes = bytesOf(text);
+    topic.schema = MessageSchema{"rocinante" + topic.name, "jsonschema",
+                                 Bytes(bytes.begin(), bytes.end()), "json"};
+  }
+  const std::string message = topic.json.message(said);
+  return out.write(topic.name, *topic.schema, time, bytesOf(message));
+}
+
+}  // namespace rocinante

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+
+#include "core/foreign/foxglove/signal_json.h"
+#include "core/foreign/session/message_sink.h"
+#include "core/foreign/session/session_format.h"
+#include "core/report/account.h"
+
+namespace rocinante {
+
+/// The JSON channels of signals: one an owner, /signals/PATH. Of two owners that are written alike,
+/// as a link `b` of `a` and a device `a/b`, the second one's has a number. One thread.
+class SignalTopics {
+ public:
+  /// Their fields, from now on.
+  void know(const KnownSignals& known);
+  /// A message; nothing of an owner that is not known.
+  Status write(MessageSink& out, LogTime time, const SignalOwner& owner,
+               std::span<const SaidSignal> said);
+
+  /// Channels with a number.
+  const Account& leftOut() const { return left_out_; }
+
+ private:
+  struct Topic {
+    std::string name;
+    SignalJson json;
+    std::optional<MessageSchema> schema;  ///< made at the first message
+  };
+  std::string nameOf(const SignalOwner& owner);
+
+  std::map<SignalOwner, Topic> topics_;
+  std::set<std::string> given_;
+  Account left_out_;
+};
+
+}  // namespace rocinante
