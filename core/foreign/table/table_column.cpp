@@ -61,6 +61,7 @@ std::optional<Nanoseconds> tableSeconds(std::string_view text, int down) {
 }
 
 bool isLinkColumn(std::string_view name) {
+  if (isSignalColumn(name)) return false;
   const std::size_t slash = name.find('/');
   if (slash == name.npos || slash == 0) return false;
   return std::ranges::any_of(kPoseEndings, [&](std::string_view ending) {

@@ -64,6 +64,10 @@ TEST(CsvMotion, ColumnsOfSignalsAreNamedOrHaveNoNumbers) {
   // All but the explicit ones are of the device that is named.
   EXPECT_EQ(signalsOf(read("t,a,mode,arm.on,signal - x\n0,1,run,true,2\n").value()),
             "signal - x: 0 2\nsignal arm mode: 0 run\nsignal arm arm.on: 0 true\n");
+  // Also where the end of its name is that of a pose.
+  const auto tip = readCell("t,arm.j1,signal arm/tool0 tip:x,arm/tool0:x\n0,1,2,3\n").value();
+  EXPECT_EQ(signalsOf(tip), "signal arm/tool0 tip:x: 0 2\n");
+  EXPECT_EQ(accountSentence(tip.left_out), "left out: 1 column `arm/tool0:x` (the pose of a link)");
   // Only signals are a table, too.
   EXPECT_EQ(signalsOf(readCell("t,signal - x\n0,2\n").value()), "signal - x: 0 2\n");
 }
