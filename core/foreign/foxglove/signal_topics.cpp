@@ -27,6 +27,11 @@ void SignalTopics::know(const KnownSignals& known) {
     topic.json = SignalJson(signals);
     topic.schema.reset();
   }
+  if (known.beyond().values == 0) return;
+  left_out_.leaveOut({.kind = "value",
+                      .name = "signal",
+                      .reason = "of signals beyond the first 65,536, which have no field",
+                      .count = known.beyond().values});
 }
 
 Status SignalTopics::write(MessageSink& out, LogTime time, const SignalOwner& owner,

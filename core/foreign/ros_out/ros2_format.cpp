@@ -238,6 +238,11 @@ class Ros2Format final : public SessionFormat {
                             .first = ownerText(owner) + " " + name});
       }
     }
+    if (known.beyond().units > 0) {
+      left_out_.leaveOut({.kind = "unit",
+                          .reason = "of signals beyond the first 65,536",
+                          .count = known.beyond().units});
+    }
     return true;
   }
 

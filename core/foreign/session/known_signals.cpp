@@ -29,14 +29,22 @@ void KnownSignals::notice(const Packet& packet) {
 
 void KnownSignals::add(const SignalOwner& owner, std::string_view name, SignalKind kind,
                        std::string_view unit) {
-  Signals& signals = by_owner_[owner];
-  auto known = signals.find(name);
-  if (known == signals.end()) {
-    if (count_ == kMost) return;
-    ++count_;
-    known = signals.emplace(std::string(name), Signal{kind, {}}).first;
+  const auto of_owner = by_owner_.find(owner);
+  Signal* signal = nullptr;
+  if (of_owner != by_owner_.end()) {
+    const auto known = of_owner->second.find(name);
+    if (known != of_owner->second.end()) signal = &known->second;
   }
-  if (!unit.empty()) known->second.unit = unit;
+  if (signal == nullptr) {
+    if (count_ == kMost) {
+      ++beyond_.values;
+      if (!unit.empty()) ++beyond_.units;
+      return;
+    }
+    ++count_;
+    signal = &by_owner_[owner].emplace(std::string(name), Signal{kind, {}}).first->second;
+  }
+  if (!unit.empty()) signal->unit = unit;
 }
 
 }  // namespace rocinante

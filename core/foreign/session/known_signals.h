@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -33,12 +34,19 @@ class KnownSignals {
   void notice(const Packet& packet);
 
   const std::map<SignalOwner, Signals>& byOwner() const { return by_owner_; }
+  /// What was said of further ones, which are in no owner's.
+  struct Beyond {
+    std::uint64_t values = 0;
+    std::uint64_t units = 0;  ///< those with a unit
+  };
+  const Beyond& beyond() const { return beyond_; }
 
  private:
   void add(const SignalOwner& owner, std::string_view name, SignalKind kind, std::string_view unit);
 
   std::map<SignalOwner, Signals> by_owner_;
   std::size_t count_ = 0;
+  Beyond beyond_;
 };
 
 }  // namespace rocinante

@@ -232,6 +232,36 @@ TEST(FoxgloveSignals, OfOwnersThatAreWrittenAlikeHaveTopicsOfTheirOwn) {
             "are on /signals/a/b_2)");
 }
 
+TEST(KnownSignals, WhatIsBeyondTheirBoundIsCounted) {
+  KnownSignals known;
+  PacketTextDecoder decoder;
+  for (std::size_t packet = 0; packet < KnownSignals::kMost / 1024; ++packet) {
+    std::string text = "RK1 s 0 -\nsignals arm";
+    for (std::size_t i = 0; i < 1024; ++i) text += " n" + std::to_string(packet * 1024 + i) + "=1";
+    known.notice(*decoder.decode(bytesOf(text)));
+  }
+  EXPECT_EQ(known.beyond().values, 0U);
+  known.notice(*decoder.decode(
+      bytesOf("RK1 s 1 -\nsignal arm n7 1 kg\nsignal arm more 1 kg\nsignals other a=1 b=2\n")));
+  EXPECT_EQ(known.beyond().values, 3U);
+  EXPECT_EQ(known.beyond().units, 1U);
+  ASSERT_EQ(known.byOwner().size(), 1U);
+  EXPECT_EQ(known.byOwner().begin()->second.at("n7").unit, "kg");
+  EXPECT_EQ(known.byOwner().begin()->second.size(), KnownSignals::kMost);
+
+  const auto told = [&](SessionFormat& format) {
+    format.knowSignals(known);
+    Account account;
+    format.addLeftOut(account);
+    return accountSentence(account);
+  };
+  EXPECT_EQ(
+      told(*makeFoxgloveFormat()),
+      "left out: 3 values `signal` (of signals beyond the first 65,536, which have no field)");
+  EXPECT_THAT(told(*makeRos2Format()),
+              testing::HasSubstr("1 unit (of signals beyond the first 65,536)"));
+}
+
 TEST(Ros2Signals, SpeedsAndEffortsAreThoseOfTheJoints) {
   DeviceState state;
   const auto say = [&](const char* name, SignalValue value) {
