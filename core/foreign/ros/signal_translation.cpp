@@ -326,7 +326,10 @@ std::optional<std::size_t> SignalTranslation::slotOf(std::string_view status, st
 SignalTranslation::Owner& SignalTranslation::ownerOf(std::string_view frame) {
   if (frame.size() > limits::kNameBytes) frame = {};
   if (const auto known = owners_.find(frame); known != owners_.end()) return known->second;
-  if (owners_.size() >= kMaxFrames) return owners_.begin()->second;
+  if (owners_.size() >= kMaxFrames && !frame.empty()) {
+    note("values of frames beyond 4096, as those of no frame");
+    return ownerOf({});
+  }
   Owner owner;
   owner.is_known = frame.empty();
   if (is_own_frame_ && !devices_.knowsDevices() && isName(frame)) {

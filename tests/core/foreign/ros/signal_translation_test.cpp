@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/base/atomic_file.h"
+#include "core/foreign/ros/frame_tree.h"
 #include "core/foreign/ros/robot_description.h"
 #include "core/foreign/ros/signal_messages.h"
 #include "tests/core/foreign/ros/translation.h"
@@ -201,6 +202,24 @@ TEST(SignalTranslation, SeveralFramesThatAreNoLinkAreTold) {
   }
   EXPECT_THAT(translation.notes("/t", FieldCursor::Layout::cdr),
               Contains(Key("values of several frames that are no link, as one signal")));
+}
+
+TEST(SignalTranslation, FramesBeyondTheirBoundAreNoStrangers) {
+  const Result<DescribedRobot> robot = robotOf(kArm, {});
+  ASSERT_TRUE(robot.ok());
+  Translation translation(&robot->cell);
+  const auto say = [&](const std::string& frame) {
+    MessageMaker made(Kind::cdr_little);
+    made.header(1, 0, frame).doubles({20, 0});
+    return translation.of("/t", "sensor_msgs/Temperature", made.bytes());
+  };
+  EXPECT_THAT(say("arm"), HasSubstr("signal arm t.temperature 20 degC\n"));
+  for (std::size_t i = 1; i < kMaxFrames; ++i) say("frame" + std::to_string(i));
+  EXPECT_THAT(say("one more"), HasSubstr("signal - t.temperature 20 degC\n"));
+  EXPECT_THAT(say("and another"), HasSubstr("signals - t.temperature=20\n"));
+  EXPECT_THAT(say("arm"), HasSubstr("signals arm t.temperature=20\n"));
+  EXPECT_THAT(translation.notes("/t", FieldCursor::Layout::cdr),
+              Contains(Key("values of frames beyond 4096, as those of no frame")));
 }
 
 TEST(SignalTranslation, NoTwoTopicsHaveOneName) {
