@@ -133,6 +133,9 @@ Account DatagramDecoders::leftOut() const {
     for (std::size_t field = 0; field < decoder.fields.size(); ++field) {
       add(decoder.fields[field].name, "not a number, infinite, or not of the declared kind",
           readers_[i].lines.unusable()[field]);
+      add(decoder.fields[field].name,
+          "empty, over 255 bytes or otherwise no name that packets have",
+          readers_[i].lines.noName()[field]);
     }
     for (std::size_t line = 0; line < decoder.signals.size(); ++line) {
       add(decoder.fields[*decoder.signals[line].value.field].name,

@@ -40,10 +40,22 @@ PacketLines::PacketLines(const Decoder& decoder)
     : decoder_(decoder),
       unusable_(decoder.fields.size()),
       counted_at_(decoder.fields.size()),
+      no_name_(decoder.fields.size()),
+      named_at_(decoder.fields.size()),
       unnamed_(decoder.signals.size()) {}
 
 void PacketLines::countUnusable(std::size_t field) {
   if (std::exchange(counted_at_[field], datagrams_) != datagrams_) ++unusable_[field];
+}
+
+void PacketLines::countNoName(const TextTemplate& name, std::span<const FieldValue> values) {
+  const bool is_filled = std::ranges::none_of(name.parts, [&](const TextTemplate::Part& part) {
+    return part.field && values[*part.field].kind == FieldValue::Kind::missing;
+  });
+  for (const TextTemplate::Part& part : name.parts) {
+    if (!part.field || (!is_filled && !values[*part.field].is_infinite)) continue;
+    if (std::exchange(named_at_[*part.field], datagrams_) != datagrams_) ++no_name_[*part.field];
+  }
 }
 
 std::optional<double> PacketLines::numberOrCount(const Term& term,
@@ -99,7 +111,24 @@ bool appendTemplate(std::string& text, const TextTemplate& of, std::span<const F
 bool PacketLines::fillName(const TextTemplate& name, std::span<const FieldValue> values) {
   name_.clear();
   // A stranger's text may be anything.
-  return appendTemplate(name_, name, values) && isName(name_);
+  if (appendTemplate(name_, name, values) && isName(name_)) return true;
+  countNoName(name, values);
+  return false;
+}
+
+bool PacketLines::fillPath(PathView& path, const TextTemplate& of,
+                           std::span<const FieldValue> values) {
+  path_.clear();
+  bool is_path = appendTemplate(path_, of, values);
+  if (is_path && path_ != "-") {
+    const std::string_view filled = path_;
+    const std::size_t slash = filled.find('/');
+    path.first = filled.substr(0, slash);
+    if (slash != filled.npos) path.second = filled.substr(slash + 1);
+    is_path = isName(path.first) && (slash == filled.npos || isName(path.second));
+  }
+  if (!is_path) countNoName(of, values);
+  return is_path;
 }
 
 void PacketLines::addJoints(PacketTextWriter& packet, const JointsLine& line,
@@ -194,16 +223,7 @@ void PacketLines::addSignal(PacketTextWriter& packet, std::size_t line,
       ++unnamed_[line];
     }
   }
-  path_.clear();
-  if (!appendTemplate(path_, its.path, values) || !fillName(its.name, values)) return;
-  if (path_ != "-") {
-    const std::string_view path = path_;
-    const std::size_t slash = path.find('/');
-    statement.path.first = path.substr(0, slash);
-    if (slash != path.npos) statement.path.second = path.substr(slash + 1);
-    const bool has_link = slash != path.npos;
-    if (!isName(statement.path.first) || (has_link && !isName(statement.path.second))) return;
-  }
+  if (!fillPath(statement.path, its.path, values) || !fillName(its.name, values)) return;
   const std::string_view name = name_;
   statement.names = std::span(&name, 1);
   statement.numbers = std::span(&number, 1);

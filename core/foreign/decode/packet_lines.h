@@ -29,6 +29,9 @@ class PacketLines {
   /// By field: how often a line needed another value than it had: not a number, or infinite; text
   /// in place of a number; too long a text. Once a datagram.
   const std::vector<std::uint64_t>& unusable() const { return unusable_; }
+  /// By field: how often its value made no name that packets have, and a line stated nothing. Once
+  /// a datagram.
+  const std::vector<std::uint64_t>& noName() const { return no_name_; }
   /// By SignalLine: values that its `values` do not name.
   const std::vector<std::uint64_t>& unnamed() const { return unnamed_; }
 
@@ -37,13 +40,18 @@ class PacketLines {
                  std::span<const FieldValue> values);
   void addPose(PacketTextWriter& packet, const PoseLine& line, std::span<const FieldValue> values);
   void addSignal(PacketTextWriter& packet, std::size_t line, std::span<const FieldValue> values);
+  /// Into name_; false, and counted, for what is no name.
   bool fillName(const TextTemplate& name, std::span<const FieldValue> values);
+  /// Into path_, which `path` borrows.
+  bool fillPath(PathView& path, const TextTemplate& of, std::span<const FieldValue> values);
   /// numberOf(), which counts a value that is none.
   std::optional<double> numberOrCount(const Term& term, std::span<const FieldValue> values);
   template <std::size_t count>
   std::optional<std::array<double, count>> numbersOf(const std::array<Term, count>& terms,
                                                      std::span<const FieldValue> values);
   void countUnusable(std::size_t field);
+  /// Its fields; where one is missing, those alone that are infinite.
+  void countNoName(const TextTemplate& name, std::span<const FieldValue> values);
 
   const Decoder& decoder_;
   std::string name_;
@@ -53,6 +61,7 @@ class PacketLines {
   std::string text_;
   std::uint64_t datagrams_ = 0;
   std::vector<std::uint64_t> unusable_, counted_at_;  ///< by field; at which datagram the last one
+  std::vector<std::uint64_t> no_name_, named_at_;     ///< the same
   std::vector<std::uint64_t> unnamed_;
 };
 

@@ -272,6 +272,47 @@ position = ["q", "q", 0]
   EXPECT_THAT(line.leftOut(), UnorderedElementsAre(HasSubstr("1 value `q`")));
 }
 
+TEST(DecodedSignals, TextsThatMakeNoNameAreCountedOnceADatagram) {
+  DecodedSignals json(R"([[decoder]]
+name = "j"
+kind = "json"
+[[decoder.field]]
+name = "load"
+at = "/load"
+[[decoder.field]]
+name = "who"
+at = "/who"
+[[decoder.field]]
+name = "what"
+at = "/what"
+[[decoder.joint]]
+device = "{who}"
+joint = "a"
+field = "load"
+[[decoder.pose]]
+device = "{who}"
+position = ["load", 0, 0]
+[[decoder.signal]]
+path = "{who}/tip"
+name = "load"
+field = "load"
+[[decoder.signal]]
+path = "-"
+name = "{what}"
+field = "load"
+)");
+  EXPECT_EQ(json.of(R"({"load": 1, "who": "arm", "what": "x"})"),
+            "joint arm a=1\npose arm 1 0 0 0 0 0 1\nsignal arm/tip load 1\nsignal - x 1");
+  EXPECT_EQ(json.of(R"({"load": 1, "who": "", "what": "x"})"), "signal - x 1");
+  EXPECT_EQ(json.of(R"({"load": 1, "who": "a\u0001", "what": "x"})"), "signal - x 1");
+  EXPECT_EQ(json.of(R"({"load": 1, "who": "arm", "what": ")" + std::string(256, 'x') + "\"}"),
+            "joint arm a=1\npose arm 1 0 0 0 0 0 1\nsignal arm/tip load 1");
+  // What is missing is not counted.
+  EXPECT_EQ(json.of(R"({"load": 1, "what": "x"})"), "signal - x 1");
+  EXPECT_THAT(json.leftOut(), UnorderedElementsAre(HasSubstr("2 values `who` (empty, over 255"),
+                                                   HasSubstr("1 value `what` (empty, over 255")));
+}
+
 TEST(DecodedSignals, DeclarationsAreRefusedWithTheirPlace) {
   const auto faultOf = [](const std::string& line) {
     const auto set = parseDecoders(
