@@ -259,8 +259,8 @@ class FoxgloveFormat final : public SessionFormat {
   }
 
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
-                 std::span<const SaidSignal> said) override {
-    return signals_.write(out, time, owner, said);
+                 std::span<const SaidSignal> said, bool wants_all) override {
+    return signals_.write(out, time, owner, said, wants_all);
   }
 
   void addLeftOut(Account& account) const override { account.add(signals_.leftOut()); }

@@ -5,8 +5,6 @@
 namespace rocinante {
 namespace {
 
-using OrderedJson = nlohmann::ordered_json;
-
 /// The parts between points; the whole name where they cannot be nested.
 std::vector<std::string> keysOf(const std::string& name, const KnownSignals::Signals& signals) {
   std::vector<std::string> keys;
@@ -35,26 +33,27 @@ SignalJson::SignalJson(const KnownSignals::Signals& signals) {
 
 std::string SignalJson::schema() const {
   const auto object = [] {
-    return OrderedJson{{"type", "object"}, {"properties", OrderedJson::object()}};
+    return nlohmann::json{{"type", "object"}, {"properties", nlohmann::json::object()}};
   };
-  OrderedJson schema = object();
+  nlohmann::json schema = object();
   for (const auto& [name, field] : fields_) {
-    OrderedJson* at = &schema["properties"];
+    nlohmann::json* at = &schema["properties"];
     for (std::size_t i = 0; i + 1 < field.keys.size(); ++i) {
-      OrderedJson& inner = (*at)[field.keys[i]];
+      nlohmann::json& inner = (*at)[field.keys[i]];
       if (inner.is_null()) inner = object();
       at = &inner["properties"];
     }
-    OrderedJson& leaf = (*at)[field.keys.back()];
+    nlohmann::json& leaf = (*at)[field.keys.back()];
     leaf["type"] = typeOf(field.signal.kind);
     if (!field.signal.unit.empty()) leaf["description"] = field.signal.unit;
   }
   return schema.dump();
 }
 
-std::string SignalJson::message(std::span<const SaidSignal> said) const {
+std::string SignalJson::message(std::span<const SaidSignal> said, bool only_new) const {
   nlohmann::json message = nlohmann::json::object();
   for (const SaidSignal& signal : said) {
+    if (only_new && !signal.is_new) continue;
     const auto field = fields_.find(signal.name);
     if (field == fields_.end()) continue;
     nlohmann::json* at = &message;

@@ -20,8 +20,9 @@ class SignalJson {
 
   /// JSON schema of the messages; a unit is the field's description.
   std::string schema() const;
-  /// One message. A signal that nothing states is missing.
-  std::string message(std::span<const SaidSignal> said) const;
+  /// One message. A signal that nothing states is missing; with `only_new` also those that are not
+  /// new.
+  std::string message(std::span<const SaidSignal> said, bool only_new = false) const;
 
  private:
   struct Field {

@@ -35,17 +35,18 @@ void SignalTopics::know(const KnownSignals& known) {
 }
 
 Status SignalTopics::write(MessageSink& out, LogTime time, const SignalOwner& owner,
-                           std::span<const SaidSignal> said) {
+                           std::span<const SaidSignal> said, bool wants_all) {
   const auto found = topics_.find(owner);
   if (found == topics_.end()) return {};
   Topic& topic = found->second;
+  const std::string message = topic.json.message(said, !wants_all);
+  if (!wants_all && message == "{}") return {};
   if (!topic.schema) {
     const std::string text = topic.json.schema();
     const ByteView bytes = bytesOf(text);
     topic.schema = MessageSchema{"rocinante" + topic.name, "jsonschema",
                                  Bytes(bytes.begin(), bytes.end()), "json"};
   }
-  const std::string message = topic.json.message(said);
   return out.write(topic.name, *topic.schema, time, bytesOf(message));
 }
 

@@ -19,9 +19,9 @@ class SignalTopics {
  public:
   /// Their fields, from now on.
   void know(const KnownSignals& known);
-  /// A message; nothing of an owner that is not known.
+  /// A message of what is new, or of all; nothing of what is not known.
   Status write(MessageSink& out, LogTime time, const SignalOwner& owner,
-               std::span<const SaidSignal> said);
+               std::span<const SaidSignal> said, bool wants_all);
 
   /// Channels with a number.
   const Account& leftOut() const { return left_out_; }

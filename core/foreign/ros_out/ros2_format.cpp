@@ -247,7 +247,7 @@ class Ros2Format final : public SessionFormat {
   }
 
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
-                 std::span<const SaidSignal> said) override {
+                 std::span<const SaidSignal> said, bool /*wants_all*/) override {
     constexpr std::array<const char*, 3> kTypes = {"std_msgs/msg/Float64", "std_msgs/msg/Bool",
                                                    "std_msgs/msg/String"};
     for (const SaidSignal& signal : said) {

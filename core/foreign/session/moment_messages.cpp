@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "core/math/transform.h"
 
@@ -35,11 +36,16 @@ void MomentMessages::notice(const Packet& packet) {
       case StatementKind::remove:
         all_drawn_ = true;  // with what is drawn on the device
         break;
+      case StatementKind::signal:
+      case StatementKind::signals:
+        if (statement.path.first.empty()) bare_said_ = true;
+        break;
       default:
         break;
     }
   }
   if (draws) drawn_.insert(std::string(packet.header.source));
+  if (packet.header.part || packet.header.reset) bare_said_ = true;
 }
 
 Status MomentMessages::moment(MessageSink& out, LogTime time, const SessionState& state) {
@@ -119,7 +125,15 @@ Status MomentMessages::joints(MessageSink& out, LogTime time, const SessionState
 }
 
 Status MomentMessages::signals(MessageSink& out, LogTime time, const SessionState& state) {
-  Status written = signalsOf(out, time, {}, state.signals());
+  // Those of no device have no last_write: packets tell, or that there are others than before.
+  std::uint64_t applied = 0;
+  for (const auto& [source, counts] : state.counts()) applied += counts.packets + counts.by_others;
+  const bool counts_anew = applied < std::exchange(applied_, applied);
+  const std::size_t before = std::exchange(bare_signals_, state.signals().size());
+  Status written;
+  if (std::exchange(bare_said_, false) || counts_anew || before != bare_signals_) {
+    written = signalsOf(out, time, {}, state.signals());
+  }
   for (const auto& [name, device] : state.devices()) {
     if (written && isWritten(device)) written = signalsOf(out, time, name, device.signals);
   }
@@ -137,7 +151,7 @@ Status MomentMessages::signals(MessageSink& out, LogTime time, const SessionStat
       ++each;
       continue;
     }
-    written = format_.signals(out, time, each->first, {});
+    written = format_.signals(out, time, each->first, {}, true);
     each = signals_said_.erase(each);
   }
   return written;
@@ -159,6 +173,7 @@ Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::stri
     const bool counts_anew = newest < said.newest;
     said.newest = newest;
     bool is_due = false;
+    bool wants_all = said.by_name.empty();
     all.clear();
     for (; first != last; ++first) {
       const auto& [name, item] = *first;
@@ -174,13 +189,14 @@ Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::stri
       all.push_back({name.name, &item.value, is_new, in_joints});
     }
     if (said.by_name.size() != all.size()) {
-      is_due = true;
+      is_due = wants_all = true;
       std::erase_if(said.by_name, [&](const auto& each) {
         return !signals.contains(SignalNameView(link, each.first));
       });
     }
     if (!is_due) continue;
-    if (Status written = format_.signals(out, time, {device, link}, all); !written) return written;
+    Status written = format_.signals(out, time, {device, link}, all, wants_all);
+    if (!written) return written;
   }
   return {};
 }

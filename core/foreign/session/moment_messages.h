@@ -70,7 +70,10 @@ class MomentMessages {
   std::map<std::string, Known, std::less<>> known_;
   std::map<std::string, const Model*, std::less<>> models_;
   std::map<SignalOwner, SignalsSaid> signals_said_;
-  std::set<std::string> drawn_;  ///< sources whose drawings may have changed
+  bool bare_said_ = true;         ///< signals of no device may have changed
+  std::size_t bare_signals_ = 0;  ///< how many there were at the last moment
+  std::uint64_t applied_ = 0;     ///< packets, as of the last moment
+  std::set<std::string> drawn_;   ///< sources whose drawings may have changed
   bool all_drawn_ = false;
   bool has_begun_ = false;
   LogTime before_ = LogTime::min();                 ///< the last moment

@@ -36,7 +36,7 @@ struct LinkShape {
 
 /// How a family of tools writes what a session holds: which messages on which topics. All of a
 /// device, or of a source's drawings, is in each message, so that a reader who jumps to a moment
-/// needs only the last message of every topic.
+/// needs only the last message of every topic; but signals, which may be thousands.
 class SessionFormat {
  public:
   virtual ~SessionFormat() = default;
@@ -55,8 +55,10 @@ class SessionFormat {
   virtual Status drawings(MessageSink& out, LogTime time, const std::string& source,
                           const Drawings& drawings) = 0;
   /// Signals of a device, a link or none, when one of them was said or went away: all that there
-  /// are, by name.
-  virtual Status signals(MessageSink&, LogTime, const SignalOwner&, std::span<const SaidSignal>) {
+  /// are, by name. `wants_all`: a message of what is new alone would mislead, since these are the
+  /// first ones or another one has gone.
+  virtual Status signals(MessageSink&, LogTime, const SignalOwner&, std::span<const SaidSignal>,
+                         bool /*wants_all*/) {
     return {};
   }
   /// Before the first message: false for a format that has no place for signals.

@@ -126,11 +126,12 @@ TEST(SignalJson, APointInANameNests) {
               "signal arm gone default\n")));
   const SignalJson json(known.byOwner().at({"arm", ""}));
   EXPECT_EQ(json.schema(),
-            R"({"type":"object","properties":{".z":{"type":"number"},"a":{"type":"number"},)"
+            R"({"properties":{".z":{"type":"number"},"a":{"type":"number"},)"
             R"("a.b":{"type":"number"},"a.b.c":{"type":"number"},)"
-            R"("j1":{"type":"object","properties":{"effort":{"type":"number"},)"
-            R"("velocity":{"type":"number"}}},"load":{"type":"number","description":"kg"},)"
-            R"("mode":{"type":"string"},"on":{"type":"boolean"},"x..y":{"type":"number"}}})");
+            R"("j1":{"properties":{"effort":{"type":"number"},"velocity":{"type":"number"}},)"
+            R"("type":"object"},"load":{"description":"kg","type":"number"},)"
+            R"("mode":{"type":"string"},"on":{"type":"boolean"},"x..y":{"type":"number"}},)"
+            R"("type":"object"})");
   const SignalValue one = number(1), tiny = number(1e-12);
   const SignalValue yes{SignalKind::boolean, 1, {}, {}}, text{SignalKind::text, 0, "a \"b\"", {}};
   const std::vector<SaidSignal> said = {{"a", &one},     {"a.b", &tiny}, {"j1.velocity", &one},
@@ -157,7 +158,7 @@ TEST(Ros2Signals, HaveATopicOfOneTypeEach) {
   const SignalValue one = number(1);
   const SignalValue yes{SignalKind::boolean, 1, {}, {}}, text{SignalKind::text, 0, "a", {}};
   const auto say = [&](const SignalOwner& owner, const SaidSignal& said) {
-    ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1)).ok());
+    ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1), false).ok());
   };
   say({"arm", "tool0"}, {"a b", &one, true});
   say({"", ""}, {"estop", &yes, true});
@@ -191,7 +192,7 @@ TEST(Ros2Signals, OfOwnersThatAreWrittenAlikeHaveTopicsOfTheirOwn) {
   const SignalValue one = number(1);
   for (const auto& [owner, name] : kAlike) {
     const SaidSignal said{name, &one, true};
-    ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1)).ok());
+    ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1), false).ok());
   }
   const std::string rest = " std_msgs/msg/Float64 000000000000F03F";
   EXPECT_THAT(sink.notes,
@@ -221,7 +222,7 @@ TEST(FoxgloveSignals, OfOwnersThatAreWrittenAlikeHaveTopicsOfTheirOwn) {
   const SignalValue one = number(1);
   const SaidSignal said{"x", &one, true};
   for (const SignalOwner& owner : {SignalOwner("a", "b"), SignalOwner("a/b", "")}) {
-    ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1)).ok());
+    ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1), false).ok());
   }
   EXPECT_THAT(sink.notes,
               testing::ElementsAre(R"(/signals/a/b {"x":1.0})", R"(/signals/a/b_2 {"x":1.0})"));
@@ -230,6 +231,26 @@ TEST(FoxgloveSignals, OfOwnersThatAreWrittenAlikeHaveTopicsOfTheirOwn) {
   EXPECT_EQ(accountSentence(account),
             "left out: 1 topic `/signals/a/b` (it is another owner's: the signals of device `a/b` "
             "are on /signals/a/b_2)");
+}
+
+TEST(FoxgloveSignals, AMessageHasWhatIsNewOrAll) {
+  const auto format = makeFoxgloveFormat();
+  KnownSignals known;
+  PacketTextDecoder decoder;
+  known.notice(*decoder.decode(bytesOf("RK1 s 0 -\nsignals arm a=1 b=1\n")));
+  EXPECT_TRUE(format->knowSignals(known));
+  TextSink sink;
+  const SignalValue one = number(1);
+  const auto say = [&](const std::vector<SaidSignal>& said, bool wants_all) {
+    ASSERT_TRUE(format->signals(sink, LogTime{}, {"arm", ""}, said, wants_all).ok());
+  };
+  const SaidSignal former{"a", &one, false}, recent{"b", &one, true}, unknown{"c", &one, true};
+  say({former, recent}, true);
+  say({former, recent}, false);
+  say({former, unknown}, false);  // nothing to say
+  say({}, true);
+  EXPECT_THAT(sink.notes, testing::ElementsAre(R"(/signals/arm {"a":1.0,"b":1.0})",
+                                               R"(/signals/arm {"b":1.0})", "/signals/arm {}"));
 }
 
 TEST(KnownSignals, WhatIsBeyondTheirBoundIsCounted) {

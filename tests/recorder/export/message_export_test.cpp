@@ -50,9 +50,9 @@ class NotingFormat final : public SessionFormat {
     return has_signals;
   }
   Status signals(MessageSink&, LogTime time, const SignalOwner& owner,
-                 std::span<const SaidSignal> said) override {
+                 std::span<const SaidSignal> said, bool wants_all) override {
     if (!has_signals) return {};
-    std::string line = "signals " + ownerText(owner);
+    std::string line = (wants_all ? "all signals " : "signals ") + ownerText(owner);
     for (const SaidSignal& each : said) {
       line += " " + std::string(each.name) + (each.is_new ? "!" : "");
       if (each.in_joints) line += "*";
@@ -126,11 +126,11 @@ TEST_F(MessageExport, SaysAllSignalsOfAnOwnerWhenOneIsSaid) {
       {40, "RK1 s 4 -\nremove arm\n"}};
   const MessageExportReport report = exported(all, format);
   EXPECT_THAT(format.notes,
-              ElementsAre("0 signals - on!", "0 signals arm a! b!", "0 signals arm/tip f!",
-                          "10 signals arm a! b", "20 joints arm j=1",
+              ElementsAre("0 all signals - on!", "0 all signals arm a! b!",
+                          "0 all signals arm/tip f!", "10 signals arm a! b", "20 joints arm j=1",
                           "20 signals arm a b j.velocity!* k.effort!", "30 joints arm j=1",
-                          "30 signals arm a j.velocity* k.effort", "30 signals -", "40 signals arm",
-                          "40 signals arm/tip"));
+                          "30 all signals arm a j.velocity* k.effort", "30 all signals -",
+                          "40 all signals arm", "40 all signals arm/tip"));
   EXPECT_EQ(format.known_, " -:on arm:a arm:b arm:j.velocity arm:k.effort arm/tip:f");
   EXPECT_TRUE(report.left_out.empty());
 
@@ -151,7 +151,7 @@ TEST_F(MessageExport, AKeyframeSaysNoSignalAndHidesNone) {
     all.push_back({i * kSecond, "RK1 s - -\n" + std::string(is_said ? "signals - a=1\n" : "") +
                                     "signals arm b=" + std::to_string(i) + "\n"});
     if (i == 0) all.back().text += "signal - mode \"auto\"\nsignal arm mode \"auto\"\n";
-    const std::string time = std::to_string(i * kSecond);
+    const std::string time = std::to_string(i * kSecond) + (i == 0 ? " all" : "");
     if (is_said) expected.push_back(time + (i == 0 ? " signals - a! mode!" : " signals - a! mode"));
     expected.push_back(time + (i == 0 ? " signals arm b! mode!" : " signals arm b! mode"));
   }
