@@ -24,9 +24,25 @@ client.on("serverInfo", (info) => said.push(info.name));
 client.on("status", (status) => said.push(status.message));
 client.on("advertise", (list) => {
   for (const channel of list) {
+    if (channel.encoding === "json") {
+      assert.equal(channel.schemaEncoding, "jsonschema");
+      assert.equal(JSON.parse(channel.schema).type, "object");
+      const type = { decode: (bytes) => JSON.parse(new TextDecoder().decode(bytes)) };
+      channels.set(client.subscribe(channel.id), { id: channel.id, topic: channel.topic, type });
+      continue;
+    }
     assert.equal(channel.encoding, "protobuf");
     const schema = protobufFromBinaryDescriptor(Buffer.from(channel.schema, "base64"));
-    channels.set(client.subscribe(channel.id), { topic: channel.topic, type: schema.lookupType(channel.schemaName) });
+    channels.set(client.subscribe(channel.id), { id: channel.id, topic: channel.topic, type: schema.lookupType(channel.schemaName) });
+  }
+});
+
+// A channel of signals has another one's topic when there are more of them.
+client.on("unadvertise", (ids) => {
+  for (const [subscription, { id }] of channels) {
+    if (!ids.includes(id)) continue;
+    client.unsubscribe(subscription);
+    channels.delete(subscription);
   }
 });
 
@@ -73,5 +89,6 @@ const done = new Promise((resolve, reject) => {
 });
 await done;
 assert.deepEqual(said.length, 1, said.join("; "));
+assert.equal(newest.get("/signals/arm").load, 2.5);
 console.log(`serve: ${channels.size} channels of ${said[0]}, ${Object.keys(fk).length} links, largest difference ${worst().toExponential(1)}`);
 process.exit(0);

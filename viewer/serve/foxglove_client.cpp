@@ -80,11 +80,23 @@ void FoxgloveClient::receive(std::string_view message, bool is_binary) {
   }
 }
 
+/// A subscription of such a channel stays until the client ends it, without messages.
+std::optional<FoxgloveClient::Outgoing> FoxgloveClient::withdrawal() {
+  std::vector<std::uint32_t> ended;
+  for (; withdrawn_ < desk_.replaced().size(); ++withdrawn_) {
+    const std::uint32_t channel = desk_.replaced()[withdrawn_];
+    if (channel < advertised_) ended.push_back(channel);
+  }
+  if (ended.empty()) return {};
+  return textOf(foxgloveUnadvertise(ended));
+}
+
 std::optional<FoxgloveClient::Outgoing> FoxgloveClient::advertisement() {
   const auto& channels = desk_.channels();
   std::vector<std::string_view> texts;
   for (std::size_t bytes = 0; advertised_ < channels.size() && bytes < kAdvertiseBytes;
        ++advertised_) {
+    if (channels[advertised_].isReplaced()) continue;
     texts.emplace_back(channels[advertised_].advertised);
     bytes += texts.back().size();
   }
@@ -114,6 +126,7 @@ std::optional<FoxgloveClient::Outgoing> FoxgloveClient::next() {
     texts_.pop_front();
     return textOf(text);
   }
+  if (auto channels = withdrawal()) return channels;
   if (auto channels = advertisement()) return channels;
   return nextMessage();
 }

@@ -39,12 +39,14 @@ class FoxgloveClient {
 
   void answer(std::string text);
   void subscribe(std::uint32_t id, std::uint32_t channel);
+  std::optional<Outgoing> withdrawal();
   std::optional<Outgoing> advertisement();
   std::optional<Outgoing> nextMessage();
 
   const FoxgloveDesk& desk_;
   std::deque<std::string> texts_;
   std::size_t advertised_ = 0;                           ///< channels
+  std::size_t withdrawn_ = 0;                            ///< of the desk's replaced()
   std::map<std::uint32_t, Subscription> subscriptions_;  ///< by channel
   std::map<std::uint32_t, std::uint32_t> channels_;      ///< by the client's number
   std::uint32_t turn_ = 0;                               ///< the channel after the last one sent

@@ -103,12 +103,17 @@ std::string foxgloveChannel(std::uint32_t id, std::string_view topic, const Mess
   json["encoding"] = schema.message_encoding;
   json["schemaName"] = schema.name;
   json["schemaEncoding"] = schema.encoding;
-  json["schema"] = base64Of(schema.data);
+  const bool is_binary = schema.encoding == "protobuf";
+  json["schema"] = is_binary ? base64Of(schema.data) : std::string(textOf(schema.data));
   return text(json);
 }
 
 std::string foxgloveAdvertise(const std::vector<std::string_view>& channels) {
   return fmt::format(R"({{"op":"advertise","channels":[{}]}})", fmt::join(channels, ","));
+}
+
+std::string foxgloveUnadvertise(const std::vector<std::uint32_t>& channels) {
+  return fmt::format(R"({{"op":"unadvertise","channelIds":[{}]}})", fmt::join(channels, ","));
 }
 
 }  // namespace rocinante

@@ -31,5 +31,6 @@ std::string foxgloveStatus(FoxgloveLevel level, std::string_view sentence);
 std::string foxgloveChannel(std::uint32_t id, std::string_view topic, const MessageSchema& schema);
 /// `advertise` of such texts.
 std::string foxgloveAdvertise(const std::vector<std::string_view>& channels);
+std::string foxgloveUnadvertise(const std::vector<std::uint32_t>& channels);
 
 }  // namespace rocinante

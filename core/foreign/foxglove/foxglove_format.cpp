@@ -175,6 +175,8 @@ std::string frameOf(const Drawing& drawing) {
 
 class FoxgloveFormat final : public SessionFormat {
  public:
+  explicit FoxgloveFormat(SignalMessages messages) : signal_messages_(messages) {}
+
   std::string profile() const override { return ""; }
   Nanoseconds framesLast() const override { return {}; }
 
@@ -260,7 +262,8 @@ class FoxgloveFormat final : public SessionFormat {
 
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
                  std::span<const SaidSignal> said, bool wants_all) override {
-    return signals_.write(out, time, owner, said, wants_all);
+    return signals_.write(out, time, owner, said,
+                          wants_all || signal_messages_ == SignalMessages::whole);
   }
 
   void addLeftOut(Account& account) const override { account.add(signals_.leftOut()); }
@@ -350,6 +353,7 @@ class FoxgloveFormat final : public SessionFormat {
   }
 
   Bytes message_;
+  SignalMessages signal_messages_;
   SignalTopics signals_;
   std::set<std::string> scenes_;                         ///< sources with /drawings
   std::map<std::string, std::set<std::string>> clouds_;  ///< by source: ids of the last message
@@ -369,6 +373,8 @@ const MessageSchema& foxgloveSchema(std::string_view name) {
   return kSchemas.find(name)->second;
 }
 
-std::unique_ptr<SessionFormat> makeFoxgloveFormat() { return std::make_unique<FoxgloveFormat>(); }
+std::unique_ptr<SessionFormat> makeFoxgloveFormat(SignalMessages signals) {
+  return std::make_unique<FoxgloveFormat>(signals);
+}
 
 }  // namespace rocinante

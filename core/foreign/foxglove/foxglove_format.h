@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
@@ -14,10 +15,14 @@ namespace rocinante {
 /// is one of FrameTransforms, JointStates, SceneUpdate, PointCloud, Log.
 const MessageSchema& foxgloveSchema(std::string_view name);
 
+/// What a message has of an owner's signals: what is new, for who reads every message, or all.
+enum class SignalMessages : std::uint8_t { recent, whole };
+
 /// Protobuf messages of package foxglove, for Foxglove, Lichtblick and whatever reads their
 /// schemas: FrameTransforms on /tf/DEVICE, JointStates on /joints/DEVICE, SceneUpdate on
 /// /drawings/SOURCE (lines and labels), PointCloud on /points/SOURCE/ID, Log on /events. Signals
-/// are JSON on /signals/PATH (signal_json.h), once knowSignals() was called. Times are log times.
-std::unique_ptr<SessionFormat> makeFoxgloveFormat();
+/// are JSON on /signals/PATH (signal_json.h), once knowSignals() was called; again when
+/// there are more, whose channels have new schemas. Times are log times.
+std::unique_ptr<SessionFormat> makeFoxgloveFormat(SignalMessages signals = SignalMessages::recent);
 
 }  // namespace rocinante

@@ -1,5 +1,6 @@
 #include "core/foreign/foxglove/signal_json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace rocinante {
@@ -29,6 +30,12 @@ const char* typeOf(SignalKind kind) {
 SignalJson::SignalJson(const KnownSignals::Signals& signals) {
   for (const auto& [name, signal] : signals)
     fields_.emplace(name, Field{keysOf(name, signals), signal});
+}
+
+bool SignalJson::isOf(const KnownSignals::Signals& signals) const {
+  return std::ranges::equal(fields_, signals, [](const auto& field, const auto& signal) {
+    return field.first == signal.first && field.second.signal == signal.second;
+  });
 }
 
 std::string SignalJson::schema() const {

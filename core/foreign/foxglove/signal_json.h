@@ -18,6 +18,9 @@ class SignalJson {
   SignalJson() = default;
   explicit SignalJson(const KnownSignals::Signals& signals);
 
+  /// Whether it is of just these.
+  bool isOf(const KnownSignals::Signals& signals) const;
+
   /// JSON schema of the messages; a unit is the field's description.
   std::string schema() const;
   /// One message. A signal that nothing states is missing; with `only_new` also those that are not

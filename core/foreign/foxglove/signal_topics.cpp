@@ -24,6 +24,7 @@ void SignalTopics::know(const KnownSignals& known) {
   for (const auto& [owner, signals] : known.byOwner()) {
     Topic& topic = topics_[owner];
     if (topic.name.empty()) topic.name = nameOf(owner);
+    if (topic.json.isOf(signals)) continue;
     topic.json = SignalJson(signals);
     topic.schema.reset();
   }

@@ -17,7 +17,7 @@ namespace rocinante {
 /// as a link `b` of `a` and a device `a/b`, the second one's has a number. One thread.
 class SignalTopics {
  public:
-  /// Their fields, from now on.
+  /// Their fields, from now on; again where there are more.
   void know(const KnownSignals& known);
   /// A message of what is new, or of all; nothing of what is not known.
   Status write(MessageSink& out, LogTime time, const SignalOwner& owner,
@@ -30,7 +30,7 @@ class SignalTopics {
   struct Topic {
     std::string name;
     SignalJson json;
-    std::optional<MessageSchema> schema;  ///< made at the first message
+    std::optional<MessageSchema> schema;  ///< made at the first message with these fields
   };
   std::string nameOf(const SignalOwner& owner);
 

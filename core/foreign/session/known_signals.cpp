@@ -36,15 +36,18 @@ void KnownSignals::add(const SignalOwner& owner, std::string_view name, SignalKi
     if (known != of_owner->second.end()) signal = &known->second;
   }
   if (signal == nullptr) {
-    if (count_ == kMost) {
+    if (count_ == most_) {
       ++beyond_.values;
       if (!unit.empty()) ++beyond_.units;
       return;
     }
     ++count_;
+    ++growth_;
     signal = &by_owner_[owner].emplace(std::string(name), Signal{kind, {}}).first->second;
   }
-  if (!unit.empty()) signal->unit = unit;
+  if (unit.empty()) return;
+  if (signal->unit.empty()) ++growth_;
+  signal->unit = unit;
 }
 
 }  // namespace rocinante

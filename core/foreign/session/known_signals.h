@@ -22,9 +22,12 @@ class KnownSignals {
  public:
   static constexpr std::size_t kMost = 65'536;
 
+  explicit KnownSignals(std::size_t most = kMost) : most_(most) {}
+
   struct Signal {
     SignalKind kind{};  ///< the first one
     std::string unit;   ///< the last one; empty: none was stated
+    bool operator==(const Signal&) const = default;
   };
   /// By name.
   using Signals = std::map<std::string, Signal, std::less<>>;
@@ -34,6 +37,8 @@ class KnownSignals {
   void notice(const Packet& packet);
 
   const std::map<SignalOwner, Signals>& byOwner() const { return by_owner_; }
+  /// Grows with each name, and with the first unit of each.
+  std::uint64_t growth() const { return growth_; }
   /// What was said of further ones, which are in no owner's.
   struct Beyond {
     std::uint64_t values = 0;
@@ -45,7 +50,9 @@ class KnownSignals {
   void add(const SignalOwner& owner, std::string_view name, SignalKind kind, std::string_view unit);
 
   std::map<SignalOwner, Signals> by_owner_;
+  std::size_t most_;
   std::size_t count_ = 0;
+  std::uint64_t growth_ = 0;
   Beyond beyond_;
 };
 

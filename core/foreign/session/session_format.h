@@ -61,7 +61,8 @@ class SessionFormat {
                          bool /*wants_all*/) {
     return {};
   }
-  /// Before the first message: false for a format that has no place for signals.
+  /// Before the first message, and again when there are more: false for a format that has no place
+  /// for signals.
   virtual bool knowSignals(const KnownSignals&) { return false; }
   /// What of the written messages their reader cannot see.
   virtual void addLeftOut(Account&) const {}
