@@ -53,6 +53,13 @@ void RowTranslation::makePlans() {
   };
   std::vector<bool> is_placed(names_.size());
   findPlainPose(is_placed);
+  with_joints_.clear();
+  for (const std::string& name : names_) {
+    const auto column = tableColumn(name);
+    if (column && devices.hasJoint(column->device, column->joint)) {
+      with_joints_.emplace(column->device);
+    }
+  }
   // Names without a device, or with one that the cell does not have: their joints tell. By the
   // topic that they come from.
   std::map<std::string, std::pair<std::vector<std::string_view>, std::vector<std::size_t>>> plain;
@@ -72,7 +79,7 @@ void RowTranslation::makePlans() {
       names.push_back(column->joint);
       places.push_back(i);
     } else if (column && !column->pose_part && isDevice(column->device)) {
-      if (devices.lacksJoint(column->device, column->joint)) {
+      if (isSignalOf(column->device, column->joint)) {
         addSignal({std::string(column->device), {"", std::string(column->joint)}}, i);
       } else {
         addJoint(std::string(column->device), std::string(column->joint), i);
@@ -124,12 +131,15 @@ void RowTranslation::findHomes(std::string_view topic, std::span<const std::stri
                                std::span<const std::size_t> places) {
   const ros::DeviceFinder& devices = devices_ != nullptr ? *devices_ : nobody_;
   const auto homes = devices.homesOf(topic, names);
+  for (const auto& home : homes) {
+    if (devices.hasJoint(home.device, home.name)) with_joints_.insert(home.device);
+  }
   for (std::size_t i = 0; i < homes.size(); ++i) {
     const auto column = tableColumn(names_[places[i]]);
     const std::string quantity(column ? column->quantity : "");
     switch (homes[i].fate) {
       case Fate::said:
-        if (devices.lacksJoint(homes[i].device, homes[i].name)) {
+        if (isSignalOf(homes[i].device, homes[i].name)) {
           addSignal({deviceOfPlain(topic), {"", homes[i].name + quantity}}, places[i]);
         } else if (!quantity.empty()) {
           addSignal({homes[i].device, {"", homes[i].name + quantity}}, places[i]);
@@ -152,6 +162,12 @@ void RowTranslation::findHomes(std::string_view topic, std::span<const std::stri
         }
     }
   }
+}
+
+/// Where no name is a joint of the device, all may be misspelled: they stay joints, and `check`
+/// names them.
+bool RowTranslation::isSignalOf(std::string_view device, std::string_view name) const {
+  return devices_ != nullptr && devices_->lacksJoint(device, name) && with_joints_.contains(device);
 }
 
 /// Of a name that is no joint and names none; empty: of no device.

@@ -75,6 +75,7 @@ class RowTranslation {
                  std::span<const std::size_t> places);
   void addJoint(const std::string& device, const std::string& joint, std::size_t place);
   void addPose(const std::string& device, std::size_t part, std::size_t place);
+  bool isSignalOf(std::string_view device, std::string_view name) const;
   std::string_view placeSignal(NamedSignal signal, std::size_t place);
   void addSignal(NamedSignal signal, std::size_t place);
   std::size_t signalOfWord(std::size_t place);
@@ -88,6 +89,7 @@ class RowTranslation {
   PacketTextWriter packet_;
   std::vector<std::string_view> said_names_;
   std::vector<double> said_numbers_;
+  std::set<std::string, std::less<>> with_joints_;  ///< devices of which some name is a joint
   std::vector<SignalKind> said_kinds_;
   const ros::DeviceFinder* devices_ = nullptr;
   const ros::DeviceFinder nobody_{nullptr, {}};

@@ -48,6 +48,9 @@ class DeviceFinder {
   /// Without a cell: the topic's namespace, or else `otherwise`.
   std::string madeUpDevice(std::string_view topic, std::string_view otherwise) const;
 
+  bool hasJoint(std::string_view device, std::string_view joint) const {
+    return jointOf(device, joint) != nullptr;
+  }
   /// Whether the device has a model, and no joint or value of one of this name, nor one that it may
   /// be a misspelling of.
   bool lacksJoint(std::string_view device, std::string_view joint) const;
