@@ -16,7 +16,8 @@
 namespace rocinante {
 namespace {
 
-constexpr const char* kNoisySignal = "its noise is as large as its range, so no value is different";
+constexpr const char* kNoisySignal =
+    "its limit is as large as its range: no value in it is different";
 
 struct NumberToJudge {
   std::string item;

@@ -233,12 +233,11 @@ std::optional<Derivation> read(std::string_view text, int depth);
 
 /// What a rate or a mean is of.
 std::optional<SeriesKey> readOperand(std::string_view text, int depth) {
-  if (depth == kMostDerivations && (after(text, "d/dt ") || after(text, "mean "))) {
-    return std::nullopt;
-  }
   if (depth < kMostDerivations && read(text, depth)) {
     return SeriesKey{SeriesKey::Kind::derived, std::string(text)};
   }
+  // One too many is no name of a device.
+  if (after(text, "d/dt ") || after(text, "mean ")) return std::nullopt;
   auto stated = parseStatedKey(text);
   return stated && stated->isValue() ? stated : std::nullopt;
 }

@@ -180,7 +180,7 @@ def test_sessions_accepted_beside_others_are_a_band(pytester, tmp_path, monkeypa
 
 def test_a_session_of_which_nothing_is_judged_is_not_accepted(pytester, tmp_path, monkeypatch):
     monkeypatch.delenv("CI", raising=False)
-    arm, log = foreign(tmp_path, "csv")
+    arm, log = foreign(tmp_path, "pcap")
     arm.write_text(arm.read_text().replace("shoulder", "elbow"))
     refused = swing(pytester, log, arm, "--golden-approve")
     refused.assert_outcomes(failed=1)

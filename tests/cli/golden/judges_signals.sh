@@ -1,14 +1,14 @@
 # A run of a machine that says more than where it is: a torque twice as high for 50 ms, a mode, a unit, and what the
 # suite may say about them.
 export ROCINANTE_USER=ada XDG_CACHE_HOME=$PWD/cache
-cat >swing.urdf <<'URDF'
+cat >arm.urdf <<'URDF'
 <robot name="arm">
   <link name="base"/> <link name="upper"/>
   <joint name="shoulder" type="revolute"> <parent link="base"/> <child link="upper"/>
     <axis xyz="0 0 1"/> <limit lower="-2" upper="2" effort="1" velocity="9"/> </joint>
 </robot>
 URDF
-suite() { printf 'format = 1\ncell = "swing.urdf"\n[[run]]\nname = "swing"\nalign = "origin"\n%s\n' "$1" >"$2"; }
+suite() { printf 'format = 1\ncell = "arm.urdf"\n[[run]]\nname = "swing"\nalign = "origin"\n%s\n' "$1" >"$2"; }
 suite '' runs.toml
 # session FACTOR MODE: six seconds at 100 Hz.
 session() {
@@ -18,7 +18,7 @@ session() {
       t = i / 100
       effort = 4 + 3 * sin(1.3 * t)
       if (t >= 3 && t < 3.05) effort *= factor
-      printf "%.2f,%.6f,%.6f,%s\n", t, sin(t), effort, t >= 4 ? mode : "auto"
+      printf "%.2f,%.6f,%.6f,%s\n", t, sin(t), effort, (t >= 4 ? mode : "auto")
     }
   }'
 }
@@ -37,9 +37,9 @@ suite 'limits = { signal = 8 }' all.toml
 suite 'limits = { signal_share = -1 }' negative.toml
 for suite in wide narrow masked misspelt all negative; do judge torque.csv $suite.toml; done
 echo "-- two sessions, without a suite"
-rocinante golden session good.csv torque.csv swing.urdf --no-pictures --align origin || echo "exit $?"
-rocinante golden session good.csv torque.csv swing.urdf --no-pictures --align origin --signal-share 2
-rocinante golden session good.csv torque.csv swing.urdf --no-pictures --signal-share -1 || echo "exit $?"
+rocinante golden session good.csv torque.csv arm.urdf --no-pictures --align origin || echo "exit $?"
+rocinante golden session good.csv torque.csv arm.urdf --no-pictures --align origin --signal-share 2
+rocinante golden session good.csv torque.csv arm.urdf --no-pictures --signal-share -1 || echo "exit $?"
 echo "-- what is accepted"
 rocinante golden approve runs.toml --run swing -m "with the spike" --log torque.csv
 rocinante golden run runs.toml --log torque.csv --json out.json

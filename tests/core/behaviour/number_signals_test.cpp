@@ -181,7 +181,7 @@ TEST_F(NumberSignals, WhatOneWildValueOrNoiseAloneHidesIsNamed) {
   int count = 0;
   const SaidSession beat = drive([&](double) { return ++count % 2; });
   const RunJudgement found = judged(beat, drive([](double) { return 0; }));
-  EXPECT_NE(accountSentence(found.coverage.left_out).find("its noise is as large as its range"),
+  EXPECT_NE(accountSentence(found.coverage.left_out).find("its limit is as large as its range"),
             std::string::npos)
       << textOfFindings(found);
   const auto huge = [](double at_s) { return 1e43 * std::sin(3 * at_s); };
