@@ -81,11 +81,9 @@ void readRunLimits(SuiteTable& table, RunSpec& spec) {
     OwnLimits& of_item = spec.own_limits[entry.key] = ownLimits(its);
     of_item.signal = signalLimitIn(its, "signal");
     if (of_item.signal && !entry.key.starts_with("signal ")) {
-      table.complain(
-          *its.node("signal"),
-          fmt::format("`signal` is a limit of one signal, in its unit: \"signal {} NAME\" "
-                      "= {{ signal = ... }}",
-                      entry.key.substr(0, entry.key.find('/'))));
+      table.complain(*its.node("signal"),
+                     "`signal` is a limit of one signal, in its unit and in a table of its name, "
+                     "such as \"signal arm load\" = { signal = 5 }");
     }
   }
 }

@@ -211,8 +211,9 @@ class Session:
         return {name: each["value"] for name, each in self._signals_at_end().items()}
 
     def signal(self, path: str | None, name: str, **span: Any) -> Signal:
-        """A signal of "DEVICE", "DEVICE/LINK", or None for neither; `every`, `start` and `end` as for
-        `table`. One of texts has no numbers: `signals` and `state` have them."""
+        """A signal of "DEVICE", "DEVICE/LINK", or "-" (or None) for neither; `every`, `start` and `end`
+        as for `table`. One of texts has no numbers: `signals` and `state` have them."""
+        path = None if path == "-" else path
         called = _signal_name(path, name)
         table: dict[str, NDArray[Any]] = {}
         try:

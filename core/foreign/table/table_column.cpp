@@ -71,9 +71,12 @@ bool isLinkColumn(std::string_view name) {
 
 bool isSignalColumn(std::string_view name) {
   constexpr std::string_view kBegin = "signal ";
-  // A name of a device may have blanks, but those of a signal's column are written as in packets.
-  return name.starts_with(kBegin) && std::ranges::count(name, ' ') == 2 && !name.ends_with(' ') &&
-         name[kBegin.size()] != ' ';
+  if (!name.starts_with(kBegin)) return false;
+  // One that is not written as in packets is named as that. Only `signal tower.joint` and
+  // `signal tower:x` are of a device whose name has a blank.
+  const bool has_two =
+      std::ranges::count(name, ' ') == 2 && !name.ends_with(' ') && name[kBegin.size()] != ' ';
+  return has_two || name.find_first_of(".:") == name.npos;
 }
 
 std::optional<TableColumn> tableColumn(std::string_view name) {

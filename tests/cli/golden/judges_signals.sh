@@ -34,8 +34,9 @@ suite 'limits = { "arm" = { signal_share = 0.02 } }' narrow.toml
 suite 'mask = ["signal arm *"]' masked.toml
 suite 'limits = { "signal arm shoulder.efort" = { signal = 8 } }' misspelt.toml
 suite 'limits = { signal = 8 }' all.toml
+suite 'limits = { "arm" = { signal = 8 } }' device.toml
 suite 'limits = { signal_share = -1 }' negative.toml
-for suite in wide narrow masked misspelt all negative; do judge torque.csv $suite.toml; done
+for suite in wide narrow masked misspelt all device negative; do judge torque.csv $suite.toml; done
 echo "-- two sessions, without a suite"
 rocinante golden session good.csv torque.csv arm.urdf --no-pictures --align origin || echo "exit $?"
 rocinante golden session good.csv torque.csv arm.urdf --no-pictures --align origin --signal-share 2

@@ -15,15 +15,23 @@
 namespace rocinante {
 namespace {
 
+/// A picture of the study that knows what packets state; null while a log is not read, or goes on.
+auto pictureOfAll(ViewModel& model) {
+  LogStudy* const study = model.study();
+  auto picture = model.viewer.picture;
+  if (study == nullptr) {
+    picture = nullptr;
+  } else if (model.study_waits) {
+    picture = study->show({{}, model.cursor()->start(), model.cursor()->end(), 1, 1});
+  }
+  return picture != nullptr && picture->stated != nullptr ? picture : nullptr;
+}
+
 /// Refuses what no packet of the log states, with what they do state; while a log is not read, or
 /// goes on, anything may come. `asked`: what was asked for, which may follow `key`.
 Status checkStated(const SeriesKey& key, const SeriesKey& asked, ViewModel& model) {
-  LogStudy* const study = model.study();
-  if (study == nullptr) return {};
-  const auto picture = model.study_waits
-                           ? study->show({{}, model.cursor()->start(), model.cursor()->end(), 1, 1})
-                           : model.viewer.picture;
-  if (picture == nullptr || picture->stated == nullptr) return {};
+  const auto picture = pictureOfAll(model);
+  if (picture == nullptr) return {};
   const std::vector<SeriesKey>& stated = *picture->stated;
   if (std::ranges::find(stated, key) != stated.end()) return {};
   std::vector<std::string> texts;
@@ -62,13 +70,16 @@ Status checkKey(const SeriesKey& key, ViewModel& model) {
   const auto said = model.state().devices().find(key.name);
   const PosedDevice* const device = model.scene().findDevice(key.name);
   if (device == nullptr && said == model.state().devices().end()) {
+    // Perhaps it is not there yet.
+    const auto picture = pictureOfAll(model);
+    if (picture != nullptr && std::ranges::count(*picture->stated, key) > 0) return {};
     std::vector<std::string_view> names;
     for (const PosedDevice& each : model.scene().devices) names.push_back(each.name);
     return badWord(
         fmt::format("no device is named `{}`: {}", key.name, whatThereIs(key.name, names)));
   }
   const bool is_pose = key.kind == SeriesKey::Kind::pose;
-  if (device == nullptr || device->model == nullptr || is_pose) {
+  if (device == nullptr || device->model == nullptr || device->bare || is_pose) {
     return checkStated(key, key, model);
   }
   const Model& of_device = *device->model;

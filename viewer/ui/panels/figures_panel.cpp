@@ -153,7 +153,7 @@ void drawBeside(ViewModel& model) {
 void drawMisfits(const ViewModel& model) {
   constexpr std::size_t kMaxNamed = 8;
   const std::vector<Misfit>& misfits = model.misfits();
-  if (misfits.empty()) return;
+  if (misfits.empty() || !model.cell().bare_model.empty()) return;
   ImGui::TextColored(ink(kAmissColor), "%s",
                      (countText(misfits.size(), "device") +
                       (misfits.size() == 1 ? " does not fit the cell" : " do not fit the cell"))

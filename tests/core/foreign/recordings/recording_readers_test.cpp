@@ -230,11 +230,12 @@ TEST(TableRecording, ColumnsOfSignalsAreSignals) {
                   "2\nsignals - estop=false\nsignals arm mode=7\n",
                   "3\njoint arm j1=1\nsignal arm mode \"a \\\"b\\\"\"\nsignals arm load=0.1\n"));
   // What nobody can state is named, as is what another column says already.
-  EXPECT_THAT(saidBy(table("t,signal arm%20x load,signal arm l%zz,arm.on,signal arm on\n"
-                           "1,2,3,true,false\n")),
+  EXPECT_THAT(saidBy(table("t,signal arm%20x load,signal arm l%zz,arm.on,signal arm on,signal arm\n"
+                           "1,2,3,true,false,5\n")),
               ElementsAre("1\nsignals arm%20x load=2\nsignals arm on=false\n",
                           "left out: 1 column `signal arm l%zz` (packets have no such name), "
-                          "1 column `arm.on` (said twice: the first of them counts)"));
+                          "1 column `arm.on` (said twice: the first of them counts), "
+                          "1 column `signal arm` (packets have no such name)"));
 }
 
 TEST(TableRecording, ReadsTheJointsThatPlotJugglerNames) {
