@@ -215,6 +215,8 @@ class ColumnJudge {
     for (std::size_t c = measure.first_component; c < measure.first_component + measure.components;
          ++c) {
       const double out = std::max({range.least[c], -range.most[c], 0.0}) - allowed[c];
+      // Squares of what a signal may have underflow, or overflow.
+      if (measure.components == 1) return std::max(out, 0.0);
       if (out > 0) square += out * out;
     }
     return std::sqrt(square);

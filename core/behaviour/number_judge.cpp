@@ -65,7 +65,7 @@ void judge(const RunTimes& times, NumberToJudge& number) {
 
 LearntLimit learntLimit(const RunLimits& limits, const std::vector<ColumnSamples>& accepted) {
   constexpr double kDeviations = 6;  // of the difference of two values, 4.2
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-14;
   std::optional<std::pair<double, double>> all;
   double noise = 0;
   for (const ColumnSamples& its : accepted) {

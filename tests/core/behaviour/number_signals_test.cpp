@@ -35,8 +35,8 @@ SaidSession drive(const Curve& curve, double rate_hz = 125, double phase_s = 0) 
   std::size_t count = 0;
   for (double at = 0; at < kSeconds; at = phase_s + static_cast<double>(count) / rate_hz) {
     const std::string said = count == 0
-                                 ? fmt::format("signal arm elbow.effort {:.9g} N.m", curve(at))
-                                 : fmt::format("signals arm elbow.effort={:.9g}", curve(at));
+                                 ? fmt::format("signal arm elbow.effort {:.17g} N.m", curve(at))
+                                 : fmt::format("signals arm elbow.effort={:.17g}", curve(at));
     session.packets.push_back({at, "arm", fmt::format("RK1 arm@0a {} -", count),
                                "joints arm 0 0 0 0 0 0\n" + said + "\n"});
     ++count;
@@ -166,11 +166,21 @@ TEST_F(NumberSignals, ASetPointThatIsSentWhenItChangesMayBeLateAndNotDifferent) 
 
 TEST_F(NumberSignals, AConstantIsJudgedToTheBitThatCounts) {
   const auto constant = [](double value) { return [value](double) { return value; }; };
-  expectSilent("rounded otherwise",
-               judged(drive(constant(0.3)), drive(constant(0.1 + 0.2 + 1e-12))));
+  expectSilent("rounded otherwise", judged(drive(constant(0.3)), drive(constant(0.1 + 0.2))));
   EXPECT_EQ(judged(drive(constant(0.3)), drive(constant(0.301))).findings.size(), 1U);
   EXPECT_EQ(judged(drive(constant(0)), drive(constant(1e-9))).findings.size(), 1U);
   EXPECT_EQ(judged(drive(constant(1e300)), drive(constant(-1e300))).findings.size(), 1U);
+  const auto step = [](double low, double high) {
+    return [low, high](double at_s) { return at_s < 3 ? low : high; };
+  };
+  for (const double unit : {1e-200, 1e-12, 1.0, 1e200}) {
+    const RunJudgement found = judged(drive(step(unit, 9 * unit)), drive(step(9 * unit, unit)));
+    ASSERT_EQ(found.findings.size(), 1U) << unit;
+    EXPECT_NEAR(*found.findings.front().largest / unit, 8, 0.1) << unit;
+  }
+  EXPECT_EQ(judged(drive(step(1e11, 1e11 + 50)), drive(step(1e11 + 25, 1e11 + 50))).findings.size(),
+            1U)
+      << "a large offset is no noise";
 }
 
 TEST_F(NumberSignals, WhatOneWildValueOrNoiseAloneHidesIsNamed) {
