@@ -234,8 +234,8 @@ TEST(TableRecording, ColumnsOfSignalsAreSignals) {
                            "1,2,3,true,false,5\n")),
               ElementsAre("1\nsignals arm%20x load=2\nsignals arm on=false\n",
                           "left out: 1 column `signal arm l%zz` (packets have no such name), "
-                          "1 column `arm.on` (said twice: the first of them counts), "
-                          "1 column `signal arm` (packets have no such name)"));
+                          "1 column `signal arm` (packets have no such name), "
+                          "1 column `arm.on` (said twice: the first of them counts)"));
 }
 
 TEST(TableRecording, ReadsTheJointsThatPlotJugglerNames) {
