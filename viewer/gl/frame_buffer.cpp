@@ -167,13 +167,17 @@ void FrameBuffer::stretchPartTo(const PixelRectangle& part, const FrameBuffer& t
                        target_bottom + target_part.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
-void FrameBuffer::copyPartTo(const PixelRectangle& part, const FrameBuffer& target) const {
+void FrameBuffer::copyPartTo(const PixelRectangle& part, const FrameBuffer& target, int x,
+                             int y) const {
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.resolved());
   gl_->Disable(GL_SCISSOR_TEST);
   const int bottom = height_ - part.y - part.height;
-  gl_->BlitFramebuffer(part.x, bottom, part.x + part.width, bottom + part.height, part.x, bottom,
-                       part.x + part.width, bottom + part.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  const int left = part.x + x;
+  const int target_bottom = target.height() - (part.y + y) - part.height;
+  gl_->BlitFramebuffer(part.x, bottom, part.x + part.width, bottom + part.height, left,
+                       target_bottom, left + part.width, target_bottom + part.height,
+                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void FrameBuffer::blitTo(GLuint target) const {

@@ -35,9 +35,10 @@ class FrameBuffer {
   /// Copies the resolved pixels unscaled to the bottom left of framebuffer `target` (0: the
   /// window), unless they are there.
   void blitTo(GLuint target) const;
-  /// Copies a part of the resolved pixels to the same place of `target`, which must be as large and
-  /// have one sample per pixel; leaves it bound for drawing.
-  void copyPartTo(const PixelRectangle& part, const FrameBuffer& target) const;
+  /// Copies a part of the resolved pixels into `target`, which must have one sample per pixel, so
+  /// that these pixels' upper left corner would be at (x, y) of it; leaves it bound for drawing.
+  void copyPartTo(const PixelRectangle& part, const FrameBuffer& target, int x = 0,
+                  int y = 0) const;
   /// Fills all of `target`, which must have one sample per pixel, with the resolved pixels,
   /// interpolated if the sizes differ.
   void stretchTo(const FrameBuffer& target) const;

@@ -297,7 +297,7 @@ void Overlay::addScreenText(const TextAtlas& atlas, int x, int y, std::uint32_t 
   }
 }
 
-void Overlay::addGnomon(const TextAtlas& atlas, int raised_px) {
+void Overlay::addGnomon(const TextAtlas& atlas) {
   constexpr double kLength = 26;
   constexpr double kInset = 42;
   if (width_ < 200 || height_ < 150) return;
@@ -323,7 +323,7 @@ void Overlay::addGnomon(const TextAtlas& atlas, int raised_px) {
   // The farthest first.
   std::stable_sort(arrows.begin(), arrows.end(),
                    [](const Arrow& a, const Arrow& b) { return a.depth > b.depth; });
-  const Vec2 origin(kInset, height_ - kInset - raised_px);
+  const Vec2 origin(kInset, height_ - kInset);
   for (const Arrow& one : arrows) {
     addScreenLine(origin, origin + Vec2(one.x, one.y), one.rgba, 2.5);
     const TextSize size = measure(atlas, one.letter);
@@ -335,7 +335,7 @@ void Overlay::addGnomon(const TextAtlas& atlas, int raised_px) {
   }
 }
 
-void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar, int raised_px) {
+void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar) {
   constexpr double kInset = 12;
   constexpr double kTick = 7;
   constexpr std::uint32_t kBarInk = 0xF2F4F6FF;
@@ -344,7 +344,7 @@ void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar, int raise
   const double length = std::floor(bar.pixels + 0.5);
   const double inner = std::max(length, static_cast<double>(size.width));
   const double right = width_ - kInset;
-  const double bottom = height_ - kInset - raised_px;
+  const double bottom = height_ - kInset;
   const double left = right - inner - 16;
   const double top = bottom - size.height - kTick - 12;
   if (width_ < 200 || height_ < 150) return;

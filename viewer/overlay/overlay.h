@@ -71,10 +71,10 @@ class Overlay {
   void addScreenRectangle(Vec2 top_left, Vec2 bottom_right, std::uint32_t rgba);
   void addScreenText(const TextAtlas& atlas, int x, int y, std::uint32_t rgba,
                      std::string_view text);
-  /// Arrows of the world axes in the bottom left corner, if there is room; raised by `raised_px`.
-  void addGnomon(const TextAtlas& atlas, int raised_px = 0);
-  /// In the bottom right corner, if there is room; raised by `raised_px`.
-  void addScaleBar(const TextAtlas& atlas, const ScaleBar& bar, int raised_px = 0);
+  /// Arrows of the world axes in the bottom left corner, if there is room.
+  void addGnomon(const TextAtlas& atlas);
+  /// In the bottom right corner, if there is room.
+  void addScaleBar(const TextAtlas& atlas, const ScaleBar& bar);
 
   /// Sets the owner of the following vertices, a number of the caller's; initially 0.
   void setOwner(std::uint32_t owner);

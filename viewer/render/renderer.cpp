@@ -145,8 +145,6 @@ Status Renderer::Impl::drawBackdrop(const SceneFrame& frame, const CameraView& v
 Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
                                 const CameraView& view) const {
   const RenderStyle& style = styleOf(frame);
-  const int raised_px =
-      &view == &frame.camera ? static_cast<int>(frame.raised_px / frame.scale) : 0;
   const TextAtlas& glyphs = atlasOf(frame.scale);
   Overlay on_top(camera, frame.scale);
   addLabels(on_top, frame.scene->drawings, *frame.choice, camera, glyphs, style.labels);
@@ -163,11 +161,11 @@ Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
       addClearances(on_top, {*frame.extras->nearest}, style.lengths, glyphs);
     }
   }
-  if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(glyphs, raised_px);
+  if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(glyphs);
   if (style.scale_bar) {
     const double metres_per_pixel = camera.metersPerPixel(camera.depthOf(view.target));
     const auto bar = scaleBar(metres_per_pixel * frame.scale, kScaleBarPx);
-    if (bar) on_top.addScaleBar(glyphs, *bar, raised_px);
+    if (bar) on_top.addScaleBar(glyphs, *bar);
   }
   return on_top;
 }

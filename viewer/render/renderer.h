@@ -50,8 +50,6 @@ struct SceneFrame {
   /// Scale of text, lines, points, gnomon, scale bar and inset frames: 0.5 to 4, for pictures of
   /// higher resolution.
   double scale = 1;
-  /// Raises gnomon and scale bar of the main view above a window's time bar.
-  int raised_px = 0;
   /// Draw labels, gnomon, scale bar and the frames of insets with the scene; else by drawOnTop().
   bool on_top = true;
   /// Draw these pixels alone, the same as with the others, and leave the others as they are: a

@@ -15,13 +15,17 @@
 namespace rocinante {
 namespace {
 
-constexpr int kLeastSidePx = 16;
-
 /// A side in pixels. A small epsilon is added before truncation: 0.3 of 640 is 192, not 191.
 int sideOf(double given, bool in_pixels, int picture, double scale) {
   const double side = in_pixels ? given * scale : given * picture + 1e-6;
   return static_cast<int>(std::floor(std::clamp(side, 0.0, 65536.0)));
 }
+
+int marginOf(const CellInset& inset, double scale) {
+  return static_cast<int>(std::floor(inset.margin_px * scale + 0.5));
+}
+
+}  // namespace
 
 bool isLeft(InsetCorner corner) {
   return corner == InsetCorner::top_left || corner == InsetCorner::bottom_left;
@@ -31,59 +35,28 @@ bool isTop(InsetCorner corner) {
   return corner == InsetCorner::top_left || corner == InsetCorner::top_right;
 }
 
-int marginOf(const CellInset& inset, double scale) {
-  return static_cast<int>(std::floor(inset.margin_px * scale + 0.5));
+InsetSize insetSize(const CellInset& inset, int width, int height, double scale) {
+  return {sideOf(inset.width, inset.in_pixels, width, scale),
+          sideOf(inset.height, inset.in_pixels, height, scale), marginOf(inset, scale)};
 }
-
-/// The room for insets of a right corner: bottom insets prefer the edge.
-PixelRectangle roomAtRight(bool top, const std::vector<CellInset>& insets, int width, int height,
-                           double scale, const CoveredEdges& covered) {
-  const int below = height - covered.bottom - covered.right_top;
-  int wanted = 0;
-  for (const CellInset& inset : insets) {
-    if (isLeft(inset.corner) || (isTop(inset.corner) && !top)) continue;
-    wanted += sideOf(inset.height, inset.in_pixels, height, scale) + 2 * marginOf(inset, scale);
-  }
-  if (wanted <= below || covered.right == 0) {
-    return {covered.left, covered.right_top, width - covered.left, below};
-  }
-  return {covered.left, 0, width - covered.left - covered.right, height - covered.bottom};
-}
-
-}  // namespace
 
 std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, int width, int height,
-                                        double scale, const CoveredEdges& covered) {
+                                        double scale) {
   std::array<int, 4> used{};  // by corner: pixels used from the upper or lower edge
-  const PixelRectangle left_room{covered.left, 0, width - covered.left, height - covered.bottom};
-  const PixelRectangle top_right = roomAtRight(true, insets, width, height, scale, covered);
-  const PixelRectangle bottom_right = roomAtRight(false, insets, width, height, scale, covered);
-  const bool both_sides = std::ranges::any_of(insets, isLeft, &CellInset::corner) &&
-                          !std::ranges::all_of(insets, isLeft, &CellInset::corner);
-  const bool any_covered = covered.left > 0 || covered.bottom > 0 || covered.right_top > 0;
   std::vector<PixelRectangle> placed;
   for (const CellInset& inset : insets) {
-    const bool left = isLeft(inset.corner);
-    const bool top = isTop(inset.corner);
-    const PixelRectangle& room = left ? left_room : top ? top_right : bottom_right;
     int& taken = used[static_cast<std::size_t>(inset.corner)];
-    const int margin = marginOf(inset, scale);
+    const auto [wide, high, margin] = insetSize(inset, width, height, scale);
     PixelRectangle part;
-    part.width =
-        std::min(sideOf(inset.width, inset.in_pixels, width, scale), room.width - 2 * margin);
-    part.height = std::min(sideOf(inset.height, inset.in_pixels, height, scale),
-                           room.height - taken - 2 * margin);
-    if (any_covered && both_sides) {
-      const int free = std::min(top_right.width, bottom_right.width);
-      part.width = std::min(part.width, free / 2 - 2 * margin);
-    }
-    if (part.width < kLeastSidePx || part.height < kLeastSidePx) {
+    part.width = std::min(wide, width - 2 * margin);
+    part.height = std::min(high, height - taken - 2 * margin);
+    if (part.width < kLeastInsetSidePx || part.height < kLeastInsetSidePx) {
       placed.emplace_back();
       continue;
     }
     const int from_edge = taken + margin;
-    part.x = left ? room.x + margin : room.x + room.width - margin - part.width;
-    part.y = top ? room.y + from_edge : room.y + room.height - from_edge - part.height;
+    part.x = isLeft(inset.corner) ? margin : width - margin - part.width;
+    part.y = isTop(inset.corner) ? from_edge : height - from_edge - part.height;
     taken = from_edge + part.height;
     placed.push_back(part);
   }
@@ -120,7 +93,7 @@ bool takeSize(std::string_view text, CellInset& inset) {
   if (cross == std::string_view::npos) return false;
   const auto width = sideNumber(text.substr(0, cross));
   const auto height = sideNumber(text.substr(cross + 1));
-  const double least = in_pixels ? kLeastSidePx : 0.01;
+  const double least = in_pixels ? kLeastInsetSidePx : 0.01;
   const double most = in_pixels ? 16384 : 1;
   for (const auto& side : {width, height}) {
     if (!side || !(*side >= least && *side <= most)) return false;

@@ -20,19 +20,23 @@ struct PicturedView {
   CameraView from;
 };
 
-/// The edges of a picture covered by a window's panels, in pixels; insets are placed beside them.
-struct CoveredEdges {
-  int left = 0, bottom = 0;
-  int right = 0;      ///< width of the right panel
-  int right_top = 0;  ///< its bottom, from the top
-  bool operator==(const CoveredEdges&) const = default;
+/// No picture shows a smaller one.
+constexpr int kLeastInsetSidePx = 16;
+
+/// Of an inset in a picture, in pixels, as its cell asks for it.
+struct InsetSize {
+  int width = 0, height = 0;
+  int margin = 0;  ///< to the picture's edge and the inset beside
 };
+InsetSize insetSize(const CellInset& inset, int width, int height, double scale);
+
+bool isLeft(InsetCorner corner);
+bool isTop(InsetCorner corner);
 
 /// The places of a picture's insets, by docs/cell-format.md, section "Insets"; an empty rectangle
-/// without room. Beside panels: at the right below the panel if there is room, bottom insets first,
-/// else to its left; shrunk if needed, and so that left and right insets do not overlap. Pure.
+/// without room. Pure.
 std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, int width, int height,
-                                        double scale = 1, const CoveredEdges& covered = {});
+                                        double scale = 1);
 
 /// Whether the inset would show the main view: by its camera's name, or because both views are
 /// equal.

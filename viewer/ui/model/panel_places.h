@@ -24,13 +24,15 @@ struct PanelPlace {
   bool operator==(const PanelPlace&) const = default;
 };
 
-/// Where the user put panels, by their names, and the panel that is being moved.
+/// Where the user put panels, by their names (an edge's name has its width, and whether it is
+/// folded), and the panel that is being moved.
 struct PanelPlaces {
   std::map<std::string, PanelPlace> places;
   std::map<std::string, PanelRectangle> drawn;  ///< of the last frame, in pixels
   std::string grabbed;                          ///< empty: none
   bool grabbed_edge = false;                    ///< its width is changed, not its place
   float grab_x = 0, grab_y = 0;                 ///< of the pointer in the panel
+  std::string peeked;  ///< a folded edge whose panels are looked at over the picture; empty: none
 
   /// Null when the panel lies where it always does, at its own width, and is open.
   const PanelPlace* find(const std::string& panel) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/ui/model/inset_columns.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/view/inset_layout.h"
 
@@ -20,12 +21,33 @@ std::vector<std::size_t> shownInsets(const ViewModel& model) {
   return shown;
 }
 
-bool isLeft(InsetCorner corner) {
-  return corner == InsetCorner::top_left || corner == InsetCorner::bottom_left;
-}
+/// The insets of a window's picture.
+struct WindowInsets {
+  std::vector<std::size_t> numbers;  ///< of ViewerState::insets: those that are wanted
+  InsetColumns columns;
 
-bool isTop(InsetCorner corner) {
-  return corner == InsetCorner::top_left || corner == InsetCorner::top_right;
+  /// Not all of them are there as they were asked for.
+  bool isChanged(const ViewModel& model) const {
+    if (columns.shown.size() != numbers.size()) return true;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (columns.insets[i] != model.viewer.insets[numbers[i]].inset) return true;
+    }
+    return false;
+  }
+};
+
+WindowInsets windowInsets(ViewModel& model, int width, int height, double scale) {
+  WindowInsets result;
+  const CameraView main = model.cameraView();
+  std::vector<WantedInset> wanted;
+  for (const std::size_t number : shownInsets(model)) {
+    const InsetChoice& choice = model.viewer.insets[number];
+    if (repeatsMainView(choice.inset, model.cameraName(), main, model.scene())) continue;
+    result.numbers.push_back(number);
+    wanted.push_back({choice.inset, choice.opened});
+  }
+  result.columns = fitInsets(wanted, width, height, scale);
+  return result;
 }
 
 InsetCorner cornerOf(bool left, bool top) {
@@ -36,21 +58,15 @@ InsetCorner cornerOf(bool left, bool top) {
 }  // namespace
 
 std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int width, int height,
-                                    double scale, const CoveredEdges& covered) {
-  std::vector<std::size_t> numbers = shownInsets(model);
-  const CameraView main = model.cameraView();
-  std::erase_if(numbers, [&](std::size_t number) {
-    return repeatsMainView(model.viewer.insets[number].inset, model.cameraName(), main,
-                           model.scene());
-  });
-  std::vector<CellInset> insets;
-  for (const std::size_t number : numbers) insets.push_back(model.viewer.insets[number].inset);
-  const std::vector<PixelRectangle> parts = placeInsets(insets, width, height, scale, covered);
+                                    double scale) {
+  const WindowInsets window = windowInsets(model, width, height, scale);
+  const std::vector<PixelRectangle> parts =
+      placeInsets(window.columns.insets, width, height, scale);
   std::vector<FrameInset> shown;
   model.viewer.inset_places.clear();
-  for (std::size_t i = 0; i < insets.size(); ++i) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].width == 0 || parts[i].height == 0) continue;
-    const CellInset& inset = insets[i];
+    const CellInset& inset = window.columns.insets[i];
     Result<CameraView> camera = chooseCamera(inset.camera, model.scene());
     if (!camera.ok() && FittedCameras::knows(inset.camera)) {
       camera = fitted.view(inset.camera, model.choice(), model.hiddenPaths(), model.shownPaths(),
@@ -59,18 +75,36 @@ std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int
     if (!camera.ok()) continue;
     shown.push_back({parts[i], *camera, insetTitle(inset), inset.border_rgba, inset.border_px});
     shown.back().has_backdrop = model.backdrop && inset.camera == model.backdrop->camera;
-    model.viewer.inset_places.push_back({numbers[i], parts[i], *camera});
+    model.viewer.inset_places.push_back(
+        {window.numbers[window.columns.shown[i]], parts[i], *camera});
   }
   return shown;
 }
 
-void setTerms(const ViewModel& model, PictureTerms& terms) {
+std::vector<InsetTab> insetTabs(ViewModel& model, int width, int height, double scale) {
+  const WindowInsets window = windowInsets(model, width, height, scale);
+  std::vector<InsetTab> tabs;
+  for (const InsetColumns::Tab& tab : window.columns.tabs) {
+    tabs.push_back({window.numbers[tab.number], tab.place});
+  }
+  return tabs;
+}
+
+void openInset(ViewModel& model, std::size_t number) {
+  std::uint64_t latest = 0;
+  for (const InsetChoice& choice : model.viewer.insets) latest = std::max(latest, choice.opened);
+  if (number < model.viewer.insets.size()) model.viewer.insets[number].opened = latest + 1;
+}
+
+void setTerms(ViewModel& model, PictureTerms& terms) {
   terms.hide = model.hiddenPaths();
   terms.show = model.shownPaths();
   terms.style = model.frameStyle();
   std::vector<CellInset> insets;
   for (const std::size_t number : shownInsets(model))
     insets.push_back(model.viewer.insets[number].inset);
+  const WindowInsets window = windowInsets(model, terms.width, terms.height, terms.scale);
+  if (window.isChanged(model)) insets = window.columns.insets;
   terms.insets.reset();
   if (insets != model.cell().insets) terms.insets = std::move(insets);
 }

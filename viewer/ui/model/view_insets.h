@@ -5,20 +5,25 @@
 
 #include "viewer/render/fitted_cameras.h"
 #include "viewer/ui/model/view_model.h"
-#include "viewer/view/inset_layout.h"
 #include "viewer/view/picture_terms.h"
 
 namespace rocinante {
 
-/// The shown insets with their places in a window of that size, as in a picture but beside the
-/// panels; the places are kept in the model too. An inset with an unknown camera or that repeats
-/// the main view is left out. `fitted` must be prepared.
+/// The shown insets with their places in a window's picture of that size, by fitInsets(); the
+/// places are kept in the model too. An inset with an unknown camera or that repeats the main view
+/// is left out. `fitted` must be prepared.
 std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int width, int height,
-                                    double scale, const CoveredEdges& covered);
+                                    double scale);
 
-/// Sets what the model says of a picture of it, the session beside left out: looks, insets, and
-/// what is hidden and shown. All insets as the cell has them are not said.
-void setTerms(const ViewModel& model, PictureTerms& terms);
+/// Those that have no room in such a picture.
+std::vector<InsetTab> insetTabs(ViewModel& model, int width, int height, double scale);
+/// Gives the inset room before others.
+void openInset(ViewModel& model, std::size_t number);
+
+/// Sets what the model says of a picture of it of the terms' size and scale, the session beside
+/// left out: looks, insets, and what is hidden and shown. All insets as the cell has them are not
+/// said.
+void setTerms(ViewModel& model, PictureTerms& terms);
 
 /// So near its inner corner an inset is held by that, at scale 1.
 constexpr double kInsetGripPx = 18;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,7 @@ namespace rocinante {
 struct InsetChoice {
   CellInset inset;
   bool shown = true;
+  std::uint64_t opened = 0;  ///< from its tab; the latest has the largest number
 };
 
 /// Where the last frame shows an inset.
@@ -28,6 +30,12 @@ struct InsetPlace {
   std::size_t number = 0;  ///< of ViewerState::insets
   PixelRectangle part;
   CameraView camera;
+};
+
+/// Where an inset that has no room is a tab.
+struct InsetTab {
+  std::size_t number = 0;  ///< of ViewerState::insets
+  PixelRectangle place;
 };
 
 /// An inset that the mouse holds.
@@ -41,7 +49,8 @@ struct InsetDrag {
 /// commands change it, the ViewModel beside it reads it. Plain values. Not thread-safe.
 struct ViewerState {
   std::vector<InsetChoice> insets;
-  std::vector<InsetPlace> inset_places;  ///< of the last frame
+  std::vector<InsetPlace> inset_places;  ///< of the last frame, in the picture's pixels
+  PixelRectangle picture_part;           ///< what the picture has of the window, in its pixels
   std::optional<InsetDrag> inset_drag;
   PanelState panels;
   TimeView time_view;  ///< what the time line shows

@@ -41,17 +41,18 @@ void drawBareValues(const DeviceState& state) {
 
 }  // namespace
 
-float drawDevicePanel(ViewModel& model, float top, SteadyTime now) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const float bottom = io.DisplaySize.y -
-                       px(model.cursor() != nullptr ? kTimeBarHeight : kPanelMargin) -
-                       plotsHeight(model, io.DisplaySize.y);
+void drawDevicePanel(ViewModel& model, const PanelRectangle& room, SteadyTime now) {
   const Selection shown = model.inspected();
-  if (shown.device.empty() || bottom - top < px(kLeastDeviceHeight)) return top;
-  PlacedPanel placed(model.viewer.panels.places, "device",
-                     ImVec2(io.DisplaySize.x - px(kPanelMargin), top), ImVec2(1, 0),
-                     px(kDevicePanelWidth), bottom - top);
-  ImGui::Begin("device", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
+  PlacedPanel placed(model.viewer.panels.places, "device", {DockEdge::right, room},
+                     px(kDevicePanelWidth));
+  if (placed.floating() && shown.device.empty()) return;
+  if (!placed.begin()) return;
+  if (shown.device.empty()) {
+    ImGui::TextDisabled("nothing is selected:");
+    ImGui::TextDisabled("click a device in the picture");
+    placed.end();
+    return;
+  }
   ImGui::TextUnformatted(shown.device.c_str());
   if (!shown.link.empty()) {
     ImGui::SameLine(0, 0);
@@ -69,17 +70,14 @@ float drawDevicePanel(ViewModel& model, float top, SteadyTime now) {
     drawCarrier(state);
     drawNearest(model, shown);
     drawHandButtons(model, *device);
-    drawPacketBehind(model, *device, shown, bottom);
+    drawPacketBehind(model, *device, shown, placed.bottom());
     if (state != nullptr) drawSignals(model, shown.device, shown.link, state->signals);
-    drawJointSliders(model, *device, shown.link, bottom, now);
+    drawJointSliders(model, *device, shown.link, placed.bottom(), now);
   } else if (state != nullptr) {
     drawSignals(model, shown.device, shown.link, state->signals);
     drawBareValues(*state);
   }
-  placed.follow();
-  const float end = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
-  ImGui::End();
-  return end;
+  placed.end();
 }
 
 }  // namespace rocinante

@@ -261,21 +261,6 @@ void drawRung(const ViewerStatus& status, ViewerRequests& requests) {
       rung.level.geometry_error_px > 0 && !status.coarse_ready ? "; making coarser meshes" : "");
 }
 
-/// Draws a single line when there is no room for more.
-void drawBrief(const ViewModel& model, const ViewerStatus& status) {
-  const LiveSnapshot* live = model.live();
-  if (live != nullptr) ImGui::Text("%.0f packets/s", live->rate_hz);
-  if (live != nullptr && live->dropped + live->gaps > 0) {
-    ImGui::TextColored(ink(kAmissColor), "%llu lost",
-                       static_cast<unsigned long long>(live->dropped + live->gaps));
-  }
-  if (status.tells_times && status.times.count() > 0) {
-    ImGui::Text("%.0f ms", status.times.mean().total());
-  } else if (live == nullptr) {
-    ImGui::Text("detail %d", status.rung);
-  }
-}
-
 }  // namespace
 
 void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests) {
@@ -286,20 +271,13 @@ void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests) {
   ImGui::TextDisabled("%s", status.renderer.c_str());
 }
 
-float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
-                  PanelPlaces& places) {
-  const ImGuiIO& io = ImGui::GetIO();
-  PlacedPanel placed(places, "figures",
-                     ImVec2(io.DisplaySize.x - px(kPanelMargin), px(kPanelMargin)), ImVec2(1, 0), 0,
-                     io.DisplaySize.y);
-  if (!brief && !placed.collapsed()) {
-    ImGui::SetNextWindowSizeConstraints(ImVec2(px(kFiguresWidth), 0), io.DisplaySize);
-  }
-  ImGui::Begin("figures", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
+float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now,
+                  const PanelRectangle& room) {
+  PlacedPanel placed(model.viewer.panels.places, "figures", {DockEdge::right, room, false},
+                     px(kFiguresWidth));
+  if (!placed.begin()) return room.y;
   if (placed.collapsed()) {
     drawCollapsed("Figures");
-  } else if (brief) {
-    drawBrief(model, status);
   } else {
     drawSession(model, now);
     drawBeside(model);
@@ -311,10 +289,9 @@ float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now, 
     ImGui::TextDisabled("%s", frame.c_str());
     explain("more in the tab Frame");
   }
-  placed.follow();
   const float end = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
-  ImGui::End();
-  return end;
+  placed.end();
+  return placed.floating() ? room.y : end;
 }
 
 }  // namespace rocinante

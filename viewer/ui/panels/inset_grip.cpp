@@ -1,10 +1,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string>
 
 #include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
+#include "viewer/view/inset_layout.h"
 
 namespace rocinante {
 namespace {
@@ -12,12 +14,20 @@ namespace {
 constexpr ImU32 kFaint = IM_COL32(255, 255, 255, 110);
 constexpr ImU32 kHeld = IM_COL32(255, 168, 64, 255);
 
+/// The upper left corner of a part of the picture, in the window.
+ImVec2 inWindow(const ViewModel& model, const PixelRectangle& part) {
+  const PixelRectangle& picture = model.viewer.picture_part;
+  return {static_cast<float>(picture.x + part.x), static_cast<float>(picture.y + part.y)};
+}
+
 /// What is held, else what could be grabbed there.
 std::optional<InsetDrag> insetAtMouse(const ViewModel& model) {
   const ImGuiIO& io = ImGui::GetIO();
   if (model.viewer.inset_drag) return model.viewer.inset_drag;
   if (io.WantCaptureMouse || !ImGui::IsMousePosValid() || ImGui::IsAnyMouseDown()) return {};
-  return grabInset(model, io.MousePos.x, io.MousePos.y, px(kInsetGripPx));
+  const PixelRectangle& picture = model.viewer.picture_part;
+  return grabInset(model, io.MousePos.x - static_cast<float>(picture.x),
+                   io.MousePos.y - static_cast<float>(picture.y), px(kInsetGripPx));
 }
 
 }  // namespace
@@ -28,7 +38,7 @@ void drawInsetGrip(const ViewModel& model) {
   const auto place = std::ranges::find(model.viewer.inset_places, at->number, &InsetPlace::number);
   if (place == model.viewer.inset_places.end()) return;
   const PixelRectangle& part = place->part;
-  const ImVec2 low(static_cast<float>(part.x), static_cast<float>(part.y));
+  const ImVec2 low = inWindow(model, part);
   const ImVec2 high(low.x + static_cast<float>(part.width),
                     low.y + static_cast<float>(part.height));
   const bool held = model.viewer.inset_drag.has_value();
@@ -42,6 +52,29 @@ void drawInsetGrip(const ViewModel& model) {
   const float down = (top ? -1.0F : 1.0F) * px(14);
   list->AddTriangleFilled(inner, ImVec2(inner.x + across, inner.y), ImVec2(inner.x, inner.y + down),
                           at->sizes ? kHeld : kFaint);
+}
+
+void drawInsetTabs(ViewModel& model) {
+  const PixelRectangle& picture = model.viewer.picture_part;
+  for (const InsetTab& tab : insetTabs(model, picture.width, picture.height, px(1))) {
+    const ImVec2 size(static_cast<float>(tab.place.width), static_cast<float>(tab.place.height));
+    ImGui::SetNextWindowPos(inWindow(model, tab.place));
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::SetNextWindowBgAlpha(1);
+    const std::string name = "inset " + std::to_string(tab.number);
+    ImGui::Begin(name.c_str(), nullptr,
+                 (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar(2);
+    const std::string title = insetTitle(model.viewer.insets[tab.number].inset);
+    const std::string shown = shortened(title, size.x - px(12));
+    if (ImGui::Button((shown + "##open").c_str(), size)) openInset(model, tab.number);
+    explain(
+        (title + ": there is no room for this inset; a click gives it that of another").c_str());
+    ImGui::End();
+  }
 }
 
 }  // namespace rocinante

@@ -27,7 +27,7 @@ void runEntry(const PaletteEntry& entry, ViewModel& model, SteadyTime now,
   }
   model.viewer.panels.palette.shown = false;
   words.erase(words.begin());
-  const CommandStage stage{model, now, static_cast<int>(ImGui::GetIO().DisplaySize.y), requests};
+  const CommandStage stage{model, now, model.viewer.picture_part.height, requests};
   if (const Status done = runCommand(name, words, stage); !done) {
     requests.fault = done.error().text();
   }

@@ -9,8 +9,8 @@
 #include "core/base/time.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/ui/commands/viewer_requests.h"
+#include "viewer/ui/model/dock_layout.h"
 #include "viewer/ui/model/timeline_cursor.h"
-#include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/model/view_model.h"
 #include "viewer/ui/panels/frame_times.h"
 #include "viewer/ui/panels/time_axis.h"
@@ -43,15 +43,15 @@ struct ViewerStatus {
   std::optional<LoadingStatus> loading;
 };
 
-/// Draws the panels over the scene and applies the input to `model`: scene, looks and events on the
-/// left, figures and the selected device on the right, time at the bottom. Input for the program
-/// goes to the requests. Returns the edges of the picture that they cover.
-CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime now,
-                        ViewerRequests& requests);
+/// Draws the panels round the picture and applies the input to `model`: scene, looks and events on
+/// the left, figures and the selected device on the right, plots and time below. Input for the
+/// program goes to the requests. Returns the part of the window that the picture gets.
+PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime now,
+                          ViewerRequests& requests);
 
-/// Draws the inspected device (ViewModel::inspected) with its joints below `top` if there is room;
-/// returns their bottom.
-float drawDevicePanel(ViewModel& model, float top, SteadyTime now);
+/// Draws the inspected device (ViewModel::inspected) with its joints, in the right edge's `room` or
+/// where the user put it.
+void drawDevicePanel(ViewModel& model, const PanelRectangle& room, SteadyTime now);
 
 /// Draws the signals of a device, or of one of its links when `link` is not empty; of no device
 /// when `device` is empty. At most a few rows high; nothing when there are none.
@@ -61,10 +61,10 @@ void drawSignals(ViewModel& model, const std::string& device, const std::string&
 /// Draws the tab of the left panel with the amount drawn and the frame's cost by stage.
 void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests);
 
-/// Draws the session's figures in the top right corner or where the user put them, all or only the
-/// most important; returns their bottom.
-float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
-                  PanelPlaces& places);
+/// Draws the session's figures at the top of the right edge's `room` or where the user put them;
+/// returns where the rest of the room begins.
+float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now,
+                  const PanelRectangle& room);
 
 /// Draws the tab of the left panel with what `rocinante check` finds in the log: a click goes to a
 /// finding's first moment, selects its device and explains it.
@@ -75,6 +75,9 @@ void drawHelp(ViewModel& model);
 /// Shows how the mouse can change the inset that it is over, or that it holds: a frame and the
 /// corner that changes its size. Draws nothing while the mouse is elsewhere.
 void drawInsetGrip(const ViewModel& model);
+
+/// Draws the tabs of the insets that have no room in the picture; a click opens one.
+void drawInsetTabs(ViewModel& model);
 
 /// Draws where the device or link is, in the world or in the chosen reference, and lets choose it.
 void drawPose(ViewModel& model, const Selection& shown);
@@ -114,8 +117,9 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests);
 /// Draws a tab of the left panel.
 void drawSourcesTab(ViewModel& model, SteadyTime now);
 
-/// Draws the time line at the bottom: buttons, and the track below them.
-void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, SteadyTime now);
+/// Draws the time line in its place: buttons, and the track below them.
+void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
+                 const PanelRectangle& place, SteadyTime now);
 
 /// The list of files to open: type a part of a name or a path, choose with arrow keys and Enter, or
 /// click; what was shown before comes first.
@@ -144,17 +148,14 @@ OthersBanner othersBanner(const ViewModel& model);
 /// unless something is published.
 void drawOthers(ViewModel& model);
 
-/// Height of the plots with their margin, in pixels of a window that high; 0 when none are shown.
-float plotsHeight(const ViewModel& model, float window_height);
+/// Draws the plots in their place above the time line, on its axis: a lane for each unit, names and
+/// values at the right. Applies the mouse.
+void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
+               const PanelRectangle& place, SteadyTime now);
 
-/// Draws the plots above the time line, on its axis, `bottom` being their lower edge: a lane for
-/// each unit, names and values at the right. Applies the mouse.
-void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, float bottom,
-               SteadyTime now);
-
-/// Draws what is dragged and where it can be dropped: onto the plots, or a band above the time line
-/// while there are none, and the time line. Plots it when it is dropped there.
-void drawPlotDrag(ViewModel& model);
+/// Draws what is dragged and where it can be dropped: onto plots and time line, whose upper edge is
+/// `top`, and a band above it while there are no plots. Plots it when it is dropped there.
+void drawPlotDrag(ViewModel& model, float top);
 
 /// Height of the track, in interface units.
 constexpr float kTrackHeight = 48;

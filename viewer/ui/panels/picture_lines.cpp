@@ -84,18 +84,13 @@ float drawLine(const PictureLine& line, const LineRoom& room, float top) {
   return top + computed.size.y + px(6);
 }
 
-/// Between the panels at the sides; where a narrow window leaves no room, below those at the right;
-/// else over the lower ends of the panels.
-LineRoom roomOf(const std::vector<PictureLine>& lines, const FreeMiddle& middle, float right_end,
-                float bottom) {
+/// Over the picture; where that is narrow, over all of the window's width.
+LineRoom roomOf(const std::vector<PictureLine>& lines, const PanelRectangle& picture) {
   constexpr float kLeastRoom = 240;
-  constexpr float kLeastHeight = 60;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  LineRoom room{middle.left, middle.right, px(kPanelMargin)};
-  if (middle.right - middle.left >= px(kLeastRoom)) return room;
-  const float below = right_end + px(kPanelMargin);
-  if (bottom - below >= px(kLeastHeight)) return {middle.left, window.x, below};
-  room = {0, window.x, px(kPanelMargin), true};
+  const float bottom = picture.y + picture.height;
+  LineRoom room{picture.x, picture.x + picture.width, picture.y + px(kPanelMargin)};
+  if (picture.width >= px(kLeastRoom)) return room;
+  room = {0, ImGui::GetIO().DisplaySize.x, px(kPanelMargin), true};
   float height = px(kPanelMargin);
   for (const PictureLine& line : lines) height += sizeOf(line, room).size.y + px(6);
   room.top = std::max(room.top, bottom - height);
@@ -145,14 +140,14 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   return lines;
 }
 
-void drawPictureLines(const std::vector<PictureLine>& lines, const FreeMiddle& middle,
-                      float right_end, float bottom, std::vector<std::string>& said) {
+void drawPictureLines(const std::vector<PictureLine>& lines, const PanelRectangle& picture,
+                      std::vector<std::string>& said) {
   said.clear();
-  const LineRoom room = roomOf(lines, middle, right_end, bottom);
+  const LineRoom room = roomOf(lines, picture);
   float top = room.top;
   for (const PictureLine& line : lines) {
     const bool central = line.central && !room.over_panels;
-    const float at = central ? std::max(top, ImGui::GetIO().DisplaySize.y * 0.3F) : top;
+    const float at = central ? std::max(top, picture.y + picture.height * 0.3F) : top;
     const float end = drawLine(line, room, at);
     if (!central) top = end;
     said.push_back(line.what);

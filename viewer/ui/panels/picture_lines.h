@@ -24,15 +24,9 @@ struct PictureLine {
 std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus& status,
                                       SteadyTime now);
 
-/// The part of the window between the panels at its sides.
-struct FreeMiddle {
-  float left = 0, right = 0;
-};
-
-/// Draws them between the panels at the sides; where a narrow window leaves no room there, below
-/// `right_end`, where the panels at the right end, or over the panels' lower ends, above `bottom`.
-/// `said` becomes their texts.
-void drawPictureLines(const std::vector<PictureLine>& lines, const FreeMiddle& middle,
-                      float right_end, float bottom, std::vector<std::string>& said);
+/// Draws them over the picture, which has that part of the window; where it is too narrow, over
+/// what is beside it, too. `said` becomes their texts.
+void drawPictureLines(const std::vector<PictureLine>& lines, const PanelRectangle& picture,
+                      std::vector<std::string>& said);
 
 }  // namespace rocinante

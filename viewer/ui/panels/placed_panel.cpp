@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "viewer/ui/panels/docks.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {
@@ -14,6 +15,10 @@ constexpr float kSnapReach = 12;
 constexpr float kLeastWidth = 160;
 /// A press that moves less is a click.
 constexpr float kGrabReach = 4;
+/// So far a docked panel is dragged before it leaves its edge.
+constexpr float kLeaveReach = 24;
+/// So near the edge of the window a floating panel is dropped onto it.
+constexpr float kHomeReach = 16;
 
 /// The edge that can be dragged: the one towards the middle of the window.
 bool widensAtRight(const PanelRectangle& panel) {
@@ -25,6 +30,10 @@ bool isAtEdge(const PanelRectangle& panel, float mouse_x) {
   return std::abs(mouse_x - edge) <= px(kEdgeReach);
 }
 
+float draggedBy() {
+  return std::sqrt(ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left]);
+}
+
 }  // namespace
 
 void drawCollapsed(const char* title) {
@@ -32,40 +41,90 @@ void drawCollapsed(const char* title) {
   explain("a double click opens this panel");
 }
 
-PlacedPanel::PlacedPanel(PanelPlaces& places, const char* name, ImVec2 usual, ImVec2 pivot,
-                         float width, float tallest)
-    : places_(places), name_(name) {
+PlacedPanel::PlacedPanel(PanelPlaces& places, const char* name, PanelHome home, float usual_width)
+    : places_(places), name_(name), home_(home), usual_width_(usual_width) {
+  const PanelPlace* const place = places.find(name_);
+  moved_ = place != nullptr && place->moved;
+  collapsed_ = moved_ && place->collapsed;
+}
+
+bool PlacedPanel::begin() {
+  if (!moved_ && home_.room.width <= 0) {
+    places_.drawn.erase(name_);
+    return false;
+  }
+  if (moved_) {
+    placeFloating();
+    ImGui::Begin(name_.c_str(), nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
+    return true;
+  }
+  placeDocked();
+  return true;
+}
+
+void PlacedPanel::placeFloating() {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float unit = px(1);
-  const PanelPlace* const place = places.find(name_);
-  if (place != nullptr && place->width > 0) {
-    width = std::min(std::max(place->width * unit, px(kLeastWidth)), window.x);
-  }
-  moved_ = place != nullptr && place->moved;
-  collapsed_ = place != nullptr && place->collapsed;
-  if (moved_) {
-    const auto drawn = places.drawn.find(name_);
-    const float height = drawn == places.drawn.end() ? 0 : drawn->second.height;
-    const float known_width =
-        width > 0 || drawn == places.drawn.end() ? width : drawn->second.width;
-    const PanelRectangle at =
-        rectangleOf(*place, known_width / unit, height / unit, window.x / unit, window.y / unit);
-    ImGui::SetNextWindowPos(ImVec2(at.x * unit, at.y * unit));
+  const PanelPlace& place = *places_.find(name_);
+  const float width = place.width > 0
+                          ? std::min(std::max(place.width * unit, px(kLeastWidth)), window.x)
+                          : usual_width_;
+  const auto drawn = places_.drawn.find(name_);
+  const float height = drawn == places_.drawn.end() ? 0 : drawn->second.height;
+  const PanelRectangle at =
+      rectangleOf(place, width / unit, height / unit, window.x / unit, window.y / unit);
+  bottom_ = window.y - px(kPanelMargin);
+  ImGui::SetNextWindowPos({at.x * unit, at.y * unit});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.y});
+}
+
+void PlacedPanel::placeDocked() {
+  const PanelRectangle& room = home_.room;
+  bottom_ = room.y + room.height;
+  ImGui::SetNextWindowPos({room.x, room.y});
+  ImGuiWindowFlags flags = kPanelFlags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize;
+  if (home_.fills) {
+    flags &= ~ImGuiWindowFlags_AlwaysAutoResize;
+    ImGui::SetNextWindowSize({room.width, room.height});
   } else {
-    ImGui::SetNextWindowPos(usual, ImGuiCond_Always, pivot);
+    ImGui::SetNextWindowSizeConstraints({room.width, 0}, {room.width, room.height});
   }
-  if (width > 0) {
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, tallest));
-  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::SetNextWindowBgAlpha(1);
+  ImGui::Begin(name_.c_str(), nullptr, flags);
+  ImGui::PopStyleVar(2);
+}
+
+void PlacedPanel::end() {
+  follow();
+  ImGui::End();
 }
 
 void PlacedPanel::grab(const PanelRectangle& now) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   places_.grabbed = name_;
-  places_.grabbed_edge = isAtEdge(now, mouse.x);
+  places_.grabbed_edge = moved_ && isAtEdge(now, mouse.x);
   places_.grab_x = mouse.x - now.x;
   places_.grab_y = mouse.y - now.y;
   if (places_.grabbed_edge && widensAtRight(now)) places_.grab_x = mouse.x - now.x - now.width;
+}
+
+void PlacedPanel::drag(PanelRectangle now) {
+  if (!moved_ && draggedBy() < px(kLeaveReach)) return;
+  const float unit = px(1);
+  if (places_.grabbed_edge) {
+    const float at = ImGui::GetIO().MousePos.x - places_.grab_x;
+    const float wide = widensAtRight(now) ? at - now.x : now.x + now.width - at;
+    places_.places[name_].width = std::max(wide, px(kLeastWidth)) / unit;
+    return;
+  }
+  if (!moved_) {
+    // Held as near its corner as a panel of its own size can be.
+    places_.grab_x = std::min(places_.grab_x, usual_width_ - px(kEdgeReach));
+    now.width = usual_width_;
+  }
+  move(now);
 }
 
 void PlacedPanel::move(PanelRectangle now) {
@@ -74,13 +133,6 @@ void PlacedPanel::move(PanelRectangle now) {
   const auto in_units = [unit](const PanelRectangle& one) {
     return PanelRectangle{one.x / unit, one.y / unit, one.width / unit, one.height / unit};
   };
-  PanelPlace& place = places_.places[name_];
-  if (places_.grabbed_edge) {
-    const float at = io.MousePos.x - places_.grab_x;
-    const float wide = widensAtRight(now) ? at - now.x : now.x + now.width - at;
-    place.width = std::max(wide, px(kLeastWidth)) / unit;
-    return;
-  }
   now.x = io.MousePos.x - places_.grab_x;
   now.y = io.MousePos.y - places_.grab_y;
   std::vector<PanelRectangle> others;
@@ -91,10 +143,30 @@ void PlacedPanel::move(PanelRectangle now) {
   const float down = io.DisplaySize.y / unit;
   const PanelRectangle there =
       snapped(in_units(now), others, across, down, kPanelMargin, kSnapReach);
+  PanelPlace& place = places_.places[name_];
   const PanelPlace before = place;
   place = placeOf(there, across, down);
   place.width = before.width;
   place.collapsed = before.collapsed;
+  if (!isOverHome()) return;
+  const float edge = home_.edge == DockEdge::left ? 0 : io.DisplaySize.x - px(kHomeReach);
+  ImGui::GetForegroundDrawList()->AddRectFilled({edge, 0},
+                                                {edge + px(kHomeReach), io.DisplaySize.y},
+                                                ImGui::GetColorU32(ImGuiCol_DragDropTarget));
+}
+
+bool PlacedPanel::isOverHome() const {
+  const ImGuiIO& io = ImGui::GetIO();
+  const float from_edge =
+      home_.edge == DockEdge::left ? io.MousePos.x : io.DisplaySize.x - io.MousePos.x;
+  return from_edge < px(kHomeReach);
+}
+
+void PlacedPanel::drop() {
+  const bool goes_home =
+      moved_ && !places_.grabbed_edge && draggedBy() >= kGrabReach && isOverHome();
+  places_.grabbed.clear();
+  if (goes_home) places_.places.erase(name_);
 }
 
 void PlacedPanel::follow() {
@@ -105,20 +177,22 @@ void PlacedPanel::follow() {
   const bool background =
       ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && !ImGui::IsAnyItemHovered();
   const bool grabbed = places_.grabbed == name_;
-  if ((background && isAtEdge(now, ImGui::GetIO().MousePos.x) && places_.grabbed.empty()) ||
-      (grabbed && places_.grabbed_edge)) {
+  if (moved_ &&
+      ((background && isAtEdge(now, ImGui::GetIO().MousePos.x) && places_.grabbed.empty()) ||
+       (grabbed && places_.grabbed_edge))) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   if (background && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    places_.places[name_].collapsed = !collapsed_;
+    const std::string folded = moved_ ? name_ : std::string(nameOf(home_.edge));
+    places_.places[folded].collapsed = moved_ ? !collapsed_ : places_.peeked != folded;
+    places_.peeked.clear();
     places_.grabbed.clear();
   } else if (background && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     grab(now);
   } else if (grabbed && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    places_.grabbed.clear();
-  } else if (grabbed && ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >=
-                            kGrabReach * kGrabReach) {
-    move(now);
+    drop();
+  } else if (grabbed && draggedBy() >= kGrabReach) {
+    drag(now);
   }
 }
 

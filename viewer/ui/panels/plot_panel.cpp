@@ -179,20 +179,13 @@ void drawTools(ViewModel& model, const TimeAxis& axis, float room) {
 
 }  // namespace
 
-float plotsHeight(const ViewModel& model, float window_height) {
-  if (!model.viewer.plots.shown() || model.session() == nullptr) return 0;
-  return std::clamp(px(model.viewer.plots.height), px(PlotBoard::kLeastHeight),
-                    std::max(px(PlotBoard::kLeastHeight), window_height * 0.6F));
-}
-
-void drawPlotDrag(ViewModel& model) {
+void drawPlotDrag(ViewModel& model, float top) {
   PlotBoard& plots = model.viewer.plots;
   if (plots.dragged.empty()) return;
   const ImGuiIO& io = ImGui::GetIO();
-  const float margin = px(kPanelMargin);
-  const float high = std::max(plotsHeight(model, io.DisplaySize.y), px(PlotBoard::kLeastHeight));
-  const ImVec2 low(margin, io.DisplaySize.y - px(kTimeBarHeight) - high);
-  const ImVec2 end(io.DisplaySize.x - margin, io.DisplaySize.y - margin);
+  const float above = plots.shown() ? 0 : px(PlotBoard::kLeastHeight);
+  const ImVec2 low(0, std::max(0.0F, top - above));
+  const ImVec2 end = io.DisplaySize;
   const bool inside = io.MousePos.x >= low.x && io.MousePos.x < end.x && io.MousePos.y >= low.y &&
                       io.MousePos.y < end.y;
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
@@ -212,24 +205,23 @@ void drawPlotDrag(ViewModel& model) {
   ImGui::SetTooltip("%s", text.c_str());
 }
 
-void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, float bottom,
-               SteadyTime now) {
+void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
+               const PanelRectangle& place, SteadyTime now) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float height = plotsHeight(model, display.y) - px(kPanelMargin) / 2;
-  const float margin = px(kPanelMargin);
-  const float width = display.x - 2 * margin;
-  ImGui::SetNextWindowPos(ImVec2(margin, bottom - height));
-  ImGui::SetNextWindowSize(ImVec2(width, height));
-  ImGui::SetNextWindowBgAlpha(0.95F);  // thin lines over a scene would be hard to follow
+  ImGui::SetNextWindowPos({place.x, place.y});
+  ImGui::SetNextWindowSize({place.width, place.height});
+  ImGui::SetNextWindowBgAlpha(1);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin("plots", nullptr,
                (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
   const float room = legendWidth(model, display.x);
-  drawSplitter(model, width, display.y);
+  drawSplitter(model, place.width, display.y);
   drawTools(model, axis, room);
-  const float top = bottom - height + px(22);
-  const float lanes_height = std::max(px(20), height - px(22 + 10));
+  const float top = place.y + px(22);
+  const float lanes_height = std::max(px(20), place.height - px(22 + 10));
   std::vector<PlotLane> lanes = plotLanes(model);
   if (lanes.empty()) {  // cleared just now
     ImGui::End();

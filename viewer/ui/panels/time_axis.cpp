@@ -81,12 +81,11 @@ float legendWidth(const ViewModel& model, float room) {
 }
 
 TimeAxis timeAxis(const ViewModel& model, float room) {
-  const float beside = px(kPanelMargin) + ImGui::GetStyle().WindowPadding.x;
+  const float beside = ImGui::GetStyle().WindowPadding.x;
   const bool plots = model.viewer.plots.shown();
   TimeAxis axis;
-  axis.left = plots ? px(kPanelMargin + kScaleRoom) : beside;
-  axis.width = std::max(
-      px(40), room - axis.left - (plots ? px(kPanelMargin) + legendWidth(model, room) : beside));
+  axis.left = plots ? px(kScaleRoom) : beside;
+  axis.width = std::max(px(40), room - axis.left - (plots ? legendWidth(model, room) : beside));
   axis.from = model.viewer.time_view.from();
   axis.until = model.viewer.time_view.until();
   return axis;

@@ -166,18 +166,18 @@ void drawZoom(ViewModel& model) {
 
 }  // namespace
 
-void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, SteadyTime now) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const float margin = px(kPanelMargin);
-  const float room = io.DisplaySize.x - 2 * margin;
-  const float height = px(kTimeBarHeight) - 2 * margin;
-  ImGui::SetNextWindowPos(ImVec2(margin, io.DisplaySize.y - margin), ImGuiCond_Always,
-                          ImVec2(0, 1));
-  ImGui::SetNextWindowSize(ImVec2(room, height));
+void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
+                 const PanelRectangle& place, SteadyTime now) {
+  const float room = place.width;
+  ImGui::SetNextWindowPos({place.x, place.y});
+  ImGui::SetNextWindowSize({place.width, place.height});
+  ImGui::SetNextWindowBgAlpha(1);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin("time", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
   drawButtons(model, cursor, now, room);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
@@ -191,7 +191,7 @@ void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
     drawVerdict(model);
   }
   const float top =
-      io.DisplaySize.y - margin - ImGui::GetStyle().WindowPadding.y * 0.6F - px(kTrackHeight);
+      place.y + place.height - ImGui::GetStyle().WindowPadding.y * 0.6F - px(kTrackHeight);
   drawTrack(model, cursor, axis, top, now);
   ImGui::End();
 }

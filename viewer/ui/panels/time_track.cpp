@@ -240,8 +240,7 @@ void drawPlaceTip(const MomentHover& hover, const std::string& text) {
   const ImGuiIO& io = ImGui::GetIO();
   const float half = px(120);
   const float x = std::clamp(io.MousePos.x, half, std::max(half, io.DisplaySize.x - half));
-  ImGui::SetNextWindowPos(ImVec2(x, io.DisplaySize.y - px(kTimeBarHeight)), ImGuiCond_Always,
-                          ImVec2(0.5F, 1));
+  ImGui::SetNextWindowPos(ImVec2(x, ImGui::GetWindowPos().y), ImGuiCond_Always, ImVec2(0.5F, 1));
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(text.c_str());
   if (hover.drawn && hover.drawn == hover.wanted) {

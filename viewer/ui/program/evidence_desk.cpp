@@ -54,10 +54,10 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
     request.backdrop_opacity = model.backdrop->opacity;
   }
   request.view = model.cameraView();
-  setTerms(model, request);
   request.width = size.width;
   request.height = size.height;
   request.scale = size.scale;
+  setTerms(model, request);
   // The sample counts of llvmpipe, which draws it.
   request.samples = samples_ > 1 ? 4 : 1;
   if (model.hand.drawn()) {

@@ -11,7 +11,7 @@ Status PublishDesk::tell(SteadyTime now) {
   Publishing& publishing = model_.publishing;
   if (publishing.active() == nullptr) return {};
   if (publishing.points()) {
-    const auto place = mouseOnPicture();
+    const auto place = mouseOnPicture(model_);
     if (pace_.due(place, now)) {
       if (!place) {
         publishing.point(std::nullopt);

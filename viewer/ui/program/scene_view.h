@@ -9,15 +9,13 @@
 #include "viewer/detail/rest_plan.h"
 #include "viewer/render/rest_picture.h"
 #include "viewer/render/scaled_view.h"
-#include "viewer/view/inset_layout.h"
 #include "viewer/view/picture_terms.h"
 
 namespace rocinante {
 
 /// How a window's picture is drawn, as the program decides it for each frame.
 struct WindowTerms : PictureTerms {
-  CoveredEdges covered{};  ///< by panels
-  int rung = 0;            ///< of kDetailRungs
+  int rung = 0;  ///< of kDetailRungs
   /// Leave out the looks that are the window's own choice; the picture at rest has them.
   bool drops_looks = false;
   /// The first picture is one of a single sample without looks, which is there soonest.

@@ -17,9 +17,19 @@ namespace {
 /// A press that moves less than this many pixels is a click, not a drag.
 constexpr float kClickReach = 4;
 
-std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int height_px) {
+/// Where the mouse is in the picture, perhaps beside it.
+PicturePlace inPicture(const ViewModel& model) {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const PixelRectangle& part = model.viewer.picture_part;
+  return {at.x - static_cast<float>(part.x), at.y - static_cast<float>(part.y)};
+}
+
+std::optional<PictureClick> applyMouse(ViewModel& model) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantCaptureMouse) return std::nullopt;
+  const auto [x, y] = inPicture(model);
+  const int width_px = model.viewer.picture_part.width;
+  const int height_px = model.viewer.picture_part.height;
   // A press after a jump of the pointer is not a drag from its old place.
   ImVec2 moved = io.MouseDelta;
   for (const bool clicked : io.MouseClicked) {
@@ -33,12 +43,11 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int heigh
   };
   const double scale = ImGui::GetFontSize() / kFontPixels;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.KeyShift) {
-    model.viewer.inset_drag = grabInset(model, io.MousePos.x, io.MousePos.y, kInsetGripPx * scale);
+    model.viewer.inset_drag = grabInset(model, x, y, kInsetGripPx * scale);
   }
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) model.viewer.inset_drag.reset();
   if (model.viewer.inset_drag && dragged(ImGuiMouseButton_Left)) {
-    dragInset(model, *model.viewer.inset_drag, io.MousePos.x, io.MousePos.y, width_px, height_px,
-              scale);
+    dragInset(model, *model.viewer.inset_drag, x, y, width_px, height_px, scale);
     return std::nullopt;
   }
   if (moved.x != 0 || moved.y != 0) {
@@ -49,20 +58,19 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int heigh
     }
   }
   if (io.MouseWheel != 0) {
-    model.holdCamera().zoomAt(io.MouseWheel, io.MousePos.x - width_px / 2.0,
-                              io.MousePos.y - height_px / 2.0, height_px);
+    model.holdCamera().zoomAt(io.MouseWheel, x - width_px / 2.0, y - height_px / 2.0, height_px);
   }
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    if (const auto inset = grabInset(model, io.MousePos.x, io.MousePos.y, 0)) {
+    if (const auto inset = grabInset(model, x, y, 0)) {
       // It was there a moment ago.
       static_cast<void>(swapInset(model, inset->number));
       return std::nullopt;
     }
-    return PictureClick{io.MousePos.x, io.MousePos.y, true};
+    return PictureClick{x, y, true};
   }
   if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !dragged(ImGuiMouseButton_Left) &&
       !io.KeyShift && io.MouseClickedLastCount[ImGuiMouseButton_Left] == 1) {
-    return PictureClick{io.MousePos.x, io.MousePos.y, false};
+    return PictureClick{x, y, false};
   }
   return std::nullopt;
 }
@@ -79,17 +87,17 @@ void collectTyped(ViewModel& model, std::span<const KeyPress> presses) {
 
 }  // namespace
 
-std::optional<PicturePlace> mouseOnPicture() {
+std::optional<PicturePlace> mouseOnPicture(const ViewModel& model) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantCaptureMouse || !ImGui::IsMousePosValid()) return std::nullopt;
   if (ImGui::IsAnyMouseDown()) return std::nullopt;
-  return PicturePlace(io.MousePos.x, io.MousePos.y);
+  return inPicture(model);
 }
 
-std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
-                                           int height_px, std::span<const KeyPress> presses,
+std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now,
+                                           std::span<const KeyPress> presses,
                                            ViewerRequests& requests) {
-  const auto click = applyMouse(model, width_px, height_px);
+  const auto click = applyMouse(model);
   const ImGuiIO& io = ImGui::GetIO();
   // Whatever has the keyboard, Esc ends driving.
   const bool ended =
@@ -103,7 +111,7 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
     collectTyped(model, presses);
     return click;
   }
-  const CommandStage stage{model, now, height_px, requests};
+  const CommandStage stage{model, now, model.viewer.picture_part.height, requests};
   const auto tell = [&](const Status& done) {
     if (!done) requests.fault = done.error().text();
   };

@@ -13,11 +13,11 @@ namespace rocinante {
 
 /// Applies mouse and keyboard of this frame, as far as Dear ImGui has not used them itself;
 /// `presses` are its keys. Returns a click on the picture.
-std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
-                                           int height_px, std::span<const KeyPress> presses,
+std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now,
+                                           std::span<const KeyPress> presses,
                                            ViewerRequests& requests);
 
 /// Where the mouse points in the picture; empty: at a panel, elsewhere, or it drags something.
-std::optional<PicturePlace> mouseOnPicture();
+std::optional<PicturePlace> mouseOnPicture(const ViewModel& model);
 
 }  // namespace rocinante

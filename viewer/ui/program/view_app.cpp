@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/cli/program.h"
+#include "viewer/ui/panels/docks.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/program/backdrop_desk.h"
 #include "viewer/ui/program/detail_choice.h"
@@ -95,7 +96,9 @@ class ViewApp {
   void waitForNews();
   Result<std::unique_ptr<ViewContent>> takeOpened();
   bool showBackdrop();
-  WindowSize size() const { return {width_, height_, interface_.scale()}; }
+  /// Of the picture.
+  WindowSize size() const { return {part_.width, part_.height, interface_.scale()}; }
+  PixelRectangle part() const;
 
   const ContentRequest& shown_;
   ViewModel& model_;
@@ -122,8 +125,8 @@ class ViewApp {
   bool swaps_ = true;         ///< something was drawn into the window
   FrameTimes times_;          ///< of the frame that last drew the scene
   ViewerStatus status_;
-  CoveredEdges covered_;
-  RenderStyle style_;  ///< of the last frame
+  PixelRectangle part_{0, 0, 1, 1};  ///< what the picture has of the window
+  RenderStyle style_;                ///< of the last frame
   int width_ = 1, height_ = 1;
 };
 
@@ -197,6 +200,12 @@ void ViewApp::prepareView() {
   detail_.tell(status_);
 }
 
+/// Before the panels are drawn.
+PixelRectangle ViewApp::part() const {
+  const auto width = static_cast<float>(width_), height = static_cast<float>(height_);
+  return picturePart(dockLayoutOf(model_, width, height, interface_.scale()));
+}
+
 /// Draws a slice of the picture at rest. A rung that the user chose stays as it is.
 Status ViewApp::refine() {
   if (scripted() || detail_.fixed()) return {};
@@ -226,17 +235,18 @@ void ViewApp::endLook(const Governor::Runaway& runaway) {
 /// Copies the picture to the window, with the interface over it. Screenshots are read from a buffer
 /// of our own, whose pixels do not depend on the window system.
 Status ViewApp::compose(bool same_picture) {
-  const ImDrawData& interface = *ImGui::GetDrawData();
+  const WindowContent content{picture_.pixels(),    part_.x, part_.y, width_, height_,
+                              *ImGui::GetDrawData()};
   const GlTable& gl = picture_.renderer().gl();
   swaps_ = true;
   if (!scripted() && !requests_.wantsScreenshot()) {
-    const auto shown = composer_.compose(gl, picture_.pixels(), *painter_, interface, same_picture);
+    const auto shown = composer_.compose(gl, content, *painter_, same_picture);
     if (!shown.ok()) return shown.error();
     swaps_ = *shown;
     if (swaps_) gl.Finish();
     return {};
   }
-  return composer_.composeAside(gl, picture_.pixels(), *painter_, interface);
+  return composer_.composeAside(gl, content, *painter_);
 }
 
 /// Since the last frame, where it must not depend on when the clock is read.
@@ -268,18 +278,17 @@ Status ViewApp::drawFrame(double app_ms) {
   const SteadyTime began = std::chrono::steady_clock::now();
   beginFrame();
   ViewerRequests requests;
-  covered_ = drawPanels(model_, status_, now(), requests);
-  requests.click = applyUserInput(model_, now(), width_, height_, interface_.presses(), requests);
+  part_ = drawPanels(model_, status_, now(), requests);
+  requests.click = applyUserInput(model_, now(), interface_.presses(), requests);
   ImGui::Render();
   if (auto applied = applyRequests(requests); !applied) return applied;
   times.ui = millisecondsSince(began);
 
   const SteadyTime scene_began = std::chrono::steady_clock::now();
   WindowTerms terms;
-  terms.width = width_;
-  terms.height = height_;
+  terms.width = part_.width;
+  terms.height = part_.height;
   terms.scale = interface_.scale();
-  terms.covered = covered_;
   terms.rung = detail_.rung();
   terms.drops_looks = detail_.dropsLooks();
   terms.begins_plain = !scripted() && !detail_.fixed();
@@ -382,7 +391,8 @@ bool ViewApp::showBackdrop() {
 /// A script has no idle time, in which a window draws it.
 void ViewApp::finishPreview() {
   const auto advance = [&] {
-    return preview_.advance(picture_.renderer(), width_, height_, interface_.scale(), now());
+    return preview_.advance(picture_.renderer(), part_.width, part_.height, interface_.scale(),
+                            now());
   };
   if (advance()) return;
   preview_.wait();
@@ -420,7 +430,9 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
   std::unique_ptr<ViewContent> next;
   if (model_.cameraName().empty()) {
     if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
-    model_.fit(picture_.corners(false), window_->framebufferWidth(), window_->framebufferHeight());
+    prepareView();
+    part_ = part();
+    model_.fit(picture_.corners(false), part_.width, part_.height);
   }
   while (!window_->closeRequested() && !cli::stopRequested()) {
     if (record_.active()) recorded_now_ = std::chrono::steady_clock::now();
@@ -441,7 +453,8 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (*changed) picture_.changed();
     if (!frameDue(*changed)) {
       if (auto refined = refine(); !refined) return refined.error();
-      if (preview_.advance(picture_.renderer(), width_, height_, interface_.scale(), now())) {
+      if (preview_.advance(picture_.renderer(), part_.width, part_.height, interface_.scale(),
+                           now())) {
         composer_.forget();  // its texture has changed
         frame_due_.happened(now());
       }
@@ -451,7 +464,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     prepareView();
     if (scripted()) {
       const auto apply = [this](const ViewerRequests& asked) { return applyRequests(asked); };
-      if (auto stepped = script_.beforeFrame({model_, now(), height_, apply}); !stepped) {
+      if (auto stepped = script_.beforeFrame({model_, now(), part_.height, apply}); !stepped) {
         return stepped.error();
       }
       if (script_.finished()) return next;

@@ -14,7 +14,6 @@ SceneFrame WindowPicture::frame(const RenderStyle& style) const {
   frame.style = &style;
   frame.extras = &model_.extras();
   frame.insets = insets_;
-  frame.raised_px = terms_.covered.bottom;
   frame.scale = terms_.scale;
   if (model_.backdrop && model_.backdrop->shown) {
     frame.backdrop = model_.backdrop->picture.get();
@@ -37,7 +36,7 @@ Result<std::optional<DrawCounts>> WindowPicture::draw(WindowTerms terms, SteadyT
   terms.drops_looks = terms.drops_looks && model_.hasLooksByDefault();
   if (terms.drops_looks) terms.style.shadows = terms.style.contact = false;
   terms_ = terms;
-  insets_ = frameInsets(model_, fitted_, terms.width, terms.height, terms.scale, terms.covered);
+  insets_ = frameInsets(model_, fitted_, terms.width, terms.height, terms.scale);
   const bool shows_fitted =
       std::ranges::any_of(model_.viewer.insets, [](const InsetChoice& choice) {
         return choice.shown && FittedCameras::knows(choice.inset.camera);
@@ -52,8 +51,6 @@ Result<std::optional<DrawCounts>> WindowPicture::draw(WindowTerms terms, SteadyT
   shown.camera = model_.cameraView();
   shown.insets = insets_;
   shown.terms = std::move(terms);
-  // What is covered at the sides moves insets alone.
-  shown.terms.covered = {0, shown.terms.covered.bottom};
   const SceneFrame drawn = frame(terms_.style);
   shown.backdrop = drawn.backdrop != nullptr ? drawn.backdrop->number : 0;
   shown.backdrop_opacity = drawn.backdrop_opacity;

@@ -35,7 +35,7 @@ class TypedLines : public testing::Test {
     interface_.beginFrame(1280, 720);
     ViewerRequests requests;
     drawPanels(*model_, ViewerStatus(), SteadyTime{}, requests);
-    static_cast<void>(applyUserInput(*model_, SteadyTime{}, 1280, 720, presses, requests));
+    static_cast<void>(applyUserInput(*model_, SteadyTime{}, presses, requests));
     ImGui::Render();
     return requests;
   }

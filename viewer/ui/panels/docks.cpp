@@ -1,0 +1,234 @@
+#include "viewer/ui/panels/docks.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/panels.h"
+#include "viewer/ui/panels/plot_parts.h"
+
+namespace rocinante {
+namespace {
+
+/// A window of the size of its content's place alone, without anything of its own.
+constexpr ImGuiWindowFlags kBareFlags =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav;
+
+ImVec2 cornerOf(const PanelRectangle& place) { return {place.x, place.y}; }
+ImVec2 farCornerOf(const PanelRectangle& place) {
+  return {place.x + place.width, place.y + place.height};
+}
+
+PanelRectangle scaled(const PanelRectangle& place, float unit) {
+  // On whole pixels: the picture begins there.
+  const float left = std::floor(place.x * unit), top = std::floor(place.y * unit);
+  return {left, top, std::floor((place.x + place.width) * unit) - left,
+          std::floor((place.y + place.height) * unit) - top};
+}
+
+DockedSide scaled(const DockedSide& side, float unit) {
+  return {scaled(side.panel, unit), scaled(side.gutter, unit), scaled(side.strip, unit),
+          side.peeked};
+}
+
+DockWish::Side sideWish(const PanelPlaces& places, DockEdge edge, float usual, bool any) {
+  const PanelPlace* const place = places.find(nameOf(edge));
+  if (!any) return {};
+  DockWish::Side side{usual, false};
+  if (place == nullptr) return side;
+  if (place->width > 0) side.width = place->width;
+  side.folded = place->collapsed;
+  return side;
+}
+
+bool isFolded(const PanelPlaces& places, DockEdge edge) {
+  const PanelPlace* const place = places.find(nameOf(edge));
+  return place != nullptr && place->collapsed;
+}
+
+/// Draws a window that is one button there; its state is that of the last item.
+template <class Draw>
+void drawBareButton(const char* name, const PanelRectangle& place, const Draw& draw) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::SetNextWindowPos(cornerOf(place));
+  ImGui::SetNextWindowSize({place.width, place.height});
+  ImGui::Begin(name, nullptr, kBareFlags);
+  ImGui::PopStyleVar(2);
+  const bool pressed = ImGui::InvisibleButton("place", {place.width, place.height});
+  draw(*ImGui::GetWindowDrawList(), pressed);
+  ImGui::End();
+}
+
+/// Draws a line of text from `at` downwards, turned by a right angle.
+void addTurnedText(ImDrawList& list, ImVec2 at, ImU32 color, const char* text) {
+  const int first = list.VtxBuffer.Size;
+  // Before it is turned it would lie outside.
+  list.PushClipRectFullScreen();
+  list.AddText(at, color, text);
+  list.PopClipRect();
+  for (int i = first; i < list.VtxBuffer.Size; ++i) {
+    ImVec2& corner = list.VtxBuffer[i].pos;
+    corner = {at.x - (corner.y - at.y), at.y + (corner.x - at.x)};
+  }
+}
+
+/// What points to where a click moves the edge.
+void addArrow(ImDrawList& list, ImVec2 middle, ImVec2 towards, ImU32 color) {
+  const float size = px(5);
+  const ImVec2 across(-towards.y, towards.x);
+  list.AddTriangleFilled({middle.x + towards.x * size * 0.6F, middle.y + towards.y * size * 0.6F},
+                         {middle.x - towards.x * size * 0.6F + across.x * size,
+                          middle.y - towards.y * size * 0.6F + across.y * size},
+                         {middle.x - towards.x * size * 0.6F - across.x * size,
+                          middle.y - towards.y * size * 0.6F - across.y * size},
+                         color);
+}
+
+/// A folded edge is opened where there is room, else looked at over the picture.
+void open(PanelPlaces& places, DockEdge edge, bool peeked) {
+  PanelPlace& place = places.places[nameOf(edge)];
+  if (place.collapsed) {
+    place.collapsed = false;
+    places.peeked.clear();
+    return;
+  }
+  places.peeked = peeked ? std::string() : nameOf(edge);
+}
+
+void drawStrip(PanelPlaces& places, DockEdge edge, const DockedSide& side, const char* title) {
+  if (side.strip.width <= 0) return;
+  drawBareButton(title, side.strip, [&](ImDrawList& list, bool pressed) {
+    if (pressed) open(places, edge, side.peeked);
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered) list.AddRectFilled(cornerOf(side.strip), farCornerOf(side.strip), fadedInk(0.12F));
+    const float inwards = edge == DockEdge::left ? 1.0F : -1.0F;
+    const float middle = side.strip.x + side.strip.width / 2;
+    addArrow(list, {middle, side.strip.y + px(14)}, {side.peeked ? -inwards : inwards, 0},
+             fadedInk(hovered ? 1 : 0.8F));
+    addTurnedText(list, {middle + ImGui::GetFontSize() / 2, side.strip.y + px(28)},
+                  fadedInk(hovered ? 1 : 0.85F), title);
+    explain(side.peeked ? "a click closes it" : "a click opens it");
+  });
+}
+
+void drawGutter(PanelPlaces& places, DockEdge edge, const DockedSide& side) {
+  if (side.gutter.width <= 0) return;
+  const std::string name = std::string(nameOf(edge)) + " gutter";
+  drawBareButton(name.c_str(), side.gutter, [&](ImDrawList& list, bool) {
+    const bool used = ImGui::IsItemActive() || ImGui::IsItemHovered();
+    const ImVec2 middle(side.gutter.x + side.gutter.width / 2,
+                        side.gutter.y + side.gutter.height / 2);
+    const bool over_handle = std::abs(ImGui::GetIO().MousePos.y - middle.y) < px(18);
+    const float outwards = edge == DockEdge::left ? -1.0F : 1.0F;
+    list.AddRectFilled(cornerOf(side.gutter), farCornerOf(side.gutter),
+                       ImGui::GetColorU32(used ? ImGuiCol_SeparatorHovered : ImGuiCol_WindowBg));
+    addArrow(list, middle, {outwards, 0}, fadedInk(used && over_handle ? 1 : 0.75F));
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool dragged = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= px(4) * px(4);
+    const bool folds = ImGui::IsItemHovered() &&
+                       (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
+                        (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !dragged && over_handle));
+    if (folds) {
+      places.peeked.clear();
+      places.places[nameOf(edge)].collapsed = !side.peeked;
+    } else if (ImGui::IsItemActive() && dragged) {
+      const float wide = edge == DockEdge::left ? io.MousePos.x - side.panel.x
+                                                : side.panel.x + side.panel.width - io.MousePos.x;
+      const float least = edge == DockEdge::left ? kLeastLeftWidth : kLeastRightWidth;
+      places.places[nameOf(edge)].width = std::max(least, wide / px(1));
+    }
+    if (!used) return;
+    if (!over_handle) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    explain(over_handle ? "fold these panels to the edge" : "drag: wider or narrower");
+  });
+}
+
+/// What is left of the plots or the time line; returns whether it was clicked.
+bool drawBand(const char* title, const PanelRectangle& band) {
+  if (band.height <= 0) return false;
+  bool clicked = false;
+  drawBareButton(title, band, [&](ImDrawList& list, bool pressed) {
+    clicked = pressed;
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered) list.AddRectFilled(cornerOf(band), farCornerOf(band), fadedInk(0.12F));
+    const float middle = band.y + band.height / 2;
+    addArrow(list, {band.x + px(14), middle}, {0, -1}, fadedInk(hovered ? 1 : 0.8F));
+    list.AddText({band.x + px(28), middle - ImGui::GetFontSize() / 2},
+                 fadedInk(hovered ? 1 : 0.85F), title);
+    explain("a click opens it");
+  });
+  return clicked;
+}
+
+/// Opaque: text stands on it whatever the picture shows.
+void drawBehind(const PanelRectangle& place) {
+  if (place.width <= 0 || place.height <= 0) return;
+  ImVec4 color = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+  color.w = 1;
+  ImDrawList* const list = ImGui::GetBackgroundDrawList();
+  list->AddRectFilled(cornerOf(place), farCornerOf(place), ImGui::ColorConvertFloat4ToU32(color));
+}
+
+}  // namespace
+
+bool isFloating(const PanelPlaces& places, const char* panel) {
+  const PanelPlace* const place = places.find(panel);
+  return place != nullptr && place->moved;
+}
+
+DockLayout dockLayoutOf(const ViewModel& model, float width, float height, float unit) {
+  DockWish wish;
+  const PanelState& panels = model.viewer.panels;
+  if (panels.shown && !model.viewer.is_empty) {
+    const PanelPlaces& places = panels.places;
+    const bool right = !isFloating(places, "figures") || !isFloating(places, "device");
+    wish.left = sideWish(places, DockEdge::left, scenePanelWidth(model.isLive()),
+                         !isFloating(places, "Scene"));
+    wish.right = sideWish(places, DockEdge::right, kDevicePanelWidth, right);
+    wish.peeked = places.peeked;
+    wish.time = model.cursor() != nullptr ? kTimeBarHeight : 0;
+    wish.time_folded = isFolded(places, DockEdge::bottom);
+    const PlotBoard& plots = model.viewer.plots;
+    wish.plots = !plots.curves().empty() && model.session() != nullptr ? plots.height : 0;
+    wish.plots_folded = plots.hidden;
+  }
+  const DockLayout units = dockLayout(wish, width / unit, height / unit);
+  return {scaled(units.left, unit),   scaled(units.right, unit),
+          scaled(units.time, unit),   scaled(units.time_strip, unit),
+          scaled(units.plots, unit),  scaled(units.plots_strip, unit),
+          scaled(units.picture, unit)};
+}
+
+PixelRectangle picturePart(const DockLayout& layout) {
+  const PanelRectangle& part = layout.picture;
+  return {static_cast<int>(part.x), static_cast<int>(part.y),
+          std::max(1, static_cast<int>(part.width)), std::max(1, static_cast<int>(part.height))};
+}
+
+void drawDocks(ViewModel& model, const DockLayout& layout) {
+  PanelPlaces& places = model.viewer.panels.places;
+  for (const DockedSide* const side : {&layout.left, &layout.right}) {
+    drawBehind(side->strip);
+    drawBehind(side->panel);
+    drawBehind(side->gutter);
+  }
+  for (const PanelRectangle& band :
+       {layout.time, layout.time_strip, layout.plots, layout.plots_strip}) {
+    drawBehind(band);
+  }
+  drawStrip(places, DockEdge::left, layout.left, "Scene");
+  drawStrip(places, DockEdge::right, layout.right, "Selection");
+  drawGutter(places, DockEdge::left, layout.left);
+  drawGutter(places, DockEdge::right, layout.right);
+  if (drawBand("Plots", layout.plots_strip)) model.viewer.plots.hidden = false;
+  if (drawBand("Time", layout.time_strip)) open(places, DockEdge::bottom, false);
+}
+
+}  // namespace rocinante
