@@ -12,6 +12,8 @@ constexpr std::size_t kWindow = 9;
 /// Three frames in a row that exceed the target by this factor are not a hiccup.
 constexpr double kFarTooDear = 2;
 constexpr std::size_t kFewFrames = 3;
+/// One that exceeds it by this factor is enough, where none before it was cheaper.
+constexpr double kHopeless = 8;
 /// A frame by what the last ones took, or by the target.
 constexpr double kRunaway = 10;
 /// Estimated cost of the next finer rung must be below this share of the target.
@@ -47,15 +49,33 @@ bool Governor::overloaded() const {
   return costs_.size() >= kWindow && typicalMs() > settings_.target_ms;
 }
 
+void Governor::begin(int rung, double cost_ms) {
+  const int measured = rung + (settings_.drops_looks ? 1 : 0);
+  // The geometric mean of no saving and the largest possible, as for an ascent.
+  const auto expected = [&](int step) {
+    return cost_ms * std::sqrt(bestCostOf(step) / bestCostOf(measured));
+  };
+  int step = finest_;
+  while (step < coarsestStep() && expected(step) > kMargin * settings_.target_ms) ++step;
+  step_ = step;
+  forget();
+}
+
 double Governor::bestCostOf(int step) const {
   if (!settings_.drops_looks) return kDetailRungs[static_cast<std::size_t>(step)].best_cost;
   return step == 0 ? kBestCostWithLooks
                    : kDetailRungs[static_cast<std::size_t>(step - 1)].best_cost;
 }
 
+/// No hiccup explains it, and nobody waits for more of them to know.
+bool Governor::isHopeless() const {
+  return costs_.size() < kFewFrames && costs_.back() > kHopeless * settings_.target_ms;
+}
+
 int Governor::cheapEnoughStep() const {
   // Use the last few frames only: cheap frames before a new load must not count.
-  const double now = medianOf({costs_.end() - kFewFrames, costs_.end()});
+  const auto few = static_cast<std::ptrdiff_t>(std::min(kFewFrames, costs_.size()));
+  const double now = medianOf({costs_.end() - few, costs_.end()});
   const double here = bestCostOf(step_);
   int step = step_ + 1;
   while (step < coarsestStep() && now * bestCostOf(step) / here > settings_.target_ms) ++step;
@@ -77,7 +97,7 @@ bool Governor::ascentWouldHold() const {
 }
 
 void Governor::learnWhatWasSaved() {
-  if (!cost_before_ || costs_.size() < kFewFrames) return;
+  if (!cost_before_ || (costs_.size() < kFewFrames && !isHopeless())) return;
   const double here = typicalMs();
   if (step_ == step_before_ + 1 && here > 0) {
     saved_[static_cast<std::size_t>(step_before_)] = *cost_before_ / here;
@@ -123,7 +143,7 @@ int Governor::frameDrawn(double cost_ms) {
       frames_since_ascent_ = -1;
     }
   }
-  if (step_ < coarsestStep() && overloaded()) {
+  if (step_ < coarsestStep() && (overloaded() || isHopeless())) {
     moveTo(cheapEnoughStep());
     return rung();
   }

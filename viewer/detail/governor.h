@@ -48,6 +48,9 @@ class Governor {
   /// Typical cost of the last frames on this step; 0 without frames.
   double typicalMs() const;
 
+  /// Begins where a frame should hold the target, by the cost of one on `rung` without dear looks
+  /// that was drawn to measure it. Before frameDrawn().
+  void begin(int rung, double cost_ms);
   /// Takes the cost of the frame just drawn on rung(), with looks or without, and returns the rung
   /// of the next one.
   int frameDrawn(double cost_ms);
@@ -69,6 +72,7 @@ class Governor {
   void moveTo(int step);
   void learnWhatWasSaved();
   bool overloaded() const;
+  bool isHopeless() const;
   bool isRunaway(double cost_ms) const;
   int cheapEnoughStep() const;
   bool ascentWouldHold() const;

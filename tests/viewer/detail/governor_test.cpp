@@ -55,6 +55,40 @@ double machineCost(int rung, double pixels_ms, double geometry_ms) {
   return pixels_ms * pixels + geometry_ms * geometry;
 }
 
+TEST(Governor, BeginsWhereTheMachineHoldsTheTarget) {
+  // By a frame of rung 3: 40 ms there are 107 ms with all samples, about.
+  Governor quick = governor();
+  quick.begin(3, 20);
+  EXPECT_EQ(quick.rung(), 0);
+  Governor slow = governor();
+  slow.begin(3, 60);
+  EXPECT_GT(slow.rung(), 0);
+  EXPECT_LE(slow.rung(), 3);
+  Governor slower = governor();
+  slower.begin(3, 900);
+  EXPECT_GT(slower.rung(), 5);
+  // With dear looks only where five times as much is in time, by the same estimate.
+  Governor looks({kTarget, kCoarsestRung, true});
+  looks.begin(3, 20);
+  EXPECT_EQ(looks.rung(), 0);
+  EXPECT_FALSE(looks.drawsLooks());
+  looks.begin(3, 5);
+  EXPECT_TRUE(looks.drawsLooks());
+}
+
+TEST(Governor, LeavesARungAfterOneHopelessFrame) {
+  Governor judged = governor();
+  judged.begin(3, 1);
+  ASSERT_EQ(judged.rung(), 0);
+  judged.frameDrawn(1);  // after a change the first is not judged
+  EXPECT_EQ(judged.frameDrawn(7 * kTarget), 0);
+  EXPECT_EQ(judged.frameDrawn(50), 0);
+  Governor hopeless = governor();
+  hopeless.begin(3, 1);
+  hopeless.frameDrawn(1);
+  EXPECT_GT(hopeless.frameDrawn(9 * kTarget), 2);
+}
+
 TEST(Governor, DrawsEverythingWhereThatFits) {
   Governor judged = governor();
   const Trial seen = drive(judged, 2000, [](int, int) { return 60.0; });

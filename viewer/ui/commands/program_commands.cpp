@@ -8,6 +8,7 @@
 #include "core/base/duration_text.h"
 #include "viewer/ui/commands/command_groups.h"
 #include "viewer/ui/commands/key_commands.h"
+#include "viewer/ui/model/dock_layout.h"
 
 namespace rocinante {
 
@@ -97,6 +98,35 @@ Status setTheme(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status foldEdge(CommandWords words, const CommandStage& stage) {
+  PanelPlaces& places = stage.model.viewer.panels.places;
+  for (const DockEdge edge : {DockEdge::left, DockEdge::right, DockEdge::bottom}) {
+    if (words[0] != nameOf(edge)) continue;
+    PanelPlace& place = places.places[nameOf(edge)];
+    const auto on = switched(words.subspan(1), place.collapsed);
+    if (!on.ok()) return on.error();
+    place.collapsed = *on;
+    places.peeked.clear();
+    return {};
+  }
+  return badWord(fmt::format("`{}` is no edge: left, right or bottom", words[0]));
+}
+
+Status setPictureWidth(CommandWords words, const CommandStage& stage) {
+  if (words[0] == "seen") {
+    stage.model.viewer.made_width.reset();
+    return {};
+  }
+  const auto width = numberOf(words[0]);
+  if (!width.ok()) return width.error();
+  if (*width < kLeastMadeWidth || *width > kMostMadeWidth || *width != std::floor(*width)) {
+    return badWord(fmt::format("a picture's width is {} to {} pixels, not {}", kLeastMadeWidth,
+                               kMostMadeWidth, words[0]));
+  }
+  stage.model.viewer.made_width = static_cast<int>(*width);
+  return {};
+}
+
 Status resetPanels(CommandWords /*words*/, const CommandStage& stage) {
   stage.model.viewer.panels.places = PanelPlaces();
   return {};
@@ -179,6 +209,10 @@ std::vector<Command> programCommands() {
        .means = "the view as a case of a suite, view.suite.toml by default",
        .run = addGoldenCase,
        .shortcuts = {{"shift+G", "", "a golden case"}}},
+      {.name = "picture-width",
+       .arguments = "PIXELS|seen",
+       .means = "the width of what evidence, video and golden-case draw, of the picture's shape",
+       .run = setPictureWidth},
       {.name = "screenshot",
        .arguments = "FILE",
        .means = "draw a frame and write it as PNG, panels included",
@@ -188,6 +222,14 @@ std::vector<Command> programCommands() {
        .means = "hide or show the panels",
        .run = setPanels,
        .shortcuts = {{"tab", "", ""}}},
+      {.name = "fold",
+       .arguments = "left|right|bottom [on|off]",
+       .means = "fold the panels of an edge of the window, or open them",
+       .run = foldEdge,
+       .choices =
+           [](const ViewModel&) {
+             return std::vector<std::string>{"left", "right", "bottom"};
+           }},
       {.name = "reset-panels", .means = "reset the panels' layout", .run = resetPanels},
       {.name = "theme",
        .arguments = "[dark|light]",

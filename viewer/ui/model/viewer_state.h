@@ -18,6 +18,9 @@
 
 namespace rocinante {
 
+/// Range of ViewerState::made_width.
+constexpr int kLeastMadeWidth = 64, kMostMadeWidth = 8192;
+
 /// An inset and whether it is shown.
 struct InsetChoice {
   CellInset inset;
@@ -52,6 +55,7 @@ struct ViewerState {
   std::vector<InsetPlace> inset_places;  ///< of the last frame, in the picture's pixels
   PixelRectangle picture_part;           ///< what the picture has of the window, in its pixels
   std::optional<InsetDrag> inset_drag;
+  std::optional<int> made_width;  ///< of pictures made of the window, in pixels; empty: as seen
   PanelState panels;
   TimeView time_view;  ///< what the time line shows
   MomentHover hover;

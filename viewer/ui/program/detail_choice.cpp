@@ -54,6 +54,12 @@ void DetailChoice::frameDrawn(double cost_ms) {
   if (!fixed_) rung_ = existingRung(governor_.frameDrawn(cost_ms));
 }
 
+void DetailChoice::begin(int rung, double cost_ms) {
+  if (fixed_) return;
+  governor_.begin(rung, cost_ms);
+  rung_ = existingRung(governor_.rung());
+}
+
 void DetailChoice::tell(ViewerStatus& status) const {
   status.rung = rung_;
   status.rung_fixed = fixed_;

@@ -30,6 +30,8 @@ class DetailChoice {
   /// Takes what the user asked for.
   void apply(const ViewerRequests& requests);
   void frameDrawn(double cost_ms);
+  /// Begins where a frame should be in time, by the cost of one on `rung` without dear looks.
+  void begin(int rung, double cost_ms);
   /// A frame that took so long that its look is not drawn any more, if there was one.
   std::optional<Governor::Runaway> takeRunaway() { return governor_.takeRunaway(); }
   /// What is drawn changed: size, meshes.

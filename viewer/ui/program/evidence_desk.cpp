@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/duration_text.h"
 #include "core/kinematics/joint_values.h"
@@ -25,6 +26,14 @@ bool showsBackdrop(const ViewModel& model) {
          std::ranges::any_of(model.viewer.insets, [&](const InsetChoice& choice) {
            return choice.shown && choice.inset.camera == model.backdrop->camera;
          });
+}
+
+/// That of the picture in the window, or of its shape.
+void setSize(PictureTerms& terms, const std::optional<int>& width, const WindowSize& seen) {
+  terms.width = width.value_or(seen.width);
+  const double larger = static_cast<double>(terms.width) / seen.width;
+  terms.height = std::max(1, static_cast<int>(std::lround(seen.height * larger)));
+  terms.scale = std::clamp(seen.scale * larger, kLeastScale, kLargestScale);
 }
 
 }  // namespace
@@ -54,9 +63,7 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
     request.backdrop_opacity = model.backdrop->opacity;
   }
   request.view = model.cameraView();
-  request.width = size.width;
-  request.height = size.height;
-  request.scale = size.scale;
+  setSize(request, model.viewer.made_width, size);
   setTerms(model, request);
   // The sample counts of llvmpipe, which draws it.
   request.samples = samples_ > 1 ? 4 : 1;

@@ -4,13 +4,30 @@
 
 namespace rocinante {
 
+/// They differ in the detail of a picture that is drawn with everything when it rests.
+bool SceneView::isAsGood(const ShownScene& drawn, const ShownScene& wanted) const {
+  if (!wanted.terms.refines || !(refined() || plan_.nextAt())) return false;
+  ShownScene same = drawn;
+  same.terms.rung = wanted.terms.rung;
+  same.terms.drops_looks = wanted.terms.drops_looks;
+  if (wanted.terms.drops_looks != drawn.terms.drops_looks) {
+    same.terms.style.shadows = wanted.terms.style.shadows;
+    same.terms.style.contact = wanted.terms.style.contact;
+  }
+  return same == wanted;
+}
+
 Result<std::optional<DrawCounts>> SceneView::draw(Renderer& renderer, SceneFrame frame,
                                                   const ShownScene& shown, SteadyTime now) {
   if (shown_ == shown) return std::optional<DrawCounts>();
+  if (shown_ && isAsGood(*shown_, shown)) {
+    shown_->terms = shown.terms;
+    return std::optional<DrawCounts>();
+  }
   shown_.reset();
   const WindowTerms& terms = shown.terms;
   const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(terms.rung)];
-  plain_ = terms.begins_plain && !begun_;
+  plain_ = terms.refines && !begun_;
   RenderStyle plain_style = terms.style;
   plain_style.shadows = plain_style.contact = false;
   if (plain_) frame.style = &plain_style;

@@ -18,8 +18,9 @@ struct WindowTerms : PictureTerms {
   int rung = 0;  ///< of kDetailRungs
   /// Leave out the looks that are the window's own choice; the picture at rest has them.
   bool drops_looks = false;
-  /// The first picture is one of a single sample without looks, which is there soonest.
-  bool begins_plain = false;
+  /// At rest it is drawn with everything, whatever the rung. Its first picture is one of a single
+  /// sample without looks, which is there soonest.
+  bool refines = false;
   bool operator==(const WindowTerms&) const = default;
 };
 
@@ -57,6 +58,8 @@ class SceneView {
   const FrameBuffer& picture() const { return refined() ? rest_.picture() : view_.picture(); }
 
  private:
+  bool isAsGood(const ShownScene& drawn, const ShownScene& wanted) const;
+
   ScaledView view_;
   RestPicture rest_;
   RestPlan plan_;

@@ -21,6 +21,7 @@
 #include "viewer/ui/program/request_desk.h"
 #include "viewer/ui/program/script_runner.h"
 #include "viewer/ui/program/user_input.h"
+#include "viewer/ui/program/warm_up.h"
 #include "viewer/ui/program/window_picture.h"
 #include "viewer/ui/window/frame_due.h"
 #include "viewer/ui/window/imgui_painter.h"
@@ -86,6 +87,8 @@ class ViewApp {
   void beginFrame();
   void prepareView();
   Status drawFrame(double app_ms);
+  bool warmUp();
+  bool warmsUp() const;
   Status refine();
   void endLook(const Governor::Runaway& runaway);
   Status compose(bool same_picture);
@@ -111,6 +114,7 @@ class ViewApp {
   std::optional<ImguiPainter>& painter_;
   WindowComposer composer_;
   DetailChoice detail_;
+  WarmUp warm_up_;
   EvidenceDesk evidence_;
   RequestDesk requests_;
   PublishDesk publish_;
@@ -206,6 +210,14 @@ PixelRectangle ViewApp::part() const {
   return picturePart(dockLayoutOf(model_, width, height, interface_.scale()));
 }
 
+/// While nothing is asked of a window that shows its first picture; true when it did a step.
+bool ViewApp::warmUp() { return warmsUp() && warm_up_.advance(picture_, detail_); }
+
+bool ViewApp::warmsUp() const {
+  return !scripted() && !detail_.fixed() && picture_.isPlain() && !model_.viewer.is_empty &&
+         !warm_up_.done();
+}
+
 /// Draws a slice of the picture at rest. A rung that the user chose stays as it is.
 Status ViewApp::refine() {
   if (scripted() || detail_.fixed()) return {};
@@ -291,7 +303,7 @@ Status ViewApp::drawFrame(double app_ms) {
   terms.scale = interface_.scale();
   terms.rung = detail_.rung();
   terms.drops_looks = detail_.dropsLooks();
-  terms.begins_plain = !scripted() && !detail_.fixed();
+  terms.refines = !scripted() && !detail_.fixed();
   const auto drawn = picture_.draw(std::move(terms), now());
   if (!drawn.ok()) return drawn.error();
   if (*drawn && !scripted()) picture_.renderer().gl().Finish();
@@ -366,7 +378,7 @@ void ViewApp::waitForNews() {
     glfwPollEvents();
     return;
   }
-  const bool refines = !detail_.fixed() && picture_.refinesAt(now());
+  const bool refines = warmsUp() || (!detail_.fixed() && picture_.refinesAt(now()));
   if (refines || frameDue(false)) {
     glfwPollEvents();
   } else {
@@ -452,7 +464,9 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (auto published = publish_.tell(now()); !published) return published.error();
     if (*changed) picture_.changed();
     if (!frameDue(*changed)) {
-      if (auto refined = refine(); !refined) return refined.error();
+      if (!warmUp()) {
+        if (auto refined = refine(); !refined) return refined.error();
+      }
       if (preview_.advance(picture_.renderer(), part_.width, part_.height, interface_.scale(),
                            now())) {
         composer_.forget();  // its texture has changed

@@ -1,6 +1,7 @@
 #include "viewer/ui/program/window_picture.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "viewer/ui/program/fit_corners.h"
 
@@ -101,6 +102,36 @@ Status WindowPicture::click(const PictureClick& click) {
   model_.selected = {name.device, jointed ? name.link : std::string()};
   if (click.twice) model_.holdCamera().aimAt((*met)->point);
   return {};
+}
+
+Result<double> WindowPicture::tryFrame(int rung, bool drops_looks) {
+  RenderStyle its = style();
+  if (drops_looks && model_.hasLooksByDefault()) its.shadows = its.contact = false;
+  return drawAside(its, rung);
+}
+
+Result<double> WindowPicture::drawAside(const RenderStyle& style, int rung) {
+  const SteadyTime began = std::chrono::steady_clock::now();
+  ScaledView view;
+  const DetailRung& drawn = kDetailRungs[static_cast<std::size_t>(rung)];
+  if (auto ready = view.prepare(renderer_.gl(), terms_.width, terms_.height, terms_.samples, drawn);
+      !ready) {
+    return ready.error();
+  }
+  if (auto done = view.draw(renderer_, frame(style)); !done.ok()) return done.error();
+  renderer_.gl().Finish();
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
+  return took.count();
+}
+
+Status WindowPicture::tryClick() {
+  const auto met = pick({terms_.width / 2.0, terms_.height / 2.0, false});
+  if (!met.ok()) return met.error();
+  RenderStyle its = style();
+  its.shadows = its.contact = false;
+  if (its.outlined.empty() && *met) its.outlined.push_back((*met)->name.device);
+  const auto drawn = drawAside(its, kCoarsestRung);
+  return drawn.ok() ? Status() : drawn.error();
 }
 
 std::vector<Vec3> WindowPicture::corners(bool of_selection) const {

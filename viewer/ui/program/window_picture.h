@@ -48,12 +48,19 @@ class WindowPicture {
   Status click(const PictureClick& click);
   /// Shows others the place of a surface that the last picture has there, or that there is none.
   Status point(const PictureClick& at);
+  /// Draws the last frame on that rung beside the shown picture; its cost in ms, which contains all
+  /// that the driver had to compile.
+  Result<double> tryFrame(int rung, bool drops_looks);
+  /// Looks for what a click in the picture's middle would meet, and outlines it beside the picture.
+  Status tryClick();
+
   /// Points for fitted views: everything, or the selection.
   std::vector<Vec3> corners(bool of_selection) const;
 
  private:
   Result<std::optional<PickedLink>> pick(const PictureClick& at);
   SceneFrame frame(const RenderStyle& style) const;
+  Result<double> drawAside(const RenderStyle& style, int rung);
   /// With the session beside, whose ghosts are clear.
   RenderStyle style() const;
 
