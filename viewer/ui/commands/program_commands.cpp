@@ -9,6 +9,7 @@
 #include "viewer/ui/commands/command_groups.h"
 #include "viewer/ui/commands/key_commands.h"
 #include "viewer/ui/model/dock_layout.h"
+#include "viewer/ui/model/view_layout.h"
 
 namespace rocinante {
 
@@ -31,6 +32,8 @@ Result<bool> switched(CommandWords words, bool now) {
 }
 
 namespace {
+
+namespace fs = std::filesystem;
 
 Status makeEvidence(CommandWords words, const CommandStage& stage) {
   if (words.empty()) {
@@ -125,6 +128,21 @@ Status setPictureWidth(CommandWords words, const CommandStage& stage) {
   }
   stage.model.viewer.made_width = static_cast<int>(*width);
   return {};
+}
+
+Status useLayout(CommandWords words, const CommandStage& stage) {
+  const auto layout = ViewLayout::load(words[0]);
+  if (!layout.ok()) return layout.error();
+  for (const std::string& left_out : applyLayout(*layout, stage.model)) {
+    stage.model.viewer.panels.notes.push_back({words[0] + ": " + left_out, false});
+  }
+  return {};
+}
+
+Status saveLayout(CommandWords words, const CommandStage& stage) {
+  fs::path file = words[0];
+  if (!file.native().ends_with(".layout.toml")) file += ".layout.toml";
+  return layoutOf(stage.model).save(file);
 }
 
 Status resetPanels(CommandWords /*words*/, const CommandStage& stage) {
@@ -230,6 +248,14 @@ std::vector<Command> programCommands() {
            [](const ViewModel&) {
              return std::vector<std::string>{"left", "right", "bottom"};
            }},
+      {.name = "layout",
+       .arguments = "FILE",
+       .means = "panels, curves, insets and camera as a NAME.layout.toml has them",
+       .run = useLayout},
+      {.name = "save-layout",
+       .arguments = "NAME",
+       .means = "write those into NAME.layout.toml",
+       .run = saveLayout},
       {.name = "reset-panels", .means = "reset the panels' layout", .run = resetPanels},
       {.name = "theme",
        .arguments = "[dark|light]",

@@ -9,6 +9,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/plain_text.h"
 #include "core/document/toml_table.h"
+#include "viewer/ui/model/view_layout.h"
 
 namespace rocinante {
 namespace {
@@ -18,7 +19,6 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMaxBytes = 1U << 20U;
 constexpr int kLeastSize = 64;
 constexpr int kMaxSize = 8192;
-constexpr double kMaxUnits = 1e5;
 
 bool canBeWritten(const fs::path& path) {
   return isUtf8(std::as_bytes(std::span(path.native().data(), path.native().size())));
@@ -28,27 +28,6 @@ std::optional<fs::path> absoluteVariable(const char* name) {
   const char* const value = std::getenv(name);
   if (value == nullptr || value[0] != '/') return std::nullopt;
   return fs::path(value);
-}
-
-float units(TomlTable& table, std::string_view key) {
-  return static_cast<float>(std::clamp(table.number(key).value_or(0), 0.0, kMaxUnits));
-}
-
-std::pair<std::string, PanelPlace> readPanel(TomlTable& table) {
-  PanelPlace place;
-  const std::string name = table.requiredText("name").value_or("");
-  const auto left = table.has("left");
-  const auto right = table.has("right");
-  const auto top = table.has("top");
-  place.moved = left || right;
-  place.from_right = !left && right;
-  place.from_bottom = !top && table.has("bottom");
-  place.across = units(table, place.from_right ? "right" : "left");
-  place.down = units(table, place.from_bottom ? "bottom" : "top");
-  place.width = units(table, "width");
-  place.collapsed = table.flag("collapsed").value_or(false);
-  table.finish();
-  return {name, place};
 }
 
 }  // namespace
@@ -83,13 +62,7 @@ std::string ViewMemory::text() const {
     if (!canBeWritten(one.cell)) continue;
     text += "\n[[cell]]\nfile = " + tomlText(one.cell.string()) + "\n";
     for (const auto& [name, place] : one.panels) {
-      text += "[[cell.panel]]\nname = " + tomlText(name) + "\n";
-      if (place.moved) {
-        text += fmt::format("{} = {:.1f}\n{} = {:.1f}\n", place.from_right ? "right" : "left",
-                            place.across, place.from_bottom ? "bottom" : "top", place.down);
-      }
-      if (place.width > 0) text += fmt::format("width = {:.1f}\n", place.width);
-      if (place.collapsed) text += "collapsed = true\n";
+      text += "[[cell.panel]]\n" + panelText(name, place);
     }
   }
   return text;

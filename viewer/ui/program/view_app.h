@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "viewer/render/renderer.h"
+#include "viewer/ui/model/view_layout.h"
 #include "viewer/ui/program/input_record.h"
 #include "viewer/ui/program/script_runner.h"
 #include "viewer/ui/program/view_content.h"
@@ -39,6 +40,7 @@ struct ViewOptions {
   /// What the user does is written here, as a script; empty: it is not. Implies `fresh`.
   std::filesystem::path record_input;
   std::filesystem::path frame_times;  ///< a FrameJournal that was begun; empty: none
+  std::optional<ViewLayout> layout;   ///< of what is shown first
   std::string notice;                 ///< shown for a while at the start, to a user; may be empty
 };
 

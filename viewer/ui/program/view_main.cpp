@@ -44,7 +44,7 @@ struct Arguments {
   ContentRequest content;
   ViewOptions options;
   // What is read from texts into the two.
-  std::filesystem::path script;
+  std::filesystem::path script, layout;
   std::vector<std::string> live;
   std::string keep = "10m,2GB", as, event, backdrop;
   std::string profile = "fast", size, detail = "auto";
@@ -110,6 +110,11 @@ Status finishOptions(const Arguments& arguments, ViewOptions& options) {
           fmt::format("the level of detail must be auto, or 0 (everything) to {}", kCoarsestRung),
           "--detail " + arguments.detail};
     }
+  }
+  if (!arguments.layout.empty()) {
+    auto layout = ViewLayout::load(arguments.layout);
+    if (!layout.ok()) return layout.error();
+    options.layout = std::move(*layout);
   }
   options.profile = arguments.profile == "fast" ? Profile::fast : Profile::reproducible;
   if (!arguments.script.empty()) {
@@ -216,6 +221,9 @@ int viewMain(int argc, char** argv) {
   addBackdropOptions(app, arguments.backdrop, content.backdrop);
   app.addOption("--size", arguments.size,
                 "size of the window, WIDTHxHEIGHT; default: as it was last, else 1280x720");
+  app.addOption("--layout", arguments.layout,
+                "panels, curves, insets and camera as this NAME.layout.toml has them")
+      .valueName("FILE");
   app.addFlag("--fresh", options.fresh,
               "neither use nor change what was remembered: size, panels, theme, recent files");
   app.addOption("--detail", arguments.detail,

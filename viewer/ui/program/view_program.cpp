@@ -33,6 +33,19 @@ bool isBeyondDoubt(const ViewModel& model) {
   return model.seenDamage().empty() && model.viewer.panels.doubts.empty();
 }
 
+/// What the layout has and this content has not is said over the picture. True.
+bool useLayout(const ViewOptions& options, ViewContent& content) {
+  if (!options.layout) return true;
+  // Its devices are known then.
+  static_cast<void>(content.model->update(SteadyTime{}));
+  std::vector<PictureNote>& notes = content.model->viewer.panels.notes;
+  for (const std::string& left_out : applyLayout(*options.layout, *content.model)) {
+    notes.push_back({"the layout: " + left_out, false});
+    cli::warn(notes.back().text);
+  }
+  return true;
+}
+
 Result<ViewContent> loadNow(const ContentRequest& request) {
   if (request.empty()) return emptyContent();
   return loadContent(request, cli::loadProgress(request.named().string()));
@@ -96,7 +109,7 @@ Result<bool> runViewer(const ContentRequest& first, const ViewOptions& options) 
 
   WindowSession session{
       loader, {options.script, options.script_name}, std::move(*record), std::move(painter)};
-  bool beyond_doubt = true;
+  bool beyond_doubt = true, has_layout = false;
   auto content = std::make_unique<ViewContent>(std::move(*begun));
   while (content != nullptr) {
     warnOf(*content);
@@ -107,6 +120,7 @@ Result<bool> runViewer(const ContentRequest& first, const ViewOptions& options) 
       (*window)->setTitle(loader.busy() ? "Loading " + loader.name() + ": Rocinante" : "Rocinante");
     }
     remembered.apply(*content);
+    if (!content->model->viewer.is_empty && !has_layout) has_layout = useLayout(options, *content);
     auto next = showContent(*content, **window, options, session);
     if (!next.ok()) return next.error();
     remembered.keep(*content, **window);
