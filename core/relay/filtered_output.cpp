@@ -259,6 +259,7 @@ void FilteredOutput::restate(const SessionState& state, const ThroughBySource& t
   options.text_bytes = header_.roomInParts(state, through, id, datagramBytes());
   options.id = std::move(id);
   restating_.emplace(state, std::move(options));
+  pending_.sweep(state);
   // Listeners forget an order that a whole restatement does not repeat.
   std::erase_if(told_, [&](const auto& each) { return !saysOrder(state, each.first); });
   std::size_t most = RestatingPace::kMaxWithParts;
@@ -286,6 +287,7 @@ void FilteredOutput::sendRestating(const Step& step) {
     pace_.sent(drafts.size());
     live_datagrams_ = 0;
   }
+  pending_.sweep(step.state);
   restating_.reset();
 }
 

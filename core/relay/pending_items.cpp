@@ -116,10 +116,17 @@ void PendingItems::written(const SessionState& state, ItemKey&& key, LogTime now
 }
 
 void PendingItems::said(const SessionState& state, const ItemKey& key) {
-  const auto found = units_.find(unitOf(key));
+  // The next change counts from what was said here, also of what came before this output was there.
+  const bool counts_from_here = options_.min_change.any() && isPaced(key);
+  const auto found =
+      counts_from_here ? units_.try_emplace(unitOf(key)).first : units_.find(unitOf(key));
   if (found == units_.end()) return;
-  found->second.items.erase(key);
-  if (found->second.number) remember(state, key, found->second);
+  Unit& unit = found->second;
+  unit.items.erase(key);
+  unit.matters = unit.matters && !unit.items.empty();
+  if (counts_from_here) remember(state, key, unit);
+  const bool is_idle = unit.place == Unit::Place::nowhere && key.kind == ItemKind::signal;
+  if (is_idle && !unit.number && !unit.sent) units_.erase(found);
 }
 
 void PendingItems::cancelled(const ItemKey& key) {
@@ -129,9 +136,7 @@ void PendingItems::cancelled(const ItemKey& key) {
   if (found->second.place == Unit::Place::nowhere) units_.erase(found);
 }
 
-/// Forgets what the state forgot by a restatement that did not repeat it.
 void PendingItems::sweep(const SessionState& state) {
-  if (units_.size() < sweeps_at_) return;
   std::erase_if(units_, [&](const auto& each) {
     const auto& [key, unit] = each;
     const bool is_there =
@@ -190,7 +195,7 @@ std::vector<ItemKey> PendingItems::takeReady(const SessionState& state, LogTime 
                              (isDeviceValue(key) ? state.findDevice(key.name) != nullptr
                                                  : isPaced(key) && ownerOf(state, key) != nullptr);
   if (!is_remembered) units_.erase(front);
-  sweep(state);
+  if (units_.size() >= sweeps_at_) sweep(state);
   return items;
 }
 

@@ -31,8 +31,12 @@ class PendingItems {
 
   /// The item was written and is in the state.
   void written(const SessionState& state, ItemKey&& key, LogTime now);
-  /// The item was said otherwise, by a restatement.
+  /// The item was said otherwise, by a restatement: MinChange counts from there.
   void said(const SessionState& state, const ItemKey& key);
+  /// Forgets what the state has no more, since a source's restatement did not repeat it: listeners
+  /// lose it with the next restatement of this output, so that it is no small change when it comes
+  /// back.
+  void sweep(const SessionState& state);
   /// The item is not in the state any more, or is a signal's state, which waits for nothing.
   void cancelled(const ItemKey& key);
   /// The device was removed: nothing of it is to be sent.
@@ -90,8 +94,6 @@ class PendingItems {
   void remember(const SessionState& state, const ItemKey& key, Unit& unit) const;
 
   Options options_;
-  void sweep(const SessionState& state);
-
   std::uint64_t conflated_ = 0;
   std::uint64_t held_ = 0;
   std::size_t sweeps_at_ = 1024;  ///< units

@@ -148,6 +148,39 @@ TEST(FilteredOutput, SmallChangesOfNumbersAreHeldUntilALargerOneOrARestatement) 
   EXPECT_THAT(net.listeners[id].heard.back(), HasSubstr("j.effort 15")) << "it has a new owner";
 }
 
+TEST(FilteredOutput, SmallChangesCountFromWhatARestatementSaid) {
+  RelayedListeners net;
+  net.receive(1, "RK1 s@a 0 -\nsignals arm load=1\njoints arm 1\n");
+  RelayOutputOptions options;
+  options.pacing.min_change = {0.1, 0.1, 0.1, {{"*", 0.1}}};
+  const auto id = net.open(options);
+  const auto& heard = net.listeners[id].heard;
+  net.passTime(4);
+  ASSERT_THAT(heard, testing::Contains(HasSubstr("signal arm load 1\n")));
+  const auto hearsAt = [&](double seconds, const std::string& packet) {
+    const std::size_t before = heard.size();
+    net.receive(seconds, packet);
+    return heard.size() > before;
+  };
+  EXPECT_FALSE(hearsAt(4.01, "RK1 s@a 1 -\nsignals arm load=1.05\njoints arm 1.05\n"))
+      << "the output was opened after the values";
+  EXPECT_TRUE(hearsAt(4.02, "RK1 s@a 2 -\njoints arm 1.11\n"));
+  EXPECT_TRUE(hearsAt(4.03, "RK1 s@a 3 -\nsignals arm load=1.11\n"));
+}
+
+TEST(FilteredOutput, ASignalThatARestatementForgotIsNoSmallChangeWhenItComesBack) {
+  RelayedListeners net;
+  RelayOutputOptions options;
+  options.pacing.min_change.signals = {{"*", 0.1}};
+  const auto id = net.open(options);
+  net.receive(1, "RK1 s@a 0 -\nsignals arm load=1 other=1\n");
+  net.receive(2, "RK1 s@a 1 - restated part=x:1/1\nsignals arm other=1\n");
+  net.passTime(8);
+  ASSERT_EQ(net.listeners[id].fold.state.findSignal("arm", {"", "load"}), nullptr);
+  net.receive(8.1, "RK1 s@a 2 -\nsignals arm load=1.05\n");
+  ASSERT_NE(net.listeners[id].fold.state.findSignal("arm", {"", "load"}), nullptr);
+}
+
 TEST(FilteredOutput, ForwardsNoPartAndRestatesByItself) {
   RelayedListeners net;
   const auto id = net.open(filteredBy({{}, {"arm"}, ~0U}));
