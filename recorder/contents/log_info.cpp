@@ -76,6 +76,7 @@ class Collector {
     const Result<Cell> cell =
         carriesCell(reader) ? loadCellOrLog(reader.name(), options) : Result<Cell>(Error{});
     info_.account = logAccount(reader, state_, cell ? &*cell : nullptr);
+    for (const auto& [source, counts] : state_.counts()) leaveOutBeyondLimits(source, counts);
     info_.content_sha256 = hash_.finish();
     info_.decoded_sha256 = hash_.finishDecoded();
     info_.stream_sha256 = hexOf(stream_.finish());
@@ -93,6 +94,17 @@ class Collector {
     ChannelInfo info;
     Activity activity{LogTime{}, LogTime{}};
   };
+
+  void leaveOutBeyondLimits(const std::string& source, const SourceCounts& counts) {
+    const std::uint64_t many = counts.faults[static_cast<std::size_t>(PacketFault::too_many)];
+    if (many == 0) return;
+    info_.account.left_out.leaveOut(
+        {.kind = "value",
+         .name = source,
+         .reason = "too_many: beyond a limit of packet text or of the state",
+         .count = many,
+         .severity = Severity::warning});
+  }
 
   void addEvent(Event event) {
     if (info_.events++ < max_events_) info_.first_events.push_back(std::move(event));
