@@ -49,6 +49,7 @@ class LineRecording : public ros::BagReader {
   virtual bool isRemark(std::string_view line) const;
 
   std::string head() const { return lines_.head(); }
+  bool isHeadWhole() const { return lines_.isHeadWhole(); }
   void skipLines(std::size_t count);
   const std::string& name() const { return name_; }
   ros::BagTopic& topic() { return topics_.front(); }

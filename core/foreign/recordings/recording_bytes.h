@@ -44,6 +44,8 @@ class RecordingLines {
 
   /// The first bytes of the text, whatever lines were read: as many as a line may have.
   std::string head() const;
+  /// Whether that is all of it.
+  bool isHeadWhole() const { return bytes_.size() <= kMaxBytes; }
 
   /// Of the last line, from 1.
   std::size_t number() const { return number_; }

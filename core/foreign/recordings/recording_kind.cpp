@@ -6,6 +6,7 @@
 #include "core/foreign/recordings/bag_folder.h"
 #include "core/foreign/recordings/json_lines.h"
 #include "core/foreign/recordings/lcm_log.h"
+#include "core/foreign/recordings/recording_bytes.h"
 #include "core/foreign/recordings/table_recording.h"
 #include "core/foreign/recordings/text_refusal.h"
 #include "core/foreign/table/table_header.h"
@@ -22,16 +23,26 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t kSniffedBytes = std::size_t{64} << 10;
+/// Of a text whose first line is longer than that: the header of a table may be.
+constexpr std::size_t kSniffedLine = RecordingLines::kMaxBytes;
 constexpr std::array kCaptureMagics{"\xd4\xc3\xb2\xa1"sv, "\xa1\xb2\xc3\xd4"sv,
                                     "\x4d\x3c\xb2\xa1"sv, "\xa1\xb2\x3c\x4d"sv,
                                     "\x0a\x0d\x0d\x0a"sv};
 
+/// Neither a table nor JSON lines have control characters.
+bool isText(std::string_view text) { return text.substr(0, 512).find('\0') == text.npos; }
+
 Result<Bytes> firstBytesOf(const std::filesystem::path& path) {
   const Result<MappedFile> file = MappedFile::open(path);
   if (!file) return file.error();
-  Bytes first(std::min(file->bytes().size(), kSniffedBytes));
-  if (!file->read(0, first)) {
-    return Error{ErrorKind::unreadable, "the file cannot be read", path.string()};
+  Bytes first;
+  for (const std::size_t most : {kSniffedBytes, kSniffedLine}) {
+    first.resize(std::min(file->bytes().size(), most));
+    if (!file->read(0, first)) {
+      return Error{ErrorKind::unreadable, "the file cannot be read", path.string()};
+    }
+    const std::string_view text = textOf(first);
+    if (!isText(text) || text.find('\n') != text.npos) break;
   }
   return first;
 }
@@ -87,9 +98,12 @@ namespace {
 std::optional<std::string> refusalOf(ByteView first_bytes) {
   const std::string_view text = textOf(first_bytes);
   if (auto refusal = textRefusal(text)) return refusal;
-  // Neither has control characters.
-  if (text.substr(0, 512).find('\0') != text.npos) return std::nullopt;
+  if (!isText(text)) return std::nullopt;
   if (auto refusal = jsonLinesRefusal(text)) return refusal;
+  if (text.size() == kSniffedLine && text.find('\n') == text.npos) {
+    return "its first line is longer than 1 MiB, which neither the header of a table nor a line of "
+           "JSON lines may be";
+  }
   return tableRefusal(text);
 }
 

@@ -1,5 +1,6 @@
 #include "core/foreign/recordings/table_recording.h"
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -30,6 +31,12 @@ class TableRecording final : public LineRecording {
     const std::string text = head();
     const std::vector<std::string_view> lines = firstLinesOf(text);
     Result<TableHeader> header = tableHeader(lines);
+    const auto first = std::ranges::find_if_not(lines, isTableRemark);
+    if (header ? isCut(lines[header->line], text) : first != lines.end() && isCut(*first, text)) {
+      return Error{ErrorKind::bad_argument,
+                   "the table cannot be read: its header does not end within its first 1 MiB",
+                   name()};
+    }
     if (!header) {
       return Error{ErrorKind::bad_argument, "the table cannot be read: " + header.error().what,
                    name()};
@@ -89,6 +96,11 @@ class TableRecording final : public LineRecording {
   }
 
  private:
+  /// Of a line of head(): whether it goes on behind it.
+  bool isCut(std::string_view line, std::string_view head) const {
+    return !isHeadWhole() && line.data() + line.size() == head.data() + head.size();
+  }
+
   /// A column of the wide form that may have values.
   struct ValueColumn {
     std::size_t place = 0;

@@ -12,6 +12,8 @@
 #include "core/foreign/table/csv_line.h"
 #include "core/foreign/table/table_header.h"
 #include "tests/core/log/log_support.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 
 namespace rocinante::test {
 namespace {
@@ -321,6 +323,31 @@ TEST(TableRecording, SkipsALineThatIsTooLong) {
   ASSERT_TRUE(made.ok());
   EXPECT_EQ(made->report.messages, 2U);
   EXPECT_THAT(made->report.damage, ElementsAre(HasSubstr("of more than 1 MiB left out")));
+}
+
+TEST(TableRecording, AHeaderThatIsTooLongIsRefusedAsThat) {
+  const std::string column(200'000, 'x');
+  std::string header = "t";
+  for (int i = 0; i < 6; ++i) header += "," + column + std::to_string(i);
+  const std::string row = "\n0,1,2,3,4,5,6\n";
+  for (const std::string& text :
+       {header + row, "# a remark\n" + header + row, header.substr(2) + ",t" + row}) {
+    const Opened opened = table(text);
+    ASSERT_FALSE(opened.ok());
+    EXPECT_THAT(opened.error().what, HasSubstr("its header does not end within its first 1 MiB"));
+  }
+  EXPECT_TRUE(table(header.substr(0, 1'000'000) + "\n0,1,2,3,4,5\n").ok());
+}
+
+TEST(RecordingKind, ReadsTheWholeFirstLineOfAText) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "t.csv";
+  std::string header = std::string(100'000, 'x') + ",t\n";
+  writeFile(file, header + "1,0\n");
+  EXPECT_EQ(recordingKindOf(file), RecordingKind::table);
+  writeFile(file, std::string(2'000'000, 'x') + ",t\n1,0\n");
+  EXPECT_EQ(recordingKindOf(file), RecordingKind::none);
+  EXPECT_THAT(refusalOf(file).value_or(""), HasSubstr("first line is longer than 1 MiB"));
 }
 
 TEST(JsonLines, ReadsNumbersAsTextAndWhatHasNoValueYet) {
