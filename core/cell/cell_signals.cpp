@@ -4,7 +4,7 @@
 
 #include "core/cell/cell_sections.h"
 #include "core/document/fault_list.h"
-#include "core/packet/packet_limits.h"
+#include "core/packet/packet_text.h"
 
 namespace rocinante {
 namespace {
@@ -44,12 +44,6 @@ std::optional<double> positive(TomlTable& table, std::string_view key) {
   if (!number || *number > 0) return number;
   table.error("cell.bad-number", key, fmt::format("`{}` must be above 0", key));
   return std::nullopt;
-}
-
-bool isUnit(std::string_view unit) {
-  return !unit.empty() && unit.size() <= limits::kUnitBytes &&
-         std::ranges::all_of(unit,
-                             [](char byte) { return byte > ' ' && byte <= '~' && byte != '"'; });
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -96,7 +90,8 @@ void readSignals(TomlTable& root, Cell& cell) {
         table.error("cell.bad-name", "unit",
                     fmt::format("{} is not 1 to 32 printable ASCII characters without spaces and "
                                 "quotes",
-                                quotedInFault(*unit)));
+                                quotedInFault(*unit)),
+                    unitHint(*unit));
       }
     }
     signal.label = table.text("label").value_or("");

@@ -1,6 +1,8 @@
 #include "core/cli/usage_fault.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,11 +52,26 @@ std::string hint(std::string_view name, const std::vector<std::string>& known) {
   return "; did you mean `" + std::string(longer.front()) + "`?";
 }
 
+/// "; did you mean CELL, which is given without `--cell`?"; or empty.
+std::string hintAtArgument(const std::string& name, const CLI::App& app) {
+  std::string argument = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+  std::ranges::transform(argument, argument.begin(), [](unsigned char letter) {
+    return static_cast<char>(std::toupper(letter));
+  });
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_positional() || option->get_name(true) != argument) continue;
+    return "; did you mean " + argument + ", which is given without `" + name + "`?";
+  }
+  return {};
+}
+
 std::string unexpected(const CLI::App& app, const std::string& argument) {
   const bool option = argument.size() > 1 && argument.starts_with('-');
   if (option) {
     const std::string name = argument.substr(0, argument.find('='));
-    return "there is no option " + name + hint(name, optionNames(app));
+    const std::string at_argument = hintAtArgument(name, app);
+    return "there is no option " + name +
+           (at_argument.empty() ? hint(name, optionNames(app)) : at_argument);
   }
   const std::vector<std::string> subcommands = subcommandNames(app);
   if (!subcommands.empty() && app.get_subcommands().empty()) {

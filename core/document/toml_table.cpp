@@ -267,6 +267,21 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key, const std::string
   return tables;
 }
 
+namespace {
+
+/// "rate_hz" of "rate": the one key that has a unit behind it; empty when there is none.
+std::string_view keyWithUnit(std::string_view key, const std::vector<std::string_view>& known) {
+  std::string_view found;
+  for (const std::string_view each : known) {
+    if (!each.starts_with(key) || each.size() == key.size() || each[key.size()] != '_') continue;
+    if (!found.empty()) return {};
+    found = each;
+  }
+  return found;
+}
+
+}  // namespace
+
 void TomlTable::finish() const {
   std::vector<std::string_view> known(known_.begin(), known_.end());
   std::sort(known.begin(), known.end());
@@ -275,7 +290,9 @@ void TomlTable::finish() const {
     if (std::binary_search(known.begin(), known.end(), entry.key)) continue;
     std::string hint;
     if (faults_->lists("cell.unknown-key")) {
-      hint = didYouMean(entry.key, known);
+      const std::string_view longer = keyWithUnit(entry.key, known);
+      hint =
+          longer.empty() ? didYouMean(entry.key, known) : fmt::format("did you mean `{}`?", longer);
       if (hint.empty()) hint = fmt::format("its keys are {}", fmt::join(known, ", "));
     }
     faults_->error("cell.unknown-key", entry.place,

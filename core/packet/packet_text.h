@@ -59,5 +59,9 @@ std::string statementText(const Statement& statement);
 bool isName(std::string_view name);
 /// `name` as a packet writes it: bytes outside A-Z a-z 0-9 _ . - : percent-encoded.
 std::string encodeName(std::string_view name);
+/// Whether a packet can say the unit: 1 to 32 printable ASCII characters but blanks and quotes.
+bool isUnit(std::string_view unit);
+/// For a text that is no unit: "did you mean `degC`?" of "°C", else what units look like.
+std::string unitHint(std::string_view text);
 
 }  // namespace rocinante

@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include "core/packet/packet_limits.h"
+#include "core/packet/packet_text.h"
 #include "core/packet/statement_reader.h"
 #include "core/packet/text_number.h"
 
@@ -72,12 +71,7 @@ bool StatementReader::takeSignalValue(bool with_text) {
 }
 
 bool StatementReader::takeUnit() {
-  const std::string_view field = fields_.peek();
-  const bool is_unit =
-      field.size() <= limits::kUnitBytes && std::all_of(field.begin(), field.end(), [](char byte) {
-        return byte > ' ' && byte <= '~' && byte != '"';
-      });
-  if (!is_unit) return failHere(PacketFault::bad_string);
+  if (!isUnit(fields_.peek())) return failHere(PacketFault::bad_string);
   statement_->unit = fields_.take();
   return true;
 }

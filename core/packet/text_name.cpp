@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "core/base/plain_text.h"
 #include "core/packet/packet_limits.h"
@@ -124,6 +125,36 @@ void appendString(std::string& text, std::string_view string) {
 bool isName(std::string_view name) {
   return !name.empty() && name.size() <= limits::kNameBytes && isUtf8(bytesOf(name)) &&
          std::ranges::none_of(name, isControl);
+}
+
+bool isUnit(std::string_view unit) {
+  return !unit.empty() && unit.size() <= limits::kUnitBytes &&
+         std::ranges::all_of(unit,
+                             [](char byte) { return byte > ' ' && byte <= '~' && byte != '"'; });
+}
+
+std::string unitHint(std::string_view unit) {
+  using Spelling = std::pair<std::string_view, std::string_view>;
+  constexpr std::array<Spelling, 11> kSpellings = {{{"\u00B0", "deg"},
+                                                    {"\u00B5", "u"},
+                                                    {"\u03BC", "u"},
+                                                    {"\u03A9", "Ohm"},
+                                                    {"\u2126", "Ohm"},
+                                                    {"\u00B2", "2"},
+                                                    {"\u00B3", "3"},
+                                                    {"\u00B7", "."},
+                                                    {"\u22C5", "."},
+                                                    {"\"", ""},
+                                                    {" ", "."}}};
+  std::string meant;
+  while (!unit.empty()) {
+    const auto* const spelling = std::ranges::find_if(
+        kSpellings, [&](const Spelling& each) { return unit.starts_with(each.first); });
+    const bool is_known = spelling != kSpellings.end();
+    meant += is_known ? spelling->second : unit.substr(0, 1);
+    unit.remove_prefix(is_known ? spelling->first.size() : 1);
+  }
+  return isUnit(meant) ? "did you mean `" + meant + "`?" : "such as degC, N.m or m/s2";
 }
 
 std::string encodeName(std::string_view name) {

@@ -7,6 +7,7 @@
 #include "core/base/name_hint.h"
 #include "core/base/plain_text.h"
 #include "core/check/judges/fault_rules.h"
+#include "core/packet/packet_text.h"
 #include "core/report/traffic_findings.h"
 
 namespace rocinante {
@@ -35,6 +36,21 @@ std::string_view textAt(ByteView datagram, const FaultAt& at) {
   }
   if (at.column == 0 || at.column > text.size()) return {};
   return text.substr(at.column - 1);
+}
+
+/// Whether the fault is in the unit of `signal PATH NAME NUMBER UNIT`.
+bool isInUnit(ByteView datagram, const FaultAt& at) {
+  std::string_view before = textAt(datagram, {at.fault, at.line, 1});
+  before = before.substr(0, at.column == 0 ? 0 : at.column - 1);
+  std::size_t fields = 0;
+  bool is_signal = false;
+  while (true) {
+    before.remove_prefix(std::min(before.find_first_not_of(" \t"), before.size()));
+    if (before.empty()) return is_signal && fields == 4;
+    const std::string_view field = before.substr(0, before.find_first_of(" \t"));
+    if (fields++ == 0) is_signal = field == nameOf(StatementKind::signal);
+    before.remove_prefix(field.size());
+  }
 }
 
 /// Whether a number begins like nan, inf or Infinity, as C's printf writes them.
@@ -77,6 +93,14 @@ void DatagramJudge::takeFaults(std::span<const FaultAt> faults, PacketPlace plac
       }
       continue;
     }
+    if (fault.fault == PacketFault::bad_string && isInUnit(place.datagram, fault)) {
+      if (no_unit_.hit(place)) {
+        const std::string_view text = textAt(place.datagram, fault);
+        unit_hint_ = unitHint(text.substr(0, std::min(text.find_first_of("\r\n"), kMaxWord)));
+        unit_column_ = fault.column;
+      }
+      continue;
+    }
     const auto kind = static_cast<std::size_t>(fault.fault);
     if (faults_[kind].hit(place)) columns_[kind] = fault.column;
   }
@@ -108,6 +132,7 @@ void DatagramJudge::report(Findings& findings) const {
   }
   add(not_finite_, "packet.not-finite", "lines with a number that is nan or infinite",
       ruleOf(PacketFault::bad_number).hint, not_finite_column_);
+  add(no_unit_, "packet.bad-string", "lines with a malformed unit", unit_hint_, unit_column_);
   add(misspelt_, "packet.misspelt-statement",
       fmt::format("lines with the unknown statement `{}`", plainText(misspelt_word_)),
       misspelt_hint_, 0);

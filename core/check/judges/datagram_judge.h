@@ -27,9 +27,9 @@ class DatagramJudge {
   /// Whether the word at the fault is nearly one of a statement; notes which.
   bool isMisspelt(ByteView datagram, const FaultAt& at);
 
-  Tally not_finite_, misspelt_;
-  std::string last_word_, meant_hint_, misspelt_word_, misspelt_hint_;
-  std::uint32_t not_finite_column_ = 0;
+  Tally not_finite_, misspelt_, no_unit_;
+  std::string last_word_, meant_hint_, misspelt_word_, misspelt_hint_, unit_hint_;
+  std::uint32_t not_finite_column_ = 0, unit_column_ = 0;
   std::map<std::string, Tally, std::less<>> undecoded_;  ///< by encoding
 };
 

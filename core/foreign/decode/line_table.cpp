@@ -16,12 +16,6 @@ namespace {
 /// Numbers are doubles: beyond 2^53 their bits are not exact.
 constexpr std::int64_t kMaxBit = 52;
 
-bool isUnit(std::string_view unit) {
-  return !unit.empty() && unit.size() <= limits::kUnitBytes &&
-         std::ranges::all_of(unit,
-                             [](char byte) { return byte > ' ' && byte <= '~' && byte != '"'; });
-}
-
 /// Whether no field is in it.
 bool hasFixedText(const TextTemplate& of) {
   return std::ranges::none_of(of.parts, [](const auto& part) { return part.field.has_value(); });
@@ -266,7 +260,8 @@ void LineTable::readNumber(TomlTable& table, SignalLine& line) {
   if (table.has("unit") && !isUnit(line.unit)) {
     table.error(kBadValue, "unit",
                 quotedInFault(line.unit) +
-                    " is not 1 to 32 printable ASCII characters without spaces and quotes");
+                    " is not 1 to 32 printable ASCII characters without spaces and quotes",
+                unitHint(line.unit));
   }
 }
 

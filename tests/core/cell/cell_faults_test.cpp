@@ -29,9 +29,8 @@ fov = 45
             "`color`?) [cell.unknown-key]\n"
             "test.cell.toml:9:27: error: pose has an unknown key `rpy_degrees` (its keys are "
             "quaternion, rpy, rpy_deg, xyz) [cell.unknown-key]\n"
-            "test.cell.toml:14:1: error: [[camera]] has an unknown key `fov` (its keys "
-            "are distortion, eye, follow, fov_deg, intrinsics, look_at, name, on, "
-            "ortho_height_m, target, up) [cell.unknown-key]\n");
+            "test.cell.toml:14:1: error: [[camera]] has an unknown key `fov` (did you mean "
+            "`fov_deg`?) [cell.unknown-key]\n");
 }
 
 struct CellFaultCase {
@@ -133,6 +132,14 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
        "expected [cell.wrong-kind]\n"
        "test.cell.toml:6:18: error: `p` should be a ghost of `b`, which is not a device of the "
        "cell [cell.unknown-device]\n"},
+      {"[[signal]]\npath = '-'\nname = 't'\nunit = '\u00B0C'\nrate = [1, 2]\n"
+       "[[signal]]\npath = '-'\nname = 'u'\nunit = '\u20AC'\n",
+       "test.cell.toml:5:8: error: `\u00B0C` is not 1 to 32 printable ASCII characters without "
+       "spaces and quotes (did you mean `degC`?) [cell.bad-name]\n"
+       "test.cell.toml:6:1: error: [[signal]] has an unknown key `rate` (did you mean `rate_hz`?) "
+       "[cell.unknown-key]\n"
+       "test.cell.toml:10:8: error: `\u20AC` is not 1 to 32 printable ASCII characters without "
+       "spaces and quotes (such as degC, N.m or m/s2) [cell.bad-name]\n"},
       {"[scene]\nlight = [0, 0, 0]\ngrid_step_m = 0\ngrid_size_m = 1e9\n",
        "test.cell.toml:3:9: error: `light` has no direction [cell.no-direction]\n"
        "test.cell.toml:4:15: error: `grid_step_m` must be above 0 [cell.bad-number]\n"

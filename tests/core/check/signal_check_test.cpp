@@ -59,6 +59,18 @@ TEST_F(SignalCheckTest, ATextWhereANumberIsExpectedIsNamed) {
   EXPECT_THAT(found.findings[0].text, HasSubstr("is `nan`, where the cell expects a number"));
 }
 
+TEST_F(SignalCheckTest, AUnitThatIsNoneIsNamedAsThatWithTheOneThatIsMeant) {
+  say("signal - temperature 25 \u00B0C");
+  say("signal - torque 2 N\u00B7m");
+  say("signal arm mode \"auto");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("packet.bad-string", "packet.bad-string"));
+  EXPECT_THAT(found.findings[0].text, HasSubstr("malformed string"));
+  EXPECT_THAT(found.findings[1].text, HasSubstr("malformed unit; the first at column 25"));
+  EXPECT_EQ(found.findings[1].count, 2U);
+  EXPECT_EQ(found.findings[1].hint, "did you mean `degC`?");
+}
+
 TEST_F(SignalCheckTest, ATextMayStandInPlaceOfANumber) {
   expects(fmt::format("{}values = [\"none\"]\n", kLoad));
   say("signal arm load 5");
