@@ -58,7 +58,9 @@ void judge(const RunTimes& times, NumberToJudge& number) {
   const ColumnSamples run = samplesOf(times.run, times.run_map);
   number.outcome = judgeColumn(times, number.item, column, accepted, run, number.findings);
   const RunLimits limits = times.spec.limitsOf(number.item);
-  number.is_blind = !limits.signal && learntLimit(limits, accepted).isBlind();
+  LearntLimit limit = learntLimit(limits, accepted);
+  limit.limit = limits.signal.value_or(limit.limit);
+  number.is_blind = limit.isBlind();
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 #include "core/behaviour/run_coverage.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <map>
+#include <utility>
 
 #include "core/base/name_hint.h"
 #include "core/base/pattern.h"
@@ -40,6 +44,45 @@ std::set<std::string> namesOf(const Cell& cell) {
     for (const Link& link : model->links) names.insert(device.name + "/" + link.name);
   }
   return names;
+}
+
+using LimitKeys = std::set<std::string_view>;
+
+void addKeys(LimitKeys& keys, std::initializer_list<std::string_view> more) { keys.insert(more); }
+
+/// By DEVICE, DEVICE/JOINT and DEVICE/LINK.
+std::map<std::string, LimitKeys> limitKeysOf(const Cell& cell) {
+  std::map<std::string, LimitKeys> keys;
+  for (const CellDevice& device : cell.devices) {
+    LimitKeys& of_device = keys[device.name];
+    addKeys(of_device, {"position_mm", "turn_deg", "pose_mm", "pose_deg"});
+    const Model* const model = cell.modelOf(device);
+    if (model == nullptr) continue;
+    for (const TrackColumn& column : columnsOf(*model)) {
+      if (column.kind >= TrackColumn::Kind::pose) continue;
+      const std::string_view key =
+          column.kind == TrackColumn::Kind::length ? "position_mm" : "joint_deg";
+      of_device.insert(key);
+      keys[itemOf(device.name, column)].insert(key);
+    }
+    for (const Link& link : model->links) {
+      addKeys(keys[device.name + "/" + link.name], {"position_mm", "turn_deg"});
+    }
+  }
+  return keys;
+}
+
+/// Those that are written.
+LimitKeys writtenKeys(const OwnLimits& limits) {
+  LimitKeys keys;
+  for (const auto& [key, limit] :
+       {std::pair("joint_deg", limits.joint_deg), std::pair("position_mm", limits.position_mm),
+        std::pair("turn_deg", limits.turn_deg), std::pair("pose_mm", limits.pose_mm),
+        std::pair("pose_deg", limits.pose_deg), std::pair("signal", limits.signal),
+        std::pair("signal_share", limits.signal_share)}) {
+    if (limit) keys.insert(key);
+  }
+  return keys;
 }
 
 }  // namespace
@@ -123,6 +166,37 @@ std::vector<std::string> namesThatMatchNothing(const RunSpec& spec, const Cell& 
   }
   for (const auto& [name, limits] : spec.own_limits) {
     if (!known.contains(name)) complain("limits of", name);
+  }
+  return complaints;
+}
+
+std::vector<std::string> limitsThatNothingTakes(const RunSpec& spec, const Cell& cell,
+                                                const std::set<std::string>& items,
+                                                const std::set<std::string>& numbers) {
+  std::map<std::string, LimitKeys> known = limitKeysOf(cell);
+  for (const std::string& item : items) {
+    const bool is_drawing = item.starts_with("drawing/"), is_signal = item.starts_with("signal ");
+    // What else a session states is of its devices.
+    if (!is_drawing && !is_signal && !item.starts_with("event/")) continue;
+    for (const std::string& name : {item, deviceOfItem(item)}) {
+      LimitKeys& keys = known[name];
+      if (is_drawing) keys.insert("position_mm");
+      if (numbers.contains(item)) keys.insert("signal_share");
+    }
+    if (numbers.contains(item)) known[item].insert("signal");
+  }
+  std::vector<std::string> complaints;
+  for (const auto& [name, limits] : spec.own_limits) {
+    const auto found = known.find(name);
+    if (found == known.end()) continue;
+    // How much earlier or later it may come holds of everything.
+    found->second.insert("event_ms");
+    LimitKeys idle = writtenKeys(limits);
+    std::erase_if(idle, [&](std::string_view key) { return found->second.contains(key); });
+    if (idle.empty()) continue;
+    complaints.push_back(fmt::format("limits of `{}`: nothing takes its {}; it takes {}",
+                                     plainText(name), fmt::join(idle, ", "),
+                                     fmt::join(found->second, ", ")));
   }
   return complaints;
 }

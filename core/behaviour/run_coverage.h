@@ -58,4 +58,11 @@ std::string whyLeftOut(const Account& left_out, std::string_view device);
 std::vector<std::string> namesThatMatchNothing(const RunSpec& spec, const Cell& cell,
                                                const std::set<std::string>& items);
 
+/// Limits of another kind than what they are given for, each as a sentence: "limits of `signal arm
+/// load`: nothing takes its `joint_deg`; it takes event_ms, signal and signal_share". Names of the
+/// complaint above are passed over. `numbers`: those of the items that are signals' numbers.
+std::vector<std::string> limitsThatNothingTakes(const RunSpec& spec, const Cell& cell,
+                                                const std::set<std::string>& items,
+                                                const std::set<std::string>& numbers);
+
 }  // namespace rocinante

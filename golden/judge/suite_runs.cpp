@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -103,11 +104,17 @@ class SuiteRunJudge {
     return options_.cache.track(cell, session_.folder().fileOf(accepted), accepted.bytes, links);
   }
 
-  /// Masks and limits of names that nothing has switch nothing off, or the wrong thing.
+  /// Masks and limits of names that nothing has switch nothing off, or the wrong thing; nor do
+  /// limits of another kind than their item.
   Status checkNames(const SuiteRun& run, const std::vector<SessionTrack>& tracks) const {
-    std::set<std::string> items;
-    for (const SessionTrack& track : tracks) items.merge(itemsOf(track));
-    const auto complaints = namesThatMatchNothing(run.spec, session_.cell(), items);
+    std::set<std::string> items, numbers;
+    for (const SessionTrack& track : tracks) {
+      items.merge(itemsOf(track));
+      for (const auto& [item, series] : track.numbers) numbers.insert(item);
+    }
+    std::vector<std::string> complaints = namesThatMatchNothing(run.spec, session_.cell(), items);
+    std::ranges::move(limitsThatNothingTakes(run.spec, session_.cell(), items, numbers),
+                      std::back_inserter(complaints));
     if (complaints.empty()) return {};
     return Error{ErrorKind::bad_argument, fmt::format("{}", fmt::join(complaints, "; ")), run.name};
   }

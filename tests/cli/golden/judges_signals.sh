@@ -36,7 +36,8 @@ suite 'limits = { "signal arm shoulder.efort" = { signal = 8 } }' misspelt.toml
 suite 'limits = { signal = 8 }' all.toml
 suite 'limits = { "arm" = { signal = 8 } }' device.toml
 suite 'limits = { signal_share = -1 }' negative.toml
-for suite in wide narrow masked misspelt all device negative; do judge torque.csv $suite.toml; done
+suite 'limits = { "signal arm shoulder.effort" = { joint_deg = 3 }, "signal - mode" = { signal = 1 } }' kind.toml
+for suite in wide narrow masked misspelt kind all device negative; do judge torque.csv $suite.toml; done
 echo "-- two sessions, without a suite"
 rocinante golden session good.csv torque.csv arm.urdf --no-pictures --align origin || echo "exit $?"
 rocinante golden session good.csv torque.csv arm.urdf --no-pictures --align origin --signal-share 2

@@ -194,6 +194,14 @@ TEST_F(NumberSignals, WhatOneWildValueOrNoiseAloneHidesIsNamed) {
   EXPECT_NE(accountSentence(found.coverage.left_out).find("its limit is as large as its range"),
             std::string::npos)
       << textOfFindings(found);
+  RunSpec wide;
+  wide.own_limits["signal arm elbow.effort"].signal = 60;
+  EXPECT_NE(accountSentence(judged(drive(torque), drive(torque), wide).coverage.left_out)
+                .find("its limit is as large as its range"),
+            std::string::npos)
+      << "the suite's own";
+  wide.own_limits["signal arm elbow.effort"].signal = 40;
+  EXPECT_TRUE(judged(drive(torque), drive(torque), wide).coverage.left_out.empty());
   const auto huge = [](double at_s) { return 1e43 * std::sin(3 * at_s); };
   const auto doubled = [&](double at_s) { return 2 * huge(at_s); };
   EXPECT_EQ(judged(drive(huge), drive(doubled)).findings.size(), 1U);

@@ -1,9 +1,12 @@
 // What is not judged is never the same, and is named.
 #include "core/behaviour/run_coverage.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 
 #include "tests/core/behaviour/demo_regressions.h"
 #include "tests/core/behaviour/run_test.h"
@@ -296,6 +299,47 @@ TEST(RunNames, NamesThatMatchNothingAreNamed) {
   ASSERT_EQ(complaints.size(), 2U);
   EXPECT_NE(complaints[0].find("did you mean `gantry`"), std::string::npos) << complaints[0];
   EXPECT_NE(complaints[1].find("`arm/joint9`"), std::string::npos) << complaints[1];
+}
+
+TEST(RunNames, LimitsOfAnotherKindAreNamed) {
+  const Cell cell = cellAt(kDemo / "demo.cell.toml");
+  const std::set<std::string> items = {"arm/joint1",          "gantry/x",     "signal arm load",
+                                       "signal arm mode",     "event/picked", "signal - speed",
+                                       "drawing/planner/path"};
+  const auto complaintsAt = [&](const std::string& name, const OwnLimits& limits) {
+    RunSpec spec;
+    spec.own_limits[name] = limits;
+    return fmt::format(
+        "{}",
+        fmt::join(limitsThatNothingTakes(spec, cell, items, {"signal arm load", "signal - speed"}),
+                  "; "));
+  };
+  OwnLimits angle, length, late, share, number;
+  angle.joint_deg = length.position_mm = late.event_ms = share.signal_share = number.signal = 30;
+  for (const char* const name :
+       {"arm", "arm/joint1", "gantry/x", "signal arm load", "signal arm mode", "event/picked", "-",
+        "drawing/planner/path", "tanks"}) {
+    EXPECT_EQ(complaintsAt(name, late), "");
+  }
+  EXPECT_EQ(complaintsAt("arm", angle), "");
+  EXPECT_EQ(complaintsAt("arm", share), "");
+  EXPECT_EQ(complaintsAt("-", share), "");
+  EXPECT_EQ(complaintsAt("gantry/x", length), "");
+  EXPECT_EQ(complaintsAt("signal arm load", number), "");
+  EXPECT_EQ(complaintsAt("nobody", angle), "") << "its name is complained of";
+  EXPECT_EQ(complaintsAt("gantry/x", angle),
+            "limits of `gantry/x`: nothing takes its joint_deg; it takes event_ms, position_mm");
+  EXPECT_EQ(complaintsAt("arm/joint1", length),
+            "limits of `arm/joint1`: nothing takes its position_mm; it takes event_ms, joint_deg");
+  EXPECT_EQ(complaintsAt("signal arm load", angle),
+            "limits of `signal arm load`: nothing takes its joint_deg; it takes event_ms, signal, "
+            "signal_share");
+  EXPECT_EQ(complaintsAt("signal arm mode", number),
+            "limits of `signal arm mode`: nothing takes its signal; it takes event_ms");
+  EXPECT_NE(complaintsAt("gantry", angle), "") << "all of its joints slide";
+  EXPECT_NE(complaintsAt("gantry", share), "") << "it has no signal";
+  EXPECT_NE(complaintsAt("event/picked", length), "");
+  EXPECT_NE(complaintsAt("drawing/planner/path", angle), "");
 }
 
 }  // namespace
