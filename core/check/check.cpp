@@ -178,6 +178,11 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
     if (!next) return next.error();
     if (!*next) break;
     const LogMessage& message = **next;
+    const auto tell = [&](const DecodedOctets& made) {
+      for (const NotFiniteField& each : made.not_finite) {
+        session.addNotFinite(message.log_time, each);
+      }
+    };
     if (progress && messages % kProgressMessages == 0) {
       const double done = static_cast<double>((message.log_time - start).count()) / span;
       interrupted = !progress(std::clamp(done, 0.0, 1.0));
@@ -185,6 +190,7 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
     }
     if (octets.take(message, session)) {
       is_first = false;
+      if (packets && !message.channel->imported()) tell(packets(message, true));
       continue;
     }
     const bool is_keyframe = isKeyframeChannel(*message.channel);
@@ -200,9 +206,10 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
       continue;
     }
     if (packets && message.channel->captured() && message.channel->encoding != "rk1") {
-      const std::string_view packet = packets(message);
-      session.addOctets(message.log_time, message.channel->encoding, !packet.empty());
-      if (!packet.empty()) session.add(message.log_time, "rk1", false, bytesOf(packet));
+      const DecodedOctets made = packets(message, false);
+      tell(made);
+      session.addOctets(message.log_time, message.channel->encoding, !made.packet.empty());
+      if (!made.packet.empty()) session.add(message.log_time, "rk1", false, bytesOf(made.packet));
       continue;
     }
     const auto sender = message.channel->metadata.find("remote");

@@ -41,6 +41,10 @@ class SessionCheck {
     log_.takeTime(time);
     stream_.addOctets(time, encoding, decoded);
   }
+  /// Of the octets that are added next: a decoder could not use this field.
+  void addNotFinite(LogTime time, const NotFiniteField& field) {
+    stream_.addNotFinite(time, field);
+  }
 
   // What the log says about its own recording.
   void addLoss(const LossSpan& span) { log_.takeLoss(span); }

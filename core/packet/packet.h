@@ -161,6 +161,13 @@ struct FaultAt {
   std::uint32_t column = 0;
 };
 
+/// A field of octets that a decoder reads for a value, and that is NaN or infinite: it makes none.
+/// Borrowed from the decoder.
+struct NotFiniteField {
+  std::string_view source;  ///< "decoded:NAME"
+  std::string_view field;   ///< as the declaration calls it
+};
+
 /// The decoded meaning of one datagram. Borrowed: see Decoder::decode.
 struct Packet {
   PacketHeader header;

@@ -114,6 +114,13 @@ bool readNumber(const char*& at, const char* end, double& number) {
   return true;
 }
 
+bool isNotFiniteWord(std::string_view text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  std::string word(text.substr(0, 9));
+  for (char& byte : word) byte = byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte + 32) : byte;
+  return word == "nan" || word == "inf" || word == "infinity";
+}
+
 std::optional<std::uint64_t> readUnsigned(std::string_view digits) {
   // Nineteen digits cannot overflow.
   if (digits.empty()) return std::nullopt;

@@ -13,6 +13,10 @@ namespace rocinante {
 /// does a value too small for a double.
 bool readNumber(const char*& at, const char* end, double& number);
 
+/// Whether a text spells a number that a packet cannot have: nan, inf or infinity, with a sign or
+/// without, in any case.
+bool isNotFiniteWord(std::string_view text);
+
 /// Reads decimal digits alone, at least one; empty when the number exceeds 64 bits.
 std::optional<std::uint64_t> readUnsigned(std::string_view digits);
 

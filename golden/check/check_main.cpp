@@ -93,9 +93,10 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell,
   if (!log) return log.error();
   Result<LogOctets> octets = LogOctets::of(*log, my.decoders, cell);
   if (!octets) return octets.error();
-  const auto packets =
-      *octets ? OctetPackets([&](const LogMessage& message) { return octets->packetOf(message); })
-              : OctetPackets();
+  const auto packets = *octets ? OctetPackets([&](const LogMessage& message, bool has_packet) {
+    return octets->packetOf(message, has_packet);
+  })
+                               : OctetPackets();
   cli::catchStopSignals();
   const std::string name = opened.imported ? opened.recording.string() : my.log;
   Result<CheckReport> report = [&] {

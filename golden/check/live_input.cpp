@@ -100,11 +100,15 @@ void LiveInput::take(std::size_t index, const ReceivedDatagram& datagram) {
     sender_ = datagram.sender;
     sender_text_ = sender_.text();
   }
-  LiveDatagram taken{encodingOf(datagram.payload), datagram.payload,
-                     datagram.subject.empty() ? std::string_view(sender_text_) : "", std::nullopt};
-  if (decoder_) {
+  LiveDatagram taken{encodingOf(datagram.payload),
+                     datagram.payload,
+                     datagram.subject.empty() ? std::string_view(sender_text_) : "",
+                     std::nullopt,
+                     {}};
+  if (decoder_ && taken.encoding != "rk1") {
     const MadePacket* const made = decoder_->decode(index, datagram, *last_);
     if (made != nullptr) taken.decoded = made->text;
+    taken.not_finite = decoder_->decoder().decoders().notFinite();
   }
   take_(*last_, taken);
 }

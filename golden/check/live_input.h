@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,11 +28,13 @@ struct LiveDatagram {
   ByteView payload;
   std::string_view sender;                  ///< its address and port; empty: not known
   std::optional<std::string_view> decoded;  ///< the packet text that a decoder made of it
+  std::span<const NotFiniteField> not_finite;
 };
 
 /// Gives it to a SessionCheck or a FindingWatch.
 template <class Judge>
 void judge(Judge& judge, LogTime time, const LiveDatagram& datagram) {
+  for (const NotFiniteField& each : datagram.not_finite) judge.addNotFinite(time, each);
   if (!datagram.decoded) {
     return judge.add(time, datagram.encoding, true, datagram.payload, datagram.sender);
   }

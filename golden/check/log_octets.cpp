@@ -21,15 +21,18 @@ Result<LogOctets> LogOctets::of(const LogReader& log, const std::string& file, c
   if (file.empty() && !hasOctets(log)) return octets;
   auto set = decodersFor(file, cell);
   if (!set) return set.error();
-  if (*set) octets.decoders_.emplace(std::move(*set));
+  if (!*set) return octets;
+  octets.decoders_.emplace(*set);
+  octets.again_.emplace(std::move(*set));
   return octets;
 }
 
-std::string_view LogOctets::packetOf(const LogMessage& message) {
-  ++octets_;
-  const decode::DecodedPacket* const packet = decoders_->decode(
-      decode::routeOf(*message.channel), message.publish_time_ns, message.payload);
-  return packet == nullptr ? std::string_view() : packet->text;
+DecodedOctets LogOctets::packetOf(const LogMessage& message, bool has_packet) {
+  octets_ += has_packet ? 0 : 1;
+  decode::DatagramDecoders& decoders = has_packet ? *again_ : *decoders_;
+  const decode::DecodedPacket* const packet =
+      decoders.decode(decode::routeOf(*message.channel), message.publish_time_ns, message.payload);
+  return {packet == nullptr ? std::string_view() : packet->text, decoders.notFinite()};
 }
 
 }  // namespace rocinante

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "core/cell/cell.h"
+#include "core/check/check.h"
 #include "core/foreign/decode/datagram_decoders.h"
 #include "core/foreign/decode/decode_account.h"
 #include "core/log/log_reader.h"
@@ -19,11 +19,13 @@ class LogOctets {
 
   explicit operator bool() const { return decoders_.has_value(); }
   /// See OctetPackets.
-  std::string_view packetOf(const LogMessage& message);
+  DecodedOctets packetOf(const LogMessage& message, bool has_packet);
   decode::DecodeAccount account() const { return decode::accountOf(*decoders_, octets_); }
 
  private:
   std::optional<decode::DatagramDecoders> decoders_;
+  /// Of octets that have their packets: their account is that of who made them.
+  std::optional<decode::DatagramDecoders> again_;
   std::uint64_t octets_ = 0;
 };
 

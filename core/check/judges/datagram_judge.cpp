@@ -116,6 +116,16 @@ bool DatagramJudge::isMisspelt(ByteView datagram, const FaultAt& at) {
   return !meant_hint_.empty();
 }
 
+void DatagramJudge::takeNotFinite(const NotFiniteField& field, const PacketPlace& place) {
+  auto source = no_values_.find(field.source);
+  if (source == no_values_.end()) source = no_values_.try_emplace(std::string(field.source)).first;
+  auto tally = source->second.find(field.field);
+  if (tally == source->second.end()) {
+    tally = source->second.try_emplace(std::string(field.field)).first;
+  }
+  tally->second.hit(place);
+}
+
 void DatagramJudge::dropFindings() { *this = {}; }
 
 void DatagramJudge::report(Findings& findings) const {
@@ -140,6 +150,15 @@ void DatagramJudge::report(Findings& findings) const {
     findings.push_back(
         tally.finding("packet.unknown-protocol", encoding, "datagrams in an unknown protocol"));
     findings.back().hint = kPacketTextHint;
+  }
+  for (const auto& [source, fields] : no_values_) {
+    for (const auto& [field, tally] : fields) {
+      findings.push_back(tally.finding(
+          "source.not-finite", source,
+          fmt::format("field {} of {} is NaN or infinite: it says nothing, and what was said "
+                      "before holds",
+                      plainText(field), plainText(source))));
+    }
   }
 }
 

@@ -17,6 +17,7 @@ class DatagramJudge {
  public:
   void takeUndecoded(std::string_view encoding, const PacketPlace& place);
   void takeFaults(std::span<const FaultAt> faults, PacketPlace place);
+  void takeNotFinite(const NotFiniteField& field, const PacketPlace& place);
   void report(Findings& findings) const;
   /// Forgets what was found.
   void dropFindings();
@@ -30,7 +31,9 @@ class DatagramJudge {
   Tally not_finite_, misspelt_, no_unit_;
   std::string last_word_, meant_hint_, misspelt_word_, misspelt_hint_, unit_hint_;
   std::uint32_t not_finite_column_ = 0, unit_column_ = 0;
-  std::map<std::string, Tally, std::less<>> undecoded_;  ///< by encoding
+  using ByName = std::map<std::string, Tally, std::less<>>;
+  ByName undecoded_;                                      ///< by encoding
+  std::map<std::string, ByName, std::less<>> no_values_;  ///< fields, by source
 };
 
 }  // namespace rocinante

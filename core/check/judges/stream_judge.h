@@ -50,6 +50,13 @@ class StreamJudge {
   /// The next datagram in time order, which a decoder turned into a packet or, when not `decoded`,
   /// nobody could.
   void addOctets(LogTime time, std::string_view encoding, bool decoded);
+  /// Of the octets that are added next.
+  void addNotFinite(LogTime time, const NotFiniteField& field) {
+    PacketPlace place;
+    place.time = time;
+    place.packet = datagrams_ + 1;
+    faults_.takeNotFinite(field, place);
+  }
   /// The next datagram in time order. `captured`: it came from outside (LogChannel::captured); all
   /// others are restatements by a recorder, judged but not counted.
   /// `sender`: its address and port, where they are known.

@@ -208,6 +208,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"source.late", kWarning, "packets of a source arrived late and were dropped"},
     {"source.missing", kWarning, "a source of the cell never sent a packet"},
     {"source.mixed", kWarning, "a source is heard whole and also filtered by a relay"},
+    {"source.not-finite", kWarning, "a field that a decoder reads is NaN or infinite"},
     {"source.rate", kWarning, "the packet rate of a source differs from the cell's"},
     {"source.refused", kError, "packets of more sources than there is room for"},
     {"source.relay-gap", kWarning, "packets were lost behind a relay"},

@@ -70,6 +70,10 @@ class FindingWatch {
   void addOctets(LogTime time, std::string_view encoding, bool decoded) {
     session_.addOctets(time, encoding, decoded);
   }
+  /// Of the octets that are added next.
+  void addNotFinite(LogTime time, const NotFiniteField& field) {
+    session_.addNotFinite(time, field);
+  }
   void addLoss(const LossSpan& span) { session_.addLoss(span); }
 
   /// What began and what ended up to `now`, which never decreases and is not before the latest

@@ -60,6 +60,7 @@ bool DatagramDecoders::fits(const Match& match, const Route& route, ByteView pay
 
 const DecodedPacket* DatagramDecoders::decode(const Route& route, std::int64_t publish_time_ns,
                                               ByteView payload) {
+  not_finite_.clear();
   for (std::size_t i = 0; i < readers_.size(); ++i) {
     if (!fits(set_->decoders[i].match, route, payload)) continue;
     if (decodeBy(i, route, publish_time_ns, payload)) return &packet_;
@@ -99,6 +100,9 @@ bool DatagramDecoders::decodeBy(std::size_t index, const Route& route, std::int6
     if (found != reader.before.end()) before = &found->second;
   }
   reader.lines.add(writer_, reader.values, before == nullptr ? kNone : *before);
+  for (const std::size_t field : reader.lines.notFinite()) {
+    not_finite_.push_back({reader.source, decoder.fields[field].name});
+  }
   if (before != nullptr) {
     for (std::size_t i = 0; i < decoder.events.size(); ++i) {
       const FieldValue& value = reader.values[decoder.events[i].changes];

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,10 @@ class DatagramDecoders {
   /// never decoded: give it only what is none.
   const DecodedPacket* decode(const Route& route, std::int64_t publish_time_ns, ByteView payload);
 
+  /// Of the datagram that was given to decode() last, by all decoders that read it, whether one of
+  /// them made a packet or not. Borrowed until the next decode().
+  std::span<const NotFiniteField> notFinite() const { return not_finite_; }
+
   const DecoderSet& set() const { return *set_; }
   /// By decoder.
   const std::vector<DecodeCounts>& counts() const { return counts_; }
@@ -83,6 +88,7 @@ class DatagramDecoders {
   std::vector<Reader> readers_;
   std::vector<DecodeCounts> counts_;
   DecodedPacket packet_;
+  std::vector<NotFiniteField> not_finite_;
   PacketTextWriter writer_;
   std::string key_;
 };

@@ -44,8 +44,11 @@ PacketLines::PacketLines(const Decoder& decoder)
       named_at_(decoder.fields.size()),
       unnamed_(decoder.signals.size()) {}
 
-void PacketLines::countUnusable(std::size_t field) {
-  if (std::exchange(counted_at_[field], datagrams_) != datagrams_) ++unusable_[field];
+void PacketLines::countUnusable(std::size_t field, const FieldValue& value) {
+  if (std::exchange(counted_at_[field], datagrams_) == datagrams_) return;
+  ++unusable_[field];
+  const bool is_word = value.kind == FieldValue::Kind::text && isNotFiniteWord(value.text);
+  if (value.is_infinite || is_word) not_finite_.push_back(field);
 }
 
 void PacketLines::countNoName(const TextTemplate& name, std::span<const FieldValue> values) {
@@ -63,7 +66,9 @@ std::optional<double> PacketLines::numberOrCount(const Term& term,
   const std::optional<double> number = numberOf(term, values);
   if (!number) {
     const FieldValue& value = values[*term.field];
-    if (value.kind != FieldValue::Kind::missing || value.is_infinite) countUnusable(*term.field);
+    if (value.kind != FieldValue::Kind::missing || value.is_infinite) {
+      countUnusable(*term.field, value);
+    }
   }
   return number;
 }
@@ -195,7 +200,7 @@ void PacketLines::addSignal(PacketTextWriter& packet, std::size_t line,
       read = bitsOf(*read, its.first_bit, its.bits);
       if (read) read = *read * its.value.times + its.value.plus;
     }
-    if (!read || !std::isfinite(*read)) return countUnusable(field);
+    if (!read || !std::isfinite(*read)) return countUnusable(field, value);
     number = *read;
     if (its.is_boolean) kind = SignalKind::boolean;
     if (!its.words.empty()) text_ = valueText(FieldValue::of(number));
@@ -205,7 +210,7 @@ void PacketLines::addSignal(PacketTextWriter& packet, std::size_t line,
     // A stranger's text may be longer than a signal's; bytes that are not UTF-8 become three.
     const bool is_utf8 = isUtf8(rocinante::bytesOf(text_));
     const std::size_t room = is_utf8 ? limits::kStringBytes : limits::kStringBytes / 3;
-    if (value.is_infinite || text_.size() > room) return countUnusable(field);
+    if (value.is_infinite || text_.size() > room) return countUnusable(field, value);
     number = 0;
     statement.text = text_;
   }
@@ -235,6 +240,7 @@ void PacketLines::addSignal(PacketTextWriter& packet, std::size_t line,
 void PacketLines::add(PacketTextWriter& packet, std::span<const FieldValue> values,
                       std::span<const std::string> before) {
   ++datagrams_;
+  not_finite_.clear();
   for (const JointsLine& line : decoder_.joints) addJoints(packet, line, values);
   for (const PoseLine& line : decoder_.poses) addPose(packet, line, values);
   for (std::size_t i = 0; i < decoder_.signals.size(); ++i) addSignal(packet, i, values);

@@ -29,6 +29,8 @@ class PacketLines {
   /// By field: how often a line needed another value than it had: not a number, or infinite; text
   /// in place of a number; too long a text. Once a datagram.
   const std::vector<std::uint64_t>& unusable() const { return unusable_; }
+  /// Of the last add(): the fields that a line needed and that are NaN or infinite, each once.
+  const std::vector<std::size_t>& notFinite() const { return not_finite_; }
   /// By field: how often its value made no name that packets have, and a line stated nothing. Once
   /// a datagram.
   const std::vector<std::uint64_t>& noName() const { return no_name_; }
@@ -49,7 +51,7 @@ class PacketLines {
   template <std::size_t count>
   std::optional<std::array<double, count>> numbersOf(const std::array<Term, count>& terms,
                                                      std::span<const FieldValue> values);
-  void countUnusable(std::size_t field);
+  void countUnusable(std::size_t field, const FieldValue& value);
   /// Its fields; where one is missing, those alone that are infinite.
   void countNoName(const TextTemplate& name, std::span<const FieldValue> values);
 
@@ -63,6 +65,7 @@ class PacketLines {
   std::vector<std::uint64_t> unusable_, counted_at_;  ///< by field; at which datagram the last one
   std::vector<std::uint64_t> no_name_, named_at_;     ///< the same
   std::vector<std::uint64_t> unnamed_;
+  std::vector<std::size_t> not_finite_;
 };
 
 /// A value as people read it; "" for a missing one.

@@ -84,14 +84,6 @@ std::string_view digitsOf(std::uint8_t number) {
   return kDigits[number];
 }
 
-/// Whether a text spells a number that a packet cannot have.
-bool isWordOfNoNumber(std::string_view text) {
-  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-  std::string word(text.substr(0, 9));
-  for (char& byte : word) byte = byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte + 32) : byte;
-  return word == "nan" || word == "inf" || word == "infinity";
-}
-
 std::string signalName(std::string_view topic, const SignalField& is, std::size_t element) {
   std::string name(topic);
   if (is.name != kWhole) name.append(".").append(is.name);
@@ -279,7 +271,7 @@ void SignalTranslation::takeKeyValue(std::size_t slot, std::string_view text) {
   if (readNumber(at, end, number) && at == end) return addValue(slot, SignalKind::number, number);
   if (text == "true" || text == "True") return addValue(slot, SignalKind::boolean, 1);
   if (text == "false" || text == "False") return addValue(slot, SignalKind::boolean, 0);
-  if (isWordOfNoNumber(text)) return leaveOut("values", kNotFinite);
+  if (isNotFiniteWord(text)) return leaveOut("values", kNotFinite);
   takeText(slot, text, "values");
 }
 

@@ -60,6 +60,7 @@ TEST_F(SignalCheckTest, ATextWhereANumberIsExpectedIsNamed) {
 }
 
 TEST_F(SignalCheckTest, AUnitThatIsNoneIsNamedAsThatWithTheOneThatIsMeant) {
+  say("joints arm 0 0 0");
   say("signal - temperature 25 \u00B0C");
   say("signal - torque 2 N\u00B7m");
   say("signal arm mode \"auto");
@@ -69,6 +70,25 @@ TEST_F(SignalCheckTest, AUnitThatIsNoneIsNamedAsThatWithTheOneThatIsMeant) {
   EXPECT_THAT(found.findings[1].text, HasSubstr("malformed unit; the first at column 25"));
   EXPECT_EQ(found.findings[1].count, 2U);
   EXPECT_EQ(found.findings[1].hint, "did you mean `degC`?");
+}
+
+TEST_F(SignalCheckTest, AFieldThatIsNotFiniteIsNamedWithItsTime) {
+  say("joints arm 0 0 0");
+  const LogTime first = now_ + std::chrono::milliseconds(1);
+  for (const char* const field : {"q1", "force", "force"}) {
+    now_ += std::chrono::milliseconds(1);
+    session_->addNotFinite(now_, {"decoded:drive", field});
+    session_->addOctets(now_, "octets", true);
+  }
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("source.not-finite", "source.not-finite"));
+  const Finding& force = found.findings[found.findings[0].count == 2 ? 0 : 1];
+  EXPECT_EQ(force.subject, "decoded:drive");
+  EXPECT_THAT(force.text, HasSubstr("field force of decoded:drive"));
+  EXPECT_EQ(force.first, first + std::chrono::milliseconds(1));
+  EXPECT_EQ(force.packet, 3U);
+  session_->dropFindings();
+  EXPECT_THAT(rules(report()), IsEmpty());
 }
 
 TEST_F(SignalCheckTest, ATextMayStandInPlaceOfANumber) {

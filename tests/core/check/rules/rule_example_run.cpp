@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "core/base/atomic_file.h"
@@ -11,6 +12,7 @@
 #include "core/check/check.h"
 #include "core/check/drift/model_drift.h"
 #include "core/check/reports/baseline.h"
+#include "core/foreign/decode/carried_decoders.h"
 #include "core/log/import_record.h"
 #include "core/log/log_writer.h"
 #include "core/packet/decoder.h"
@@ -207,7 +209,20 @@ Result<CheckReport> judgeExample(const RuleExample& example) {
   if (Status written = writeLog(example, folder.path(), path); !written) return written.error();
   Result<LogReader> log = LogReader::open(path);
   if (!log) return log.error();
-  Result<CheckReport> report = checkLog(*cell, *log);
+  std::optional<decode::DatagramDecoders> decoders;
+  OctetPackets packets;
+  if (!cell->decoders.empty()) {
+    auto opened = decode::DatagramDecoders::open(cell->decoders);
+    if (!opened) return opened.error();
+    decoders.emplace(std::move(*opened));
+    packets = [&](const LogMessage& message, bool) {
+      const decode::DecodedPacket* const made = decoders->decode(
+          decode::routeOf(*message.channel), message.publish_time_ns, message.payload);
+      return DecodedOctets{made == nullptr ? std::string_view() : made->text,
+                           decoders->notFinite()};
+    };
+  }
+  Result<CheckReport> report = checkLog(*cell, *log, {}, packets);
   if (!report) return report;
   if (const auto bundle = readAttachedCell(*log); bundle.ok() && *bundle) {
     const Result<Cell> recorded = loadBundle(**bundle, "session.mcap:cell/", {});

@@ -102,6 +102,14 @@ TEST(DatagramDecoders, LeaveOutNumbersThatAreNone) {
   const double infinite = std::numeric_limits<double>::infinity();
   EXPECT_THAT(decodedText(decoders, urPacket({std::nan(""), infinite, -infinite, 1, 2, 3})),
               HasSubstr("\njoint ur5 wrist_1_joint=1 wrist_2_joint=2 wrist_3_joint=3"));
+  ASSERT_EQ(decoders.notFinite().size(), 3U);
+  EXPECT_EQ(decoders.notFinite()[0].source, "decoded:ur");
+  EXPECT_EQ(
+      decodedText(decoders, urPacket({infinite, infinite, infinite, infinite, infinite, infinite})),
+      "");
+  EXPECT_EQ(decoders.notFinite().size(), 6U) << "also where no packet comes of it";
+  decodedText(decoders, urPacket({}));
+  EXPECT_TRUE(decoders.notFinite().empty());
 }
 
 /// ATTITUDE of MAVLink 2, as a vehicle's autopilot sends it.
