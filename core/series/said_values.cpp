@@ -17,12 +17,13 @@ std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
     if (found == names.end() || names.size() != values.size()) return std::nullopt;
     return values[static_cast<std::size_t>(found - names.begin())];
   }
-  if (name.size() < 3 || name.front() != '[' || name.back() != ']') return std::nullopt;
-  std::size_t place = 0;
-  const char* const end = name.data() + name.size() - 1;
-  const auto [stop, fault] = std::from_chars(name.data() + 1, end, place);
-  if (fault != std::errc{} || stop != end || place >= values.size()) return std::nullopt;
-  return values[place];
+  std::size_t number = 0;
+  const char* const end = name.data() + name.size();
+  const auto [stop, fault] = std::from_chars(name.data(), end, number);
+  if (fault != std::errc{} || stop != end || number == 0 || number > values.size()) {
+    return std::nullopt;
+  }
+  return values[number - 1];
 }
 
 std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key) {

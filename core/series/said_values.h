@@ -17,7 +17,7 @@ using PositionalNames =
     std::function<std::vector<std::string>(std::string_view device, const DeviceState& said)>;
 
 /// The values of `joints` that a device's state gives to a name, as pictures show them: named ones
-/// first, positional ones when there are as many as `names`, or by "[0]", "[1]" without names.
+/// first, positional ones when there are as many as `names`, or by "1", "2" without names.
 std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
                                 const std::vector<std::string>& names);
 

@@ -1,8 +1,7 @@
 #include "core/series/series_scan.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "core/packet/joint_order.h"
@@ -285,7 +284,7 @@ void SeriesScan::takeJoints(const Statement& statement, std::string_view source,
   if (!device.knows_names) learnNames(device, said);
   if (device.names.empty()) {
     for (std::size_t i = device.positions.size(); i < statement.numbers.size(); ++i) {
-      device.positions.push_back(idOf(device, fmt::format("[{}]", i)));
+      device.positions.push_back(idOf(device, std::to_string(i + 1)));
     }
   }
   const bool fits = device.names.empty() || device.names.size() == statement.numbers.size();
@@ -320,7 +319,7 @@ void SeriesScan::takeEverything(Device& device, LogTime time) {
   for (const auto& [name, item] : said->named_joints) idOf(device, name);
   if (said->joints && device.names.empty()) {
     for (std::size_t i = device.positions.size(); i < said->joints->value.size(); ++i) {
-      device.positions.push_back(idOf(device, fmt::format("[{}]", i)));
+      device.positions.push_back(idOf(device, std::to_string(i + 1)));
     }
   }
   for (const auto& [name, id] : device.joints) {

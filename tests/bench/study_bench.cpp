@@ -78,7 +78,7 @@ void benchStudy(const std::filesystem::path& path, std::int64_t seconds) {
   wish.until = start + std::chrono::seconds(seconds);
   wish.columns = wish.strip_columns = kColumns;
   for (int joint = 0; joint < 6; ++joint) {
-    wish.keys.push_back({SeriesKey::Kind::joint, "arm", fmt::format("[{}]", joint)});
+    wish.keys.push_back({SeriesKey::Kind::joint, "arm", std::to_string(joint + 1)});
   }
   const Stopwatch all;
   LogStudy study(cell, path);
@@ -105,7 +105,7 @@ void benchStudy(const std::filesystem::path& path, std::int64_t seconds) {
   fmt::print("another choice      {:6.3f} s\n", more.wall());
 
   const Stopwatch derived;
-  wish.keys.push_back(*parseSeriesKey("mean 0.1 d/dt arm.[0]"));
+  wish.keys.push_back(*parseSeriesKey("mean 0.1 d/dt arm.1"));
   awaitWhole(study, wish);
   fmt::print("a derived curve     {:6.3f} s\n", derived.wall());
 }

@@ -14,7 +14,7 @@ printf 'evidence e.png\nquit\n' >script.txt
 look s.pcap
 # Joints by position, and a device that comes later.
 make_pcap joints.pcap "000:whole:RK1 a@a 0 -\njoints arm 1 2\n" "500:whole:RK1 a@a 1 -\npose late 1 2 3 0 0 0 1\n"
-printf 'seek 0s\nplot arm.[1]\nplot late:x\nplot d/dt arm.[0]\nquit\n' >script.txt
+printf 'seek 0s\nplot arm.2\nplot late:x\nplot d/dt arm.1\nquit\n' >script.txt
 look joints.pcap
 printf 'plot arm.3\nquit\n' >script.txt
 look joints.pcap

@@ -89,7 +89,7 @@ TEST(SeriesScan, FindsJointsByPositionByOrderAndByName) {
                            options);
   EXPECT_EQ(heldAt(*scan, "arm.j1", 50), 1);
   EXPECT_EQ(heldAt(*scan, "arm.j2", 50), 2);
-  EXPECT_EQ(heldAt(*scan, "other.[0]", 50), 7);
+  EXPECT_EQ(heldAt(*scan, "other.1", 50), 7);
   EXPECT_EQ(heldAt(*scan, "arm.j1", 250), 10);
   EXPECT_EQ(heldAt(*scan, "arm.j2", 350), 20);
   EXPECT_EQ(heldAt(*scan, "arm.j1", 350), 11);

@@ -112,7 +112,7 @@ TEST(PlotScale, LeavesOutWhatIsBeyondSinglePrecision) {
 }
 
 TEST(PlotValue, WithoutAModelIsAsStated) {
-  const PlotValue value = plotValue({SeriesKey::Kind::joint, "arm", "[0]"}, nullptr);
+  const PlotValue value = plotValue({SeriesKey::Kind::joint, "arm", "1"}, nullptr);
   EXPECT_EQ(value.unit, PlotUnit::other);
   EXPECT_EQ(value.shown(2), 2);
 }
