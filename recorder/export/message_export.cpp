@@ -157,6 +157,7 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
   constexpr std::array kSignals = {StatementKind::signal, StatementKind::signals};
   if (!*has_signals) census.addStatements(report.left_out, kSignals, "signals are not exported");
   format.addLeftOut(report.left_out);
+  out.addLeftOut(report.left_out);
   addAttachments(report.left_out, session.log(), "not exported; `rocinante log extract` writes it");
   return report;
 }

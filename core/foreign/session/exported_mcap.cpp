@@ -13,12 +13,11 @@ Result<ExportedMcap> ExportedMcap::start(std::unique_ptr<ByteSink> sink, std::st
   return ExportedMcap(std::move(*writer));
 }
 
-Result<ExportedMcap::ChannelEntry*> ExportedMcap::addChannel(const std::string& key,
-                                                             mcap::Channel channel,
-                                                             const std::string& shown) {
-  if (channels_.size() == 0xFFFF) {
-    return Error{ErrorKind::unsupported, "an MCAP file holds at most 65,535 channels",
-                 channel.topic};
+ExportedMcap::ChannelEntry* ExportedMcap::addChannel(const std::string& key, mcap::Channel channel,
+                                                     const std::string& shown) {
+  if (channels_.size() == kMostChannels) {
+    if (beyond_++ == 0) first_beyond_ = channel.topic;
+    return nullptr;
   }
   ChannelEntry entry;
   entry.id = static_cast<std::uint16_t>(channels_.size());
@@ -35,11 +34,10 @@ Status ExportedMcap::write(std::string_view topic, const MessageSchema& schema, 
   if (channel == nullptr) {
     auto [known, is_new] = schemas_.try_emplace(schema.name, schemas_.size() + 1);
     if (is_new) writer_.addSchema({known->second, schema.name, schema.encoding, schema.data});
-    Result<ChannelEntry*> added = addChannel(
-        std::string(topic),
-        {0, known->second, std::string(topic), schema.message_encoding, metadata}, schema.name);
-    if (!added) return added.error();
-    channel = *added;
+    channel = addChannel(std::string(topic),
+                         {0, known->second, std::string(topic), schema.message_encoding, metadata},
+                         schema.name);
+    if (channel == nullptr) return {};
   }
   const auto nanoseconds = static_cast<std::uint64_t>(nanosecondsOf(time));
   ++channel->topic->messages;
@@ -55,9 +53,8 @@ Status ExportedMcap::writeRaw(const std::string& topic, const std::string& encod
   auto found = channels_.find(key);
   ChannelEntry* channel = found == channels_.end() ? nullptr : &found->second;
   if (channel == nullptr) {
-    Result<ChannelEntry*> added = addChannel(key, {0, 0, topic, encoding, metadata}, encoding);
-    if (!added) return added.error();
-    channel = *added;
+    channel = addChannel(key, {0, 0, topic, encoding, metadata}, encoding);
+    if (channel == nullptr) return {};
   }
   mcap::Message copy = message;
   copy.channel_id = channel->id;
@@ -67,6 +64,15 @@ Status ExportedMcap::writeRaw(const std::string& topic, const std::string& encod
 
 Status ExportedMcap::writeAttachment(const mcap::Attachment& attachment) {
   return writer_.writeAttachment(attachment);
+}
+
+void ExportedMcap::addLeftOut(Account& account) const {
+  if (beyond_ == 0) return;
+  account.leaveOut({.kind = "message",
+                    .reason = "an MCAP file holds at most 65,535 channels, and these are of others",
+                    .first = first_beyond_,
+                    .count = beyond_,
+                    .severity = Severity::warning});
 }
 
 Status ExportedMcap::finish() { return writer_.finish(); }

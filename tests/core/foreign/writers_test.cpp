@@ -10,6 +10,7 @@
 #include "core/foreign/proto/proto_writer.h"
 #include "core/foreign/ros_out/cdr_writer.h"
 #include "core/foreign/ros_out/ros2_format.h"
+#include "core/foreign/session/exported_mcap.h"
 #include "core/foreign/session/session_format.h"
 #include "core/packet/packet_text.h"
 
@@ -24,6 +25,29 @@ std::string hex(ByteView bytes) {
     text += kDigits[std::to_integer<unsigned>(byte) & 15U];
   }
   return text;
+}
+
+TEST(ExportedMcap, ChannelsBeyondWhatAFileHoldsAreLeftOutAndNamed) {
+  Bytes file;
+  auto out = ExportedMcap::start(makeMemorySink(file), "ros2");
+  ASSERT_TRUE(out.ok()) << out.error().text();
+  const Bytes message(8);
+  for (std::size_t i = 0; i < ExportedMcap::kMostChannels + 3; ++i) {
+    const std::string topic = "/signals/arm/s" + std::to_string(i);
+    const Status written =
+        out->write(topic, ros2Schema("std_msgs/msg/Float64"), LogTime(Nanoseconds(i)), message);
+    ASSERT_TRUE(written) << written.error().text();
+  }
+  ASSERT_TRUE(out->write("/signals/arm/s0", ros2Schema("std_msgs/msg/Float64"),
+                         LogTime(std::chrono::seconds(1)), message));
+  ASSERT_TRUE(out->finish());
+  EXPECT_EQ(out->topics().size(), ExportedMcap::kMostChannels);
+  EXPECT_EQ(out->topics().at("/signals/arm/s0").messages, 2U);
+  Account account;
+  out->addLeftOut(account);
+  ASSERT_EQ(account.leftOut().size(), 1U);
+  EXPECT_EQ(account.leftOut()[0].count, 3U);
+  EXPECT_EQ(account.leftOut()[0].first, "/signals/arm/s65535");
 }
 
 TEST(ProtoWriter, WritesEachKindOfField) {
