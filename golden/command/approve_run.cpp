@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
@@ -24,6 +26,13 @@ namespace {
 
 constexpr std::size_t kMostPrinted = 20;
 
+/// Runs are judged by links and joints: what is wrong with a mesh is wrong with pictures.
+bool isOfMeshFile(std::string_view rule) {
+  constexpr std::array<std::string_view, 5> kFamilies = {"collada", "mesh", "mtl", "obj", "stl"};
+  return rule == "model.missing-file" || rule == "model.unusable-mesh" ||
+         std::ranges::find(kFamilies, rule.substr(0, rule.find('.'))) != kFamilies.end();
+}
+
 /// Why a log should not be accepted, a sentence each.
 class Objections {
  public:
@@ -44,7 +53,7 @@ class Objections {
     const auto report = checkLog(session_.cell(), *reader);
     if (!report.ok()) return report.error();
     for (const Finding& finding : report->findings) {
-      if (report->isFailure(finding)) {
+      if (report->isFailure(finding) && !isOfMeshFile(finding.rule)) {
         found_.push_back(fmt::format("{} [{}]", plainText(finding.text), finding.rule));
       }
     }
