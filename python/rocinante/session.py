@@ -55,6 +55,7 @@ class Signal:
     time: NDArray[np.float64]      #: (N,) seconds from the session's origin
     values: NDArray[np.float64]    #: (N,) in the unit
     unit: str | None               #: at the end of the session; None: none is stated there
+    # Numbers in another unit before that are named by a RocinanteWarning, with both units and the time.
 
 
 @dataclass(frozen=True)
