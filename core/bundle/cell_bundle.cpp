@@ -79,7 +79,7 @@ BundleNames namesFor(const fs::path& main, const FileLookups& noted,
 }
 
 Error refusalOf(const Cell& cell, const Finding& first) {
-  std::string what = "the cell loads with errors, so it is not attached: " + first.text;
+  std::string what = "the cell loads with errors, so a log cannot carry it: " + first.text;
   if (const std::size_t count = countOf(cell.faults, Severity::error); count > 1) {
     what += fmt::format("; {} errors in all, rocinante check lists them", count);
   }
@@ -142,8 +142,8 @@ Status checkRoots(const std::map<std::string, fs::path>& files, const fs::path& 
     if (path == main || placeOf(path) == main || isIn(roots, file)) continue;
     if (isMeshOrTexture(file) && isIn(mesh_roots, file)) continue;
     return Error{ErrorKind::refused,
-                 fmt::format("the cell is not attached: this file lies outside its folder, where "
-                             "the cell itself says to look; --search {} takes it along",
+                 fmt::format("a log cannot carry the cell: this file lies outside its folder, "
+                             "where the cell itself says to look; --search {} takes it along",
                              shellWord(typedPath(file.parent_path()))),
                  typedPath(file)};
   }
@@ -184,7 +184,7 @@ Status noteNames(const FileLookups& noted, const BundleNames& names, BundleManif
     if (!is_new && same->second != name) {
       return Error{
           ErrorKind::unsupported,
-          fmt::format("the name {} means two files, so the cell is not attached", name.says),
+          fmt::format("the name {} means two files, so a log cannot carry the cell", name.says),
           lookup.beside.string()};
     }
   }
@@ -217,7 +217,7 @@ Status prove(const CellBundle& bundle, const Cell& cell, const ParallelFor& para
   const auto again = loadBundle(bundle, "", options);
   if (!again.ok()) return again.error();
   if (outcomeOf(*again) == outcomeOf(cell)) return {};
-  return Error{ErrorKind::damaged, "the cell changed while it was read, so it is not attached",
+  return Error{ErrorKind::damaged, "the cell changed while it was read, so a log cannot carry it",
                cell.file};
 }
 

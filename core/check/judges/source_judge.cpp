@@ -177,8 +177,9 @@ void SourceJudge::report(LogTime end, Findings& findings) const {
     longest_s = std::max(longest_s, at_end_s);
   }
   add(unrestated, unrestated.count, "source.unrestated",
-      fmt::format("source {} restated nothing for {:.4g} s; {:.6g} s are expected at most", name_,
-                  longest_s, restate_s_));
+      fmt::format("source {} did not send its static state (add, order, colours, drawings) again "
+                  "for {:.4g} s; {:.6g} s are expected at most",
+                  name_, longest_s, restate_s_));
   if (unrestated.count > 0) {
     findings.back().hint =
         "a receiver that joins late misses what it sent once: restate it every two seconds";

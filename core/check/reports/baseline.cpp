@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -108,6 +109,25 @@ std::string fileOf(const CheckReport& report, const std::string& file) {
   return (is_below ? below : path.filename()).generic_string();
 }
 
+/// What a rule says today, and what its first versions said: a key keeps the words of then, so that
+/// a reworded finding is the same one in every baseline and for every reader of SARIF.
+struct Rewording {
+  std::string_view rule, now, then;
+};
+constexpr std::array<Rewording, 1> kRewordings = {
+    {{"source.unrestated",
+      " did not send its static state (add, order, colours, drawings) again for ",
+      " restated nothing for "}}};
+
+std::string asFirstWorded(std::string_view rule, std::string text) {
+  for (const Rewording& each : kRewordings) {
+    // The last: before it stand names, which may say anything.
+    const std::size_t at = each.rule == rule ? text.rfind(each.now) : text.npos;
+    if (at != text.npos) text.replace(at, each.now.size(), each.then);
+  }
+  return text;
+}
+
 Error damaged(const std::string& name, std::string what) {
   return {ErrorKind::damaged, std::move(what), name};
 }
@@ -121,8 +141,10 @@ std::string BaselineKey::text() const {
 BaselineKey baselineKeyOf(const CheckReport& report, const Finding& finding) {
   // As JSON can hold it: names are a sender's bytes.
   return {finding.rule, plainText(finding.subject), plainText(fileOf(report, finding.file)),
-          withoutAngleUnits(withoutNumbers(plainText(
-              finding.left_out.empty() ? finding.text : finding.left_out + ": " + finding.text)))};
+          withoutAngleUnits(withoutNumbers(asFirstWorded(
+              finding.rule,
+              plainText(finding.left_out.empty() ? finding.text
+                                                 : finding.left_out + ": " + finding.text))))};
 }
 
 Result<Baseline> Baseline::read(const std::filesystem::path& path) {

@@ -75,7 +75,7 @@ Result<DescribedRobot> robotOf(std::string_view urdf, const ModelSearch& search)
     }
     robot.bundle = std::move(*bundle);
   } else {
-    robot.notes.push_back("the robot description is not attached: " + bundle.error().what);
+    robot.notes.push_back("the log does not carry the robot description: " + bundle.error().what);
   }
   return robot;
 }

@@ -307,6 +307,28 @@ TEST(Baseline, KnowsAFindingAgainWhateverItsNumbers) {
   EXPECT_EQ(key("bytes 700 to 708 of `12`."), "bytes # to # of `#`.");
 }
 
+TEST(Baseline, ARewordedFindingKeepsItsKey) {
+  const Finding today = findingOf(
+      "source.unrestated", Severity::warning,
+      "source me did not send its static state (add, order, colours, drawings) again for 10.1 s; "
+      "10 s are expected at most");
+  const std::string then = "source me restated nothing for # s; # s are expected at most";
+  EXPECT_EQ(baselineKeyOf(CheckReport(), today).sentence, then);
+  Finding other = today;
+  other.rule = "source.silence";
+  EXPECT_NE(baselineKeyOf(CheckReport(), other).sentence, then) << "words of one rule only";
+
+  const std::string file =
+      R"({"format": 1, "accepted": [{"rule": "source.unrestated", "text": ")" + then + "\"}]}";
+  const Result<Baseline> read = Baseline::parse(bytesOf(file), "known.json");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  CheckReport report;
+  report.findings = {today};
+  read->applyTo(report);
+  EXPECT_EQ(report.countOfAccepted(), 1U);
+  EXPECT_EQ(report.findings.size(), 1U) << "no entry is stale";
+}
+
 TEST(Baseline, WhatItWritesAcceptsTheSameAndNothingElse) {
   CheckReport report = hostileReport();
   const Baseline written = Baseline::of(report);
