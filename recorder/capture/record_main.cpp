@@ -10,6 +10,7 @@
 #include "core/base/figure_text.h"
 #include "core/cli/program.h"
 #include "core/cli/terminal.h"
+#include "core/cli/text_table.h"
 #include "core/recording/record_path.h"
 #include "recorder/capture/record_arguments.h"
 #include "recorder/capture/record_report.h"
@@ -154,7 +155,7 @@ int main(int argc, char** argv) {
     if (arguments.json) {
       cli::say(summaryJson(*summary));
     } else if (!arguments.quiet) {
-      cli::say(summaryText(*summary) + "\n");
+      cli::say(cli::wrapped(summaryText(*summary) + "\n", cli::outputTerminal().columns, 2));
     }
     return judge(arguments, *summary);
   });

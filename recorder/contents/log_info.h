@@ -65,7 +65,8 @@ Result<LogInfo> logInfo(const std::filesystem::path& path,
 /// One JSON object for scripts, indented or on one line, with LF.
 std::string logInfoJson(const LogInfo& info, bool indented);
 
-/// Several lines for the user, each with LF.
-std::string logInfoText(const LogInfo& info);
+/// Several lines for the user, each with LF. `columns`: of a terminal, whose lines it fits and
+/// which shows what is wrong first; 0: none, lines of any length in the order of the log.
+std::string logInfoText(const LogInfo& info, std::size_t columns = 0);
 
 }  // namespace rocinante

@@ -30,9 +30,11 @@ std::string gapText(const ChannelInfo& info) {
   return fmt::format("{:.3f}", static_cast<double>(info.longest_gap.count()) / 1e9);
 }
 
-void addChannels(std::string& out, const LogInfo& info) {
+void addChannels(std::string& out, const LogInfo& info, std::size_t columns) {
   cli::TextTable table;
   table.is_number = {false, false, false, false, true, true, true, false};
+  table.expendable = {3, 1};
+  table.whole = {7};
   table.rows = {
       {"channel", "encoding", "source", "sender", "messages", "rate/s", "silent/s", "activity"}};
   const auto add = [&](const ChannelInfo& channel) {
@@ -45,7 +47,7 @@ void addChannels(std::string& out, const LogInfo& info) {
   std::ranges::for_each(info.channels, add);
   std::ranges::for_each(info.own_channels, add);
   if (table.rows.size() == 1) return;
-  out += '\n' + table.text();
+  out += '\n' + table.text(columns);
 }
 
 void addEvents(std::string& out, const LogInfo& info) {
@@ -109,12 +111,10 @@ bool isBag(const LogInfo& info) {
          });
 }
 
-}  // namespace
-
-std::string logInfoText(const LogInfo& info) {
+std::string factsText(const LogInfo& info) {
   const LogSummary& summary = info.summary;
   const Nanoseconds duration = summary.end - summary.start;
-  std::string out = plainText(info.name) + "\n";
+  std::string out;
   if (!summary.session_id.empty()) {
     out += fmt::format("  session     {}\n", plainText(summary.session_id));
   }
@@ -163,17 +163,33 @@ std::string logInfoText(const LogInfo& info) {
   if (!info.account.empty()) {
     out += fmt::format("  account     {}\n", plainText(info.account.sentence()));
   }
-  out += "  complete    " + completeText(summary) + "\n";
-  addLosses(out, info);
+  return out;
+}
+
+}  // namespace
+
+std::string logInfoText(const LogInfo& info, std::size_t columns) {
+  constexpr std::size_t kValues = 14, kEventTexts = 20;  // where these columns begin
+  std::string verdict = "  complete    " + completeText(info.summary) + "\n";
+  addLosses(verdict, info);
+  std::string damage;
+  addDamage(damage, info);
+  const bool is_sound = info.summary.complete && damage.empty() && info.losses == LossCounts{};
+  std::string out = factsText(info) + verdict;
+  // What a person must know is not below a screen of channels and events.
+  if (columns > 0 && !is_sound) out = verdict + factsText(info);
   out += "  content     sha256 " + info.content_sha256 + "\n";
   if (!info.decoded_sha256.empty()) {
     out += "  decoded     sha256 " + info.decoded_sha256 + "\n";
   }
   out += "  stream      sha256 " + info.stream_sha256 + "\n";
-  addChannels(out, info);
-  addEvents(out, info);
-  addDamage(out, info);
-  return out;
+  out = plainText(info.name) + "\n" + cli::wrapped(out, columns, kValues);
+  if (columns > 0) out += cli::wrapped(damage, columns, 4);
+  addChannels(out, info, columns);
+  std::string events;
+  addEvents(events, info);
+  out += cli::wrapped(events, columns, kEventTexts);
+  return columns > 0 ? out : out + damage;
 }
 
 }  // namespace rocinante

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "core/cli/terminal.h"
 #include "recorder/contents/log_info.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/commands.h"
@@ -25,8 +26,8 @@ Result<cli::Exit> runInfo(const InfoOptions& options) {
     if (!info) return info.error();
     if (!options.json && !first) std::fputc('\n', stdout);
     first = false;
-    const std::string text =
-        options.json ? logInfoJson(*info, options.logs.size() == 1) : logInfoText(*info);
+    const std::string text = options.json ? logInfoJson(*info, options.logs.size() == 1)
+                                          : logInfoText(*info, cli::outputTerminal().columns);
     if (Status written = toStandardOutput(text); !written) return written.error();
     if (!info->damage.empty() || !info->summary.complete) exit = cli::Exit::no;
   }

@@ -11,6 +11,7 @@
 #include "core/base/duration_text.h"
 #include "core/cli/no_wait.h"
 #include "core/cli/program.h"
+#include "core/cli/terminal.h"
 #include "core/transport/open_source.h"
 #include "recorder/spy/spy.h"
 #include "recorder/spy/spy_json.h"
@@ -210,7 +211,8 @@ Result<cli::Exit> run(const Arguments& arguments) {
   for (const auto& each : *sources) {
     if (const auto text = neverAcceptedText(*each)) cli::warn(*text);
   }
-  const std::string text = arguments.json ? spyJson(*report, true) : spyText(*report, 0, 0);
+  const std::string text =
+      arguments.json ? spyJson(*report, true) : spyText(*report, 0, cli::outputTerminal().columns);
   cli::say(text);
   // Without a readable packet nothing was judged.
   return report->packets > 0 ? cli::Exit::done : cli::Exit::could_not_run;

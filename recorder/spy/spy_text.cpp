@@ -60,6 +60,8 @@ class Page {
     out_ = line(fmt::format("{}: {}, {} in packet text{}", secondsCell(report_.watched),
                             counted(report_.datagrams, "datagram"),
                             grouped(report_.packets - report_.decoded), decoded));
+    const bool is_terminal = columns_ > 0;
+    if (is_terminal) addReasons();
     addEndpoints();
     addSenders();
     addDecoders();
@@ -69,13 +71,21 @@ class Page {
     addSignals();
     addDrawings();
     addEvents();
-    addReasons();
+    if (!is_terminal) addReasons();
     return std::move(out_);
   }
 
  private:
   std::string line(std::string_view text) const {
-    return std::string(columns_ > 0 ? cli::firstPlaces(text, columns_) : text) + "\n";
+    const std::size_t indent = text.find_first_not_of(' ');
+    std::string lines = cli::wrapped(text, columns_, (indent == text.npos ? 0 : indent) + 2) + "\n";
+    if (rows_ == 0 || columns_ == 0) return lines;
+    // A screen has no room for words that are longer than a line.
+    std::string cut;
+    for (std::string_view rest = lines; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {
+      cut += std::string(cli::firstPlaces(rest.substr(0, rest.find('\n')), columns_)) + "\n";
+    }
+    return cut;
   }
 
   /// Appends an empty line and at most rows_ rows of the table.
@@ -149,6 +159,7 @@ class Page {
   void addSources() {
     TextTable table;
     table.is_number = {false, true, true, true, true, true, true, true, true, false};
+    table.expendable = {6, 5};
     table.rows.push_back({"source", "rate/s", "packets", "gap", "late", "restarts", "restated",
                           "faults", "silent", "sender"});
     for (const SpySource& each : report_.sources) {

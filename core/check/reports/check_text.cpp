@@ -37,12 +37,13 @@ class TextWriter {
     const std::string safe = plainText(what);
     std::string_view text = safe;
     const std::string start = paint(color), end = color.empty() ? "" : paint("0");
-    do {
+    for (const std::size_t next = indent + 2;; indent = next) {
       const std::size_t bytes = fitting(text, indent);
       text_ += std::string(indent, ' ') + start + std::string(text.substr(0, bytes)) + end + "\n";
       text.remove_prefix(bytes);
       while (text.starts_with(' ')) text.remove_prefix(1);
-    } while (!text.empty());
+      if (text.empty()) return;
+    }
   }
   void emptyLine() { text_ += "\n"; }
   std::string take() { return std::move(text_); }
@@ -104,6 +105,7 @@ class ReportText {
       : report_(report), style_(style), out_(style) {}
 
   std::string text() {
+    writeSentence();
     writeHead();
     if (style_.quiet) {
       writeCounts();
@@ -116,12 +118,24 @@ class ReportText {
       writeBaselineHint();
     }
     out_.emptyLine();
-    const bool is_good = report_.verdict == CheckVerdict::compatible;
-    out_.line(0, verdictText(report_.verdict), is_good ? "1;32" : "1;31");
+    out_.line(0, verdictText(report_.verdict), verdictColor());
     return out_.take();
   }
 
  private:
+  std::string_view verdictColor() const {
+    return report_.verdict == CheckVerdict::compatible ? "1;32" : "1;31";
+  }
+
+  /// On a terminal the verdict stands above what it is about, too: below, a long report has it
+  /// beside the prompt.
+  void writeSentence() {
+    if (style_.columns == 0 || style_.quiet || report_.findings.empty()) return;
+    const std::string counts = countsText();
+    out_.line(0, verdictText(report_.verdict) + (counts.empty() ? "" : " (" + counts + ")"),
+              verdictColor());
+  }
+
   void writeHead() {
     std::string head = report_.cell;
     if (!report_.session.empty()) {
@@ -138,6 +152,10 @@ class ReportText {
   }
 
   void writeCounts() {
+    if (const std::string counts = countsText(); !counts.empty()) out_.line(0, counts);
+  }
+
+  std::string countsText() const {
     std::string counts;
     for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
       const std::size_t count = report_.countOf(severity);
@@ -146,7 +164,7 @@ class ReportText {
     if (const std::size_t accepted = report_.countOfAccepted(); accepted > 0) {
       counts += fmt::format("{}{} accepted", counts.empty() ? "" : ", ", accepted);
     }
-    if (!counts.empty()) out_.line(0, counts);
+    return counts;
   }
 
   void writeSeverity(Severity severity) {

@@ -349,5 +349,14 @@ TEST_F(SpyTest, TablesFitTheScreen) {
   }
 }
 
+TEST_F(SpyTest, OnATerminalTheReasonsComeFirstAndAreBroken) {
+  const SpyReport report = after(seconds(3));
+  const std::string piped = spyText(report, 0, 0), shown = spyText(report, 0, 60);
+  EXPECT_GT(piped.find("[live.nothing-received]"), piped.find("endpoint"));
+  EXPECT_LT(shown.find("[live.nothing-received]"), shown.find("endpoint"));
+  EXPECT_THAT(shown, HasSubstr("\n    "));
+  EXPECT_EQ(std::ranges::count(piped, '-'), std::ranges::count(shown, '-')) << "nothing is cut";
+}
+
 }  // namespace
 }  // namespace rocinante

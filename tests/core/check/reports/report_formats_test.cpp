@@ -271,6 +271,9 @@ TEST(CheckText, KeepsSubjectsTogetherBreaksLinesAndListsOnlySoMany) {
     at = end + 1;
   }
   EXPECT_EQ(text.find('\x1B'), text.npos) << "a sender could move the cursor";
+  EXPECT_THAT(text, testing::StartsWith("incompatible (31 errors, 1 warning, 1\n  note)\n"));
+  style.columns = 0;
+  EXPECT_THAT(checkText(report, style), testing::StartsWith(report.cell));
   style.color = true;
   EXPECT_THAT(checkText(report, style), HasSubstr("\033[1;31m"));
   style.quiet = true;
