@@ -9,6 +9,8 @@
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
 #include "core/cli/progress_line.h"
+#include "core/cli/terminal.h"
+#include "core/cli/text_table.h"
 #include "core/cli/worker_threads.h"
 #include "golden/command/commands.h"
 #include "golden/command/compare_command.h"
@@ -29,16 +31,21 @@
 namespace rocinante {
 namespace {
 
-std::string frameText(const JudgedFrame& judged, const std::string& rule) {
-  return fmt::format("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, rule);
-}
+constexpr std::size_t kNameColumn = 14;  // of a frame's line, behind its verdict
 
-void printFailures(const std::vector<JudgedFrame>& frames) {
+/// Sentences are broken at a terminal's width. Below the sentence of several frames a line each is
+/// enough: its end, where the limit is from, may be cut.
+void printFailures(const std::vector<JudgedFrame>& frames, bool verbose) {
+  const std::size_t columns = cli::outputTerminal().columns;
   for (const CauseGroup& group : causeGroups(frames)) {
-    if (!group.sentence.empty()) fmt::print("{}\n", plainText(group.sentence));
-    for (const std::string& cause : group.also) fmt::print("    {}\n", plainText(cause));
-    for (const JudgedFrame* const judged : group.frames) {
-      fmt::print("{}", frameText(*judged, plainText(ruleText(group, *judged))));
+    const std::size_t causes = group.sentence.empty() ? 0 : 1;
+    const bool may_be_cut = !verbose && causes > 0 && group.frames.size() > 1;
+    const std::vector<std::string> lines = groupLines(group, verbose);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const bool is_frame = i >= causes && !lines[i].starts_with(' ');
+      fmt::print("{}\n", is_frame && may_be_cut
+                             ? cli::withoutEnd(lines[i], columns)
+                             : cli::wrapped(lines[i], columns, is_frame ? kNameColumn : 6));
     }
   }
 }
@@ -148,15 +155,16 @@ Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bo
   JobOptions options;
   options.jobs = jobs > 0 ? jobs : usefulJobs(frames, std::thread::hardware_concurrency());
   options.stop = cli::stopRequested;
+  const std::size_t columns = cli::outputTerminal().columns;
   // Frames that are not fine are printed below their cause, once it is known.
   std::vector<std::string> failed;
   options.tell = [&](const JudgedFrame& judged) {
     if (quiet) return;
     if (isFine(judged.verdict)) {
       progress.clear();
-      fmt::print("{}", frameText(judged, judged.rule));
+      fmt::print("{}\n", cli::wrapped(frameLine(judged, judged.rule), columns, kNameColumn));
     } else {
-      failed.push_back(frameText(judged, judged.rule));
+      failed.push_back(frameLine(judged, judged.rule));
     }
   };
   options.progress = [&](std::size_t done, std::size_t of) {
@@ -165,7 +173,7 @@ Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bo
   auto judged = judgeAll(session, options);
   progress.clear();
   if (!judged.ok()) {
-    for (const std::string& line : failed) fmt::print("{}", line);
+    for (const std::string& line : failed) fmt::print("{}\n", line);
   }
   return judged;
 }
@@ -265,7 +273,7 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   report.frames = std::move(*judged);
   FrameExplainer explainer(*session, arguments.suite.suite, *options);
   const Status explained = explainFailures(explainer, report.frames);
-  if (!quiet) printFailures(report.frames);
+  if (!quiet) printFailures(report.frames, arguments.verbose);
   if (!explained) return explained.error();
   if (!quiet && arguments.verbose) printWhy(report.frames);
   auto runs = explainedRuns(*session, arguments.suite.suite, *options);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
+#include "core/base/plain_text.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
@@ -31,6 +33,31 @@ std::string placeText(std::size_t count, std::size_t all, const std::string& fir
   if (count == 2 && all == 2) return "in both frames";
   return count == all ? fmt::format("in all {} frames", all)
                       : fmt::format("in {} of {} frames", count, all);
+}
+
+constexpr std::size_t kMostCauses = 3;
+
+/// Of `count` lines where only `most` are wanted: one of these says how many are left out.
+std::size_t shownOf(std::size_t count, std::size_t most) {
+  return count <= most ? count : most - 1;
+}
+
+/// "different     and 2 more: late, later", a line for each verdict.
+std::vector<std::string> restLines(const std::vector<const JudgedFrame*>& frames) {
+  std::vector<std::string> lines;
+  for (const FrameVerdict verdict : kFrameVerdicts) {
+    std::string names;
+    std::size_t count = 0;
+    for (const JudgedFrame* const judged : frames) {
+      if (judged->verdict != verdict) continue;
+      names += (names.empty() ? "" : ", ") + judged->frame.name;
+      ++count;
+    }
+    if (count > 0) {
+      lines.push_back(fmt::format("{:<13} and {} more: {}", nameOf(verdict), count, names));
+    }
+  }
+  return lines;
 }
 
 }  // namespace
@@ -71,6 +98,35 @@ std::string ruleText(const CauseGroup& group, const JudgedFrame& judged) {
   const bool has_own =
       !group.sentence.empty() && group.frames.size() > 1 && !judged.why->common_cause.empty();
   return has_own ? judged.why->causes.front() + "; " + judged.rule : judged.rule;
+}
+
+std::string frameLine(const JudgedFrame& judged, const std::string& rule) {
+  return fmt::format("{:<13} {}: {}", nameOf(judged.verdict), judged.frame.name, rule);
+}
+
+std::vector<std::string> groupLines(const CauseGroup& group, bool all) {
+  std::vector<std::string> lines;
+  if (!group.sentence.empty()) lines.push_back(plainText(group.sentence));
+  all = all || lines.size() + group.also.size() + group.frames.size() <= kMostGroupLines ||
+        group.sentence.empty();
+  const std::size_t causes = all ? group.also.size() : shownOf(group.also.size(), kMostCauses);
+  for (std::size_t i = 0; i < causes; ++i) lines.push_back("    " + plainText(group.also[i]));
+  if (causes < group.also.size()) {
+    lines.push_back(fmt::format("    and {} more", group.also.size() - causes));
+  }
+  std::size_t shown = group.frames.size();
+  if (!all && lines.size() + shown > kMostGroupLines) {
+    std::set<FrameVerdict> verdicts;
+    for (const JudgedFrame* const judged : group.frames) verdicts.insert(judged->verdict);
+    shown = kMostGroupLines - lines.size() - verdicts.size();
+  }
+  for (std::size_t i = 0; i < shown; ++i) {
+    lines.push_back(frameLine(*group.frames[i], plainText(ruleText(group, *group.frames[i]))));
+  }
+  const std::vector<std::string> rest =
+      restLines({group.frames.begin() + shown, group.frames.end()});
+  lines.insert(lines.end(), rest.begin(), rest.end());
+  return lines;
 }
 
 std::string firstSentence(const SuiteReport& report) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,15 @@ std::string causeSentence(const std::vector<CauseGroup>& groups, const JudgedFra
 /// What decided, after the frame's own cause where its group's sentence does not give it:
 /// "arm/joint4: 23.61° -> 24.12°; 412 differing pixels (exact), limit from the default".
 std::string ruleText(const CauseGroup& group, const JudgedFrame& judged);
+
+/// "different     front: 412 differing pixels (exact), limit from the default"
+std::string frameLine(const JudgedFrame& judged, const std::string& rule);
+
+/// The group for a terminal, without line ends: its sentence, then a line for each further cause
+/// and each frame. Of a group with a sentence at most kMostGroupLines, unless `all`: then "and N
+/// more" counts causes and names frames, by verdict.
+inline constexpr std::size_t kMostGroupLines = 10;
+std::vector<std::string> groupLines(const CauseGroup& group, bool all);
 
 /// The first sentence about a report: of its frames' first group, else of its first run that is
 /// not fine: "run lift: ..."; empty when all is fine or nothing is known.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
+#include "golden/report/cause_groups.h"
 #include "golden/report/report_formats.h"
 #include "golden/report/report_pictures.h"
 #include "golden/report/report_reader.h"
@@ -251,6 +252,69 @@ TEST_F(ReportTest, PicturesLieBesideThePage) {
        {"index.html", "pick.frame.png", "pick.golden.png", "pick.difference.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / "deep" / "report" / name)) << name;
   }
+}
+
+/// Frames that are different for one cause, named a, b, c ...
+struct OneCause {
+  explicit OneCause(std::size_t count, std::vector<std::string> also = {}) {
+    FrameWhy why;
+    why.causes = {"joint elbow has moved by 20 mm"};
+    why.causes.insert(why.causes.end(), also.begin(), also.end());
+    for (std::size_t i = 0; i < count; ++i) {
+      JudgedFrame judged;
+      judged.frame = {std::string(1, static_cast<char>('a' + i)), &suite_case, std::nullopt, ""};
+      judged.verdict = FrameVerdict::different;
+      judged.rule = "5 differing pixels (exact)";
+      judged.why = std::make_shared<const FrameWhy>(why);
+      frames.push_back(std::move(judged));
+    }
+  }
+  std::vector<std::string> lines(bool all = false) const {
+    return groupLines(causeGroups(frames).front(), all);
+  }
+  SuiteCase suite_case;
+  std::vector<JudgedFrame> frames;
+};
+
+TEST(CauseGroup, ALineAFrameWhereTheyFit) {
+  EXPECT_THAT(
+      OneCause(2, {"link hand is gone"}).lines(),
+      testing::ElementsAre("in both frames: joint elbow has moved by 20 mm",
+                           "    link hand is gone", "different     a: 5 differing pixels (exact)",
+                           "different     b: 5 differing pixels (exact)"));
+  EXPECT_EQ(OneCause(9).lines().size(), 10U);
+  EXPECT_EQ(OneCause(9).lines().back(), "different     i: 5 differing pixels (exact)");
+}
+
+TEST(CauseGroup, NamesTheFramesThatItHasNoLineFor) {
+  const OneCause long_one(20);
+  const std::vector<std::string> lines = long_one.lines();
+  ASSERT_EQ(lines.size(), kMostGroupLines);
+  EXPECT_EQ(lines[8], "different     h: 5 differing pixels (exact)");
+  EXPECT_EQ(lines[9], "different     and 12 more: i, j, k, l, m, n, o, p, q, r, s, t");
+  EXPECT_EQ(long_one.lines(true).size(), 21U);
+}
+
+TEST(CauseGroup, SaysHowManyCausesItHasNoLineFor) {
+  const OneCause mixed(9, {"A", "B", "C", "D", "E"});
+  const std::vector<std::string> lines = mixed.lines();
+  ASSERT_EQ(lines.size(), kMostGroupLines);
+  EXPECT_THAT(std::vector(lines.begin() + 1, lines.begin() + 4),
+              testing::ElementsAre("    A", "    B", "    and 3 more"));
+  EXPECT_EQ(lines.back(), "different     and 4 more: f, g, h, i");
+}
+
+TEST(CauseGroup, NamesOfTwoVerdictsAreTwoLines) {
+  OneCause mixed(12);
+  mixed.frames[10].verdict = mixed.frames[11].verdict = FrameVerdict::missing;
+  // Missing frames have a cause only where the files or the session have changed.
+  FrameWhy why = *mixed.frames[10].why;
+  why.files = {"arm.urdf: the model has changed"};
+  mixed.frames[10].why = mixed.frames[11].why = std::make_shared<const FrameWhy>(why);
+  const std::vector<std::string> lines = mixed.lines();
+  ASSERT_EQ(lines.size(), kMostGroupLines);
+  EXPECT_EQ(lines[8], "different     and 3 more: h, i, j");
+  EXPECT_EQ(lines[9], "missing       and 2 more: k, l");
 }
 
 }  // namespace
