@@ -1,7 +1,9 @@
-# cmake -DPAGE=FOLDER -DSCRIPTS=a.js,b.js -DOUTPUT=FILE.cpp -P embed_report_page.cmake
+# cmake -DPAGE=FOLDER -DFAMILY=FILE.css -DSCRIPTS=a.js,b.js -DOUTPUT=FILE.cpp -P embed_report_page.cmake
 # Writes the parts of the report's page as strings that the golden library holds.
 file(READ "${PAGE}/page.html" page)
+file(READ "${FAMILY}" family)
 file(READ "${PAGE}/style.css" style)
+string(PREPEND style "${family}")
 set(script "")
 string(REPLACE "," ";" names "${SCRIPTS}")
 foreach(name ${names})

@@ -129,6 +129,51 @@ await check("the slider's controls can be reached at every width", async () => {
   }
   await page.setViewportSize(usual);
 });
+await check("at 1280x800 the cause, both pictures and the slider are seen without scrolling", async () => {
+  const usual = page.viewportSize();
+  await page.setViewportSize({ width: 1280, height: 800 });
+  for (const key of ["1", "2"]) {
+    await page.keyboard.press(key);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    const { outside, used } = await page.evaluate(() => {
+      const footer = document.getElementById("approval").getBoundingClientRect().top;
+      const shown = [...document.querySelectorAll("#cause, #cases .cause, #slider, #stage canvas")];
+      const stage = document.getElementById("stage"), canvases = [...stage.querySelectorAll("canvas")];
+      const below = footer - stage.getBoundingClientRect().top;
+      return {
+        outside: shown.filter((each) => {
+          const box = each.getBoundingClientRect();
+          return box.height === 0 || box.top < 0 || box.bottom > footer || box.left < 0 || box.right > innerWidth;
+        }).map((each) => each.id || each.tagName),
+        used: Math.max(canvases.reduce((sum, each) => sum + each.clientWidth, 0) / stage.clientWidth, canvases[0].clientHeight / below),
+      };
+    });
+    assert.deepEqual(outside, [], "not seen in view " + key);
+    assert.ok(used > 0.85, `view ${key} uses ${used} of the room`);
+  }
+  await page.setViewportSize(usual);
+});
+await check("the slider is in every view that compares, and leads to its own", async () => {
+  await page.keyboard.press("1");
+  await page.keyboard.press("[");
+  assert.equal(await page.locator("#modes input").nth(1).isChecked(), true);
+  const before = Number(await page.locator("#slider").inputValue());
+  await page.keyboard.press("]");
+  assert.equal(Number(await page.locator("#slider").inputValue()), before + 5);
+  await page.keyboard.press("4");
+  await page.locator("#slider").fill("30");
+  assert.equal(await page.locator("#modes input").nth(1).isChecked(), true);
+});
+await check("J and K go from cause to cause", async () => {
+  await page.locator("#case").focus();
+  await page.getByLabel("same", { exact: true }).check();
+  await page.keyboard.press("J");
+  await shown("third");
+  await page.keyboard.press("K");
+  await shown("first");
+  await page.getByLabel("same", { exact: true }).uncheck();
+  await page.locator("#case").focus();
+});
 await check("flicker swaps by itself, by key, and pauses", async () => {
   await page.locator("#case").focus();
   await page.keyboard.press("3");

@@ -109,7 +109,7 @@ std::string filled(const PageParts& parts, const std::string& before_script,
   page += kPageHtml;
   fill(page, "{{title}}", escaped(parts.title));
   fill(page, "{{left_out}}", escaped(parts.left_out));
-  fill(page, "{{style}}", kPageStyle);
+  fill(page, "{{style}}", std::string(kPageFamily).append(kPageStyle));
   // From the end, so that what stands in a part is not looked at.
   fill(page, "{{session}}", session);
   fill(page, "{{script}}", kPageScript);

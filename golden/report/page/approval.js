@@ -34,6 +34,6 @@ class Approval {
     find("approval-count").textContent = count + (this.has_runs ? "" : count === 1 ? " frame" : " frames") + " to approve";
     find("approval-copy").disabled = find("approval-none").disabled = count === 0;
     find("approval-text").value = this.text();
-    find("approval-command").textContent = this.command ?? "";
+    find("approval-command").textContent = find("approval-command").title = this.command ?? "";
   }
 }

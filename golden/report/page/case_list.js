@@ -52,6 +52,13 @@ class CaseList {
     this.items[index].querySelector(".state").classList.toggle("picked", picked);
   }
 
+  // The first visible one of the next cause; by -1, of this cause, or of the previous one from there.
+  stepCause(index, by) {
+    const firsts = this.visible.filter((each, place) =>
+      place === 0 || this.frames[each].cause !== this.frames[this.visible[place - 1]].cause);
+    return (by > 0 ? firsts.find((each) => each > index) : firsts.findLast((each) => each < index)) ?? index;
+  }
+
   // The visible one after or before `index`, or `index` itself.
   step(index, by) {
     const visible = by > 0 ? this.visible.filter((each) => each > index) : this.visible.filter((each) => each < index).reverse();

@@ -25,7 +25,8 @@
     list?.markPicked(index, on);
     if (index === current) find("select-case").checked = on;
   });
-  const run_view = new RunView(report.runs, store,
+  // Pictures of frames have the room; without any to look at, runs are open.
+  const run_view = new RunView(report.runs, store, report.show_first.length === 0,
     report.approve_from && ((run, on) => approval.set([frames.length + run], on)));
   let list = null;
   const runs = report.runs.map((_, index) => frames.length + index);
@@ -57,6 +58,13 @@
     stage.setMode(kModes[index].name);
   }
 
+  // From any view: what slides is looked at.
+  function slide(part) {
+    if (!stage.can_compare) return;
+    if (stage.mode !== "slider") setMode(kModes.findIndex(({ name }) => name === "slider"));
+    stage.setDivider(part);
+  }
+
   async function choose(index) {
     const frame = frames[index];
     if (!frame || index === current) return;
@@ -84,7 +92,11 @@
   new Keys([
     { keys: ["j"], what: "next frame", act: () => choose(list.step(current, 1)) },
     { keys: ["k"], what: "previous frame", act: () => choose(list.step(current, -1)) },
+    { keys: ["J"], what: "first frame of the next cause", act: () => choose(list.stepCause(current, 1)) },
+    { keys: ["K"], what: "first frame of this cause, or of the previous one", act: () => choose(list.stepCause(current, -1)) },
     ...kModes.map(({ title }, index) => ({ keys: [String(index + 1)], what: title.toLowerCase(), act: () => setMode(index) })),
+    { keys: ["["], what: "slider: more of the frame", act: () => slide(stage.divider - 0.05) },
+    { keys: ["]"], what: "slider: more of the golden", act: () => slide(stage.divider + 0.05) },
     { keys: ["s"], what: "flicker: the other picture", act: () => { stage.setPaused(true); stage.swap(); } },
     { keys: ["p"], what: "flicker: pause or resume", act: () => stage.setPaused(!stage.paused) },
     { keys: ["+", "="], what: "zoom in (also the wheel)", act: () => stage.zoom(2) },
@@ -102,7 +114,7 @@
   find("zoom-in").addEventListener("click", () => stage.zoom(2));
   find("zoom-out").addEventListener("click", () => stage.zoom(0.5));
   find("zoom-fit").addEventListener("click", () => stage.fit());
-  find("slider").addEventListener("input", (event) => stage.setDivider(event.target.value / 100));
+  find("slider").addEventListener("input", (event) => slide(event.target.value / 100));
   find("flicker").addEventListener("click", () => stage.setPaused(!stage.paused));
   find("open-help").addEventListener("click", () => find("help").showModal());
   find("open-environment").addEventListener("click", () => find("environment").showModal());

@@ -1,8 +1,9 @@
 // Runs: sessions compared as motion. Findings as a list, joints as curves: the accepted band and the
 // session under test.
 class RunView {
-  constructor(runs, pictures, pick) {
+  constructor(runs, pictures, is_open, pick) {
     this.pictures = pictures;
+    this.is_open = is_open; // of what is not fine
     this.pick = pick; // (number, on): called when a run is chosen for approval
     this.boxes = new Map();
     find("runs").hidden = runs.length === 0;
@@ -16,7 +17,9 @@ class RunView {
   section(run, number) {
     const head = make("h3", {}, make("span", { className: "verdict " + run.verdict, textContent: run.verdict }),
       " run " + run.name);
-    const section = make("section", { className: "run" }, head, make("p", { textContent: run.rule }));
+    const is_fine = run.verdict === "same" || run.verdict === "expected";
+    const section = make("details", { className: "run", open: this.is_open && !is_fine },
+      make("summary", {}, head, make("span", { textContent: run.rule })));
     if (run.can_approve && this.pick) {
       const box = make("input", { type: "checkbox" });
       box.addEventListener("change", () => this.pick(number, box.checked));

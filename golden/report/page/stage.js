@@ -22,7 +22,9 @@ class Stage {
     this.shown = null;
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.paused = this.calm.matches;
-    new ResizeObserver(() => this.draw()).observe(this.element);
+    const resized = new ResizeObserver(() => this.draw());
+    resized.observe(this.element);
+    resized.observe(find("case"));
     addEventListener("resize", () => this.draw());
     setInterval(() => {
       if (this.mode === "flicker" && !this.paused && !document.hidden) this.swap();
@@ -90,7 +92,7 @@ class Stage {
     if (this.panes.length === 0) {
       this.element.append(make("p", { className: "nothing", textContent: "No picture of this frame." }));
     }
-    find("slider-label").hidden = mode !== "slider";
+    find("slider-label").hidden = !this.can_compare || mode === "flicker";
     find("flicker").hidden = mode !== "flicker";
     this.draw();
   }
