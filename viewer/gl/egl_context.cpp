@@ -24,6 +24,7 @@ struct EglTable {
   PFNEGLMAKECURRENTPROC MakeCurrent = nullptr;
   PFNEGLGETCURRENTCONTEXTPROC GetCurrentContext = nullptr;
   PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplayEXT = nullptr;
+  PFNEGLQUERYDEVICESEXTPROC QueryDevicesEXT = nullptr;  // may be missing
 };
 
 Error refusal(std::string what) { return Error{ErrorKind::refused, std::move(what), {}}; }
@@ -53,7 +54,33 @@ Result<EglTable> loadEgl() {
   if (egl.GetPlatformDisplayEXT == nullptr) {
     return refusal("this EGL lacks EGL_EXT_platform_base");
   }
+  egl.QueryDevicesEXT =
+      reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(egl.GetProcAddress("eglQueryDevicesEXT"));
   return egl;
+}
+
+/// Without any surface: Mesa's platform, else the first device that works, for drivers that lack
+/// that. EGL_NO_DISPLAY when there is none.
+EGLDisplay openDisplay(const EglTable& egl) {
+  const HiddenDrirc hidden;
+  const auto opened = [&](EGLenum platform, void* native) -> EGLDisplay {
+    EGLDisplay display = egl.GetPlatformDisplayEXT(platform, native, nullptr);
+    const bool works =
+        display != EGL_NO_DISPLAY && egl.Initialize(display, nullptr, nullptr) == EGL_TRUE;
+    return works ? display : EGL_NO_DISPLAY;
+  };
+  EGLDisplay display = opened(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
+  if (display != EGL_NO_DISPLAY || egl.QueryDevicesEXT == nullptr) return display;
+  std::array<EGLDeviceEXT, 16> devices{};
+  EGLint count = 0;
+  if (egl.QueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count) !=
+      EGL_TRUE) {
+    return EGL_NO_DISPLAY;
+  }
+  for (EGLint i = 0; i < count && display == EGL_NO_DISPLAY; ++i) {
+    display = opened(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)]);
+  }
+  return display;
 }
 
 class EglContext final : public RenderContext {
@@ -91,14 +118,8 @@ class EglContext final : public RenderContext {
 Result<std::unique_ptr<RenderContext>> makeEglContext() {
   const Result<EglTable> egl = loadEgl();
   if (!egl) return egl.error();
-  EGLDisplay display =
-      egl->GetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  {
-    const HiddenDrirc hidden;
-    if (display == EGL_NO_DISPLAY || egl->Initialize(display, nullptr, nullptr) != EGL_TRUE) {
-      return refusal("EGL has no surfaceless display here");
-    }
-  }
+  EGLDisplay display = openDisplay(*egl);
+  if (display == EGL_NO_DISPLAY) return refusal("EGL has no surfaceless display here");
   if (egl->BindAPI(EGL_OPENGL_API) != EGL_TRUE) return refusal("this EGL has no desktop GL");
   const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
                                      EGL_NONE};
