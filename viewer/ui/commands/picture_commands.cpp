@@ -163,6 +163,12 @@ Status clearSelection(CommandWords /*words*/, const CommandStage& stage) {
   return {};
 }
 
+Status dismissLines(CommandWords /*words*/, const CommandStage& stage) {
+  stage.model.viewer.panels.notices.dismissAll();
+  stage.model.viewer.panels.notes.clear();
+  return {};
+}
+
 Status setInsets(CommandWords words, const CommandStage& stage) {
   const bool any = std::ranges::any_of(stage.model.viewer.insets, &InsetChoice::shown);
   const auto on = switched(words, any);
@@ -297,6 +303,7 @@ std::vector<Command> pictureCommands() {
            "end driving, else close what is open, else dismiss notes, else clear the selection",
        .run = clearSelection,
        .shortcuts = {{"escape", "", ""}}},
+      {.name = "dismiss", .means = "dismiss the lines over the picture", .run = dismissLines},
       {.name = "insets",
        .arguments = "[on|off]",
        .means = "insets on or off",

@@ -11,6 +11,7 @@
 
 #include "core/base/time.h"
 #include "viewer/ui/model/line_start.h"
+#include "viewer/ui/model/notice_stack.h"
 #include "viewer/ui/model/open_state.h"
 #include "viewer/ui/model/panel_places.h"
 #include "viewer/view/backdrop_frame.h"
@@ -73,6 +74,7 @@ struct PanelState {
   std::array<char, 64> event_filter{};   ///< the same for events
   std::set<std::string> open_devices;    ///< whose links are listed
   std::vector<std::string> lines;        ///< that the last frame had over the picture
+  NoticeStack notices;                   ///< which of them are shown
   std::vector<PictureNote> notes;        ///< over the picture until they are dismissed
   std::string complaint;                 ///< one sentence to show; empty: none
   std::vector<std::string> doubts;       ///< doubts about written files, printed at the end

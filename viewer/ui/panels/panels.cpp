@@ -73,6 +73,13 @@ void drawTimePanels(ViewModel& model, const DockLayout& layout, SteadyTime now) 
   drawPlotDrag(model, layout.picture.y + layout.picture.height);
 }
 
+/// Where lines over the picture stand.
+PanelRectangle noticeRoom(const PanelRectangle& picture) {
+  const float margin = px(kPanelMargin);
+  return {picture.x + margin, picture.y + margin, std::max(0.0F, picture.width - 2 * margin),
+          std::max(0.0F, picture.height - 2 * margin)};
+}
+
 }  // namespace
 
 PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime now,
@@ -91,7 +98,7 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
   drawInsetTabs(model);
   drawInsetGrip(model);
   if (status.loading) drawLoading(*status.loading, model.viewer.is_empty);
-  drawPictureLines(pictureLines(model, status, now), layout.picture, model.viewer.panels.lines);
+  drawPictureLines(model, pictureLines(model, status, now), noticeRoom(layout.picture));
   drawDriveFrame(model);
   if (model.viewer.panels.asks_mark) drawMarkPrompt(model, requests);
   if (model.viewer.panels.help_shown) drawHelp(model);

@@ -1,9 +1,11 @@
 #include "viewer/ui/panels/picture_lines.h"
 
 #include <fmt/format.h>
-#include <imgui_internal.h>
+#include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <utility>
 
 #include "viewer/ui/panels/hand_panel.h"
@@ -18,83 +20,90 @@ const ImVec4 kHint(1.0F, 0.85F, 0.3F, 1);
 const ImVec4 kDone(0.7F, 0.9F, 0.75F, 1);
 const ImVec4 kOthers(0.6F, 0.85F, 1, 1);
 
-/// Where lines are drawn, from the top down.
-struct LineRoom {
-  float left = 0, right = 0, top = 0;
-  bool over_panels = false;
-};
+constexpr std::size_t kMostLines = 4;
+constexpr std::size_t kMostListed = 12;  // on hover
+constexpr float kGap = 6;
+
+std::string keyOf(const PictureNote& note) {
+  return (note.is_error ? "error " : "note ") + note.text;
+}
 
 struct LineSize {
   float wrap = 0;
-  ImVec2 size;
+  NoticeSize size;
 };
 
-/// Computed here, because an auto-sized window is one frame late.
-LineSize sizeOf(const PictureLine& line, const LineRoom& room) {
+/// Computed here, because an auto-sized window is one frame late. No higher than there is room.
+LineSize sizeOf(const PictureLine& line, const PanelRectangle& free) {
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-  const float most =
-      std::max(px(160), std::min(px(560), room.right - room.left - px(2 * kPanelMargin)));
-  LineSize result{most - 2 * padding.x, {}};
-  const ImVec2 said = ImGui::CalcTextSize(line.what.c_str(), nullptr, false, result.wrap);
-  result.size = said;
+  const float most = std::max(px(120), std::min(px(560), free.width));
+  const float wrap = most - 2 * padding.x;
+  ImVec2 size = ImGui::CalcTextSize(line.what.c_str(), nullptr, false, wrap);
   if (!line.hint.empty()) {
-    const ImVec2 more = ImGui::CalcTextSize(line.hint.c_str(), nullptr, false, result.wrap);
-    result.size.x = std::max(result.size.x, more.x);
-    result.size.y += more.y + ImGui::GetStyle().ItemSpacing.y;
+    const ImVec2 more = ImGui::CalcTextSize(line.hint.c_str(), nullptr, false, wrap);
+    size.x = std::max(size.x, more.x);
+    size.y += more.y + ImGui::GetStyle().ItemSpacing.y;
   }
-  result.size.x += 2 * padding.x + 1;
-  result.size.y += 2 * padding.y;
-  return result;
+  const float least = ImGui::GetTextLineHeight() + 2 * padding.y;
+  const float height = std::min(size.y + 2 * padding.y, std::max(free.height, least));
+  return {wrap, {size.x + 2 * padding.x + 1, height}};
 }
 
-/// The first notes of a kind, one a line, and how many more there are; empty: none.
-std::string notesText(const std::vector<PictureNote>& notes, bool errors) {
-  constexpr std::size_t kMost = 4;
-  std::string text;
-  std::size_t count = 0;
-  for (const PictureNote& note : notes) {
-    if (note.is_error != errors || ++count > kMost) continue;
-    text += (text.empty() ? "" : "\n") + note.text;
-  }
-  if (count > kMost) text += fmt::format("\nand {} more in the terminal", count - kMost);
-  return text;
+/// The size of the line that says how many more there are.
+NoticeSize moreSize(const std::string& text) {
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  return {ImGui::CalcTextSize(text.c_str()).x + 2 * padding.x + 1,
+          ImGui::GetTextLineHeight() + padding.y};
 }
 
-/// Returns what is below the line.
-float drawLine(const PictureLine& line, const LineRoom& room, float top) {
-  const LineSize computed = sizeOf(line, room);
-  ImGui::SetNextWindowPos(ImVec2((room.left + room.right) / 2, top), ImGuiCond_Always,
-                          ImVec2(0.5F, 0));
-  ImGui::SetNextWindowSize(computed.size);
+/// An opaque window there, below all others, one for each slot; true while the mouse is over it.
+bool beginLine(std::size_t slot, const PanelRectangle& at, bool takes_mouse) {
+  ImGui::SetNextWindowPos(ImVec2(at.x, at.y));
+  ImGui::SetNextWindowSize(ImVec2(at.width, at.height));
   // What is below must not be read together with it.
-  if (room.over_panels) ImGui::SetNextWindowBgAlpha(1);
-  ImGui::Begin(line.name, nullptr,
+  ImGui::SetNextWindowBgAlpha(1);
+  ImGui::Begin(fmt::format("##line {}", slot).c_str(), nullptr,
                (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
-                   ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
-  const bool list_open =
-      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (room.over_panels && !list_open) {
-    ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-  }
-  ImGui::PushTextWrapPos(ImGui::GetStyle().WindowPadding.x + computed.wrap);
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   (takes_mouse ? 0 : ImGuiWindowFlags_NoInputs));
+  return takes_mouse && ImGui::IsWindowHovered();
+}
+
+/// True when it is clicked.
+bool drawLine(std::size_t slot, const PictureLine& line, const LineSize& size,
+              const PanelRectangle& at) {
+  const bool hovered = beginLine(slot, at, !line.stays);
+  ImGui::PushTextWrapPos(ImGui::GetStyle().WindowPadding.x + size.wrap);
   ImGui::TextColored(ink(line.color), "%s", line.what.c_str());
   if (!line.hint.empty()) ImGui::TextDisabled("%s", line.hint.c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();
-  return top + computed.size.y + px(6);
+  if (!hovered) return false;
+  ImGui::SetTooltip("a click dismisses it");
+  return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
-/// Over the picture; where that is narrow, over all of the window's width.
-LineRoom roomOf(const std::vector<PictureLine>& lines, const PanelRectangle& picture) {
-  constexpr float kLeastRoom = 240;
-  const float bottom = picture.y + picture.height;
-  LineRoom room{picture.x, picture.x + picture.width, picture.y + px(kPanelMargin)};
-  if (picture.width >= px(kLeastRoom)) return room;
-  room = {0, ImGui::GetIO().DisplaySize.x, px(kPanelMargin), true};
-  float height = px(kPanelMargin);
-  for (const PictureLine& line : lines) height += sizeOf(line, room).size.y + px(6);
-  room.top = std::max(room.top, bottom - height);
-  return room;
+/// True when it is clicked.
+bool drawMore(std::size_t slot, const std::string& text, const std::string& rest,
+              const PanelRectangle& at) {
+  const bool hovered = beginLine(slot, at, true);
+  ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y / 2);
+  ImGui::TextDisabled("%s", text.c_str());
+  ImGui::End();
+  if (!hovered) return false;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(560));
+  ImGui::TextUnformatted(rest.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+}
+
+/// What is dismissed is not said any more, as far as that is in the panels' hands.
+void dismiss(PanelState& panels, const PictureLine& line) {
+  panels.notices.dismiss(line.key);
+  std::erase_if(panels.notes, [&](const PictureNote& note) { return keyOf(note) == line.key; });
 }
 
 }  // namespace
@@ -102,11 +111,14 @@ LineRoom roomOf(const std::vector<PictureLine>& lines, const PanelRectangle& pic
 std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus& status,
                                       SteadyTime now) {
   std::vector<PictureLine> lines;
-  const auto add = [&](const char* name, std::string what, std::string hint, const ImVec4& color) {
-    lines.push_back({name, std::move(what), std::move(hint), color});
+  std::set<std::string> known;
+  const auto add = [&](std::string key, std::string what, std::string hint, const ImVec4& color) {
+    if (!known.insert(key).second) return;
+    lines.push_back({std::move(key), std::move(what), std::move(hint), color});
   };
   if (const auto reason = model.liveReason(now)) {
-    add("reason", reason->text, reason->hint, kFault);
+    // Its text tells for how long.
+    add("reason " + reason->rule, reason->text, reason->hint, kFault);
     // Keep the last picture visible; without any data, show the reason in the centre.
     lines.back().central = model.live() == nullptr || model.live()->datagrams == 0;
   }
@@ -115,44 +127,82 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   }
   if (const HandBanner hand = handBanner(model); !hand.what.empty()) {
     add("hand", hand.what, hand.hint, hand.color);
+    lines.back().stays = true;
   }
   if (const OthersBanner others = othersBanner(model); !others.what.empty()) {
     add("others", others.what, others.hint, others.is_fault ? kFault : kOthers);
+    lines.back().stays = true;
   }
   if (model.viewer.picking.active()) {
     add("picking",
         model.viewer.picking.first() ? "click the second point"
                                      : "click two points: their distance",
         "Esc ends it", kHint);
+    lines.back().stays = true;
   }
-  if (!model.keepingTrouble().empty()) add("kept", model.keepingTrouble(), "", kFault);
-  if (!model.viewer.panels.complaint.empty())
-    add("complaint", model.viewer.panels.complaint, "", kFault);
+  const auto addSaid = [&](const std::string& kind, const std::string& text, bool is_fault) {
+    if (!text.empty()) add(kind + " " + text, text, "", is_fault ? kFault : kDone);
+  };
+  addSaid("kept", model.keepingTrouble(), true);
+  addSaid("complaint", model.viewer.panels.complaint, true);
+  bool told = false;
   for (const bool errors : {true, false}) {
-    const std::string text = notesText(model.viewer.panels.notes, errors);
-    if (!text.empty()) {
-      add(errors ? "errors" : "notes", text, "Esc dismisses it", errors ? kFault : kHint);
+    for (const PictureNote& note : model.viewer.panels.notes) {
+      if (note.is_error != errors) continue;
+      const char* const hint = std::exchange(told, true) ? "" : "Esc dismisses it";
+      add(keyOf(note), note.text, hint, errors ? kFault : kHint);
     }
   }
-  if (!status.notice.empty()) {
-    add("notice", status.notice, "", status.notice_is_fault ? kFault : kDone);
-  }
+  addSaid("notice", status.notice, status.notice_is_fault);
   return lines;
 }
 
-void drawPictureLines(const std::vector<PictureLine>& lines, const PanelRectangle& picture,
-                      std::vector<std::string>& said) {
-  said.clear();
-  const LineRoom room = roomOf(lines, picture);
-  float top = room.top;
-  for (const PictureLine& line : lines) {
-    const bool central = line.central && !room.over_panels;
-    const float at = central ? std::max(top, picture.y + picture.height * 0.3F) : top;
-    const float end = drawLine(line, room, at);
-    if (!central) top = end;
-    said.push_back(line.what);
-    if (!line.hint.empty()) said.push_back(line.hint);
+void drawPictureLines(ViewModel& model, const std::vector<PictureLine>& lines,
+                      const PanelRectangle& free) {
+  PanelState& panels = model.viewer.panels;
+  std::vector<NoticeKey> keys;
+  for (const PictureLine& line : lines) keys.push_back({line.key, line.stays});
+  std::vector<std::size_t> shown = panels.notices.order(keys);
+  panels.lines.clear();
+  for (const std::size_t i : shown) {
+    panels.lines.push_back(lines[i].what);
+    if (!lines[i].hint.empty()) panels.lines.push_back(lines[i].hint);
   }
+  const PictureLine* clicked = nullptr;
+  std::size_t slot = 0;
+  std::erase_if(shown, [&](std::size_t i) {
+    if (!lines[i].central) return false;
+    const LineSize size = sizeOf(lines[i], free);
+    const PanelRectangle middle{free.x, free.y + free.height * 0.3F, free.width, free.height};
+    const std::array one{size.size};
+    const PanelRectangle at = placeNotices(one, middle, {}, 0, 1).places.front();
+    if (drawLine(slot++, lines[i], size, at)) clicked = &lines[i];
+    return true;
+  });
+  std::vector<LineSize> sizes;
+  std::vector<NoticeSize> only_sizes;
+  for (const std::size_t i : shown) {
+    sizes.push_back(sizeOf(lines[i], free));
+    only_sizes.push_back(sizes.back().size);
+  }
+  const std::size_t most = panels.notices.shows_all ? shown.size() : kMostLines;
+  const NoticePlaces placed = placeNotices(only_sizes, free, moreSize("100 more"), px(kGap), most);
+  for (std::size_t i = 0; i < placed.places.size(); ++i) {
+    if (drawLine(slot++, lines[shown[i]], sizes[i], placed.places[i])) clicked = &lines[shown[i]];
+  }
+  if (placed.more > 0) {
+    std::string rest;
+    const std::size_t end = std::min(shown.size(), placed.places.size() + kMostListed);
+    for (std::size_t i = placed.places.size(); i < end; ++i) {
+      rest += (rest.empty() ? "" : "\n") + lines[shown[i]].what;
+    }
+    if (drawMore(slot, fmt::format("{} more", placed.more), rest, placed.more_place)) {
+      panels.notices.shows_all = !panels.notices.shows_all;
+    }
+  } else if (shown.size() <= kMostLines) {
+    panels.notices.shows_all = false;
+  }
+  if (clicked != nullptr) dismiss(panels, *clicked);
 }
 
 }  // namespace rocinante

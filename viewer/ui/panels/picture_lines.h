@@ -13,10 +13,11 @@ namespace rocinante {
 
 /// A line or two that the window says over the picture.
 struct PictureLine {
-  const char* name;  ///< of its little window
+  std::string key;  ///< as NoticeKey has it
   std::string what;
   std::string hint{};    ///< below it, dimmed; may be empty
-  ImVec4 color;          ///< of `what`
+  ImVec4 color{};        ///< of `what`
+  bool stays = false;    ///< as NoticeKey has it
   bool central = false;  ///< nothing is shown that it would hide
 };
 
@@ -24,9 +25,11 @@ struct PictureLine {
 std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus& status,
                                       SteadyTime now);
 
-/// Draws them over the picture, which has that part of the window; where it is too narrow, over
-/// what is beside it, too. `said` becomes their texts.
-void drawPictureLines(const std::vector<PictureLine>& lines, const PanelRectangle& picture,
-                      std::vector<std::string>& said);
+/// Draws them as a stack at the top of `free`, the part of the picture that nothing covers, in
+/// pixels: a mode that is on first, then the newest; a few, and how many more there are. A click
+/// dismisses one. Texts that are not dismissed become model.viewer.panels.lines, whether there is
+/// room for them or not.
+void drawPictureLines(ViewModel& model, const std::vector<PictureLine>& lines,
+                      const PanelRectangle& free);
 
 }  // namespace rocinante
