@@ -1,11 +1,18 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "viewer/render/fitted_cameras.h"
 #include "viewer/ui/commands/command_groups.h"
 
 namespace rocinante {
 namespace {
 
 Status useNamedCamera(CommandWords words, const CommandStage& stage) {
+  if (FittedCameras::knows(words[0]) && stage.model.scene().findCamera(words[0]) == nullptr) {
+    stage.requests.built_in_camera = words[0];
+    return {};
+  }
   stage.model.useCamera(words[0]);
   stage.model.cameraView();
   return stage.model.viewer.panels.complaint.empty()
@@ -69,7 +76,13 @@ Status saveCamera(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
-std::vector<std::string> cameraChoices(const ViewModel& model) { return model.cameraNames(); }
+std::vector<std::string> cameraChoices(const ViewModel& model) {
+  std::vector<std::string> names = model.cameraNames();
+  for (const char* const built_in : {"fit", "map"}) {
+    if (std::ranges::find(names, built_in) == names.end()) names.emplace_back(built_in);
+  }
+  return names;
+}
 
 }  // namespace
 
@@ -77,7 +90,7 @@ std::vector<Command> cameraCommands() {
   std::vector<Command> commands{
       {.name = "camera",
        .arguments = "NAME",
-       .means = "a camera of the cell, a view of the session, or a viewpoint in numbers",
+       .means = "a camera of the cell, a view of the session, fit, map, or a viewpoint in numbers",
        .run = useNamedCamera,
        .choices = cameraChoices},
       {.name = "camera-number",

@@ -395,6 +395,7 @@ void ViewModel::follow() {
 }
 
 CameraView ViewModel::cameraView() {
+  if (hasBuiltInCamera()) return *named_view_;
   if (!camera_name_.empty()) {
     auto view = chooseCamera(camera_name_, scene_);
     if (view.ok()) {
@@ -413,11 +414,19 @@ CameraView ViewModel::cameraView() {
 void ViewModel::useCamera(const std::string& name) {
   camera_name_ = name;
   named_view_.reset();
+  has_built_in_ = false;
   followed_ = {};
+}
+
+void ViewModel::useBuiltInCamera(const std::string& name, const CameraView& view) {
+  useCamera(name);
+  named_view_ = view;
+  has_built_in_ = true;
 }
 
 void ViewModel::addCamera(CellCamera camera) {
   camera_name_ = camera.name;
+  has_built_in_ = false;
   cell_->cameras.push_back(std::move(camera));
   // Cameras are posed with the scene. What cannot be read was said when it was shown.
   static_cast<void>(pose(shownTime()));
@@ -426,6 +435,7 @@ void ViewModel::addCamera(CellCamera camera) {
 void ViewModel::resetCamera() {
   turntable_ = Turntable();
   followed_ = {};
+  has_built_in_ = false;
   camera_name_ = cell_->cameras.empty() ? std::string() : cell_->cameras.front().name;
 }
 

@@ -147,6 +147,9 @@ class ViewModel {
   CameraView cameraView();
   const std::string& cameraName() const { return camera_name_; }  ///< empty: the turntable
   void useCamera(const std::string& name);
+  /// A built-in camera, which has this view until another is used.
+  void useBuiltInCamera(const std::string& name, const CameraView& view);
+  bool hasBuiltInCamera() const { return has_built_in_ && !camera_name_.empty(); }
   /// Adds a camera to those of the cell, which is the shown one's from now on.
   void addCamera(CellCamera camera);
   /// Selects the cell's first camera, or without one the initial turntable, not fitted yet.
@@ -292,6 +295,7 @@ class ViewModel {
   ViewChoice choice_;
   std::string camera_name_;
   std::optional<CameraView> named_view_;  ///< the last one of that name
+  bool has_built_in_ = false;             ///< that is the one of a built-in camera
   Turntable turntable_;
   std::optional<Vec3> followed_at_;
 };

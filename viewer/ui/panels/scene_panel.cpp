@@ -2,8 +2,10 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/packet/packet_text.h"
@@ -38,12 +40,20 @@ void drawVisibility(ViewModel& model, const std::string& path, ShownPart shown, 
   explain("give your choice back to cell and packets");
 }
 
+constexpr std::array kBuiltInCameras{std::pair{"fit", "what can move, from the front and above"},
+                                     std::pair{"map", "everything, from straight above"}};
+
 void drawCameraRow(ViewModel& model, ViewerRequests& requests) {
   const std::string& current = model.cameraName();
   ImGui::SetNextItemWidth(px(-52));
   if (ImGui::BeginCombo("##camera", current.empty() ? "free" : current.c_str())) {
     for (const std::string& name : model.cameraNames()) {
       if (ImGui::Selectable(name.c_str(), name == current)) model.useCamera(name);
+    }
+    for (const auto& [name, words] : kBuiltInCameras) {
+      if (model.scene().findCamera(name) != nullptr) continue;
+      if (ImGui::Selectable(name, name == current)) requests.built_in_camera = name;
+      explain(words);
     }
     ImGui::EndCombo();
   }
@@ -63,7 +73,7 @@ void drawInsets(ViewModel& model) {
     ImGui::SetNextItemWidth(px(-34));
     if (ImGui::BeginCombo("##camera", choice.inset.camera.c_str())) {
       std::vector<std::string> names = model.cameraNames();
-      names.insert(names.end(), {"map", "fit"});
+      names.insert(names.end(), {"fit", "map"});
       for (const std::string& name : names) {
         if (ImGui::Selectable(name.c_str(), name == choice.inset.camera)) {
           choice.inset.camera = name;

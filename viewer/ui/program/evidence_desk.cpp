@@ -56,7 +56,8 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
     request.beside = shown_.beside;
     request.align = shown_.align;
   }
-  request.camera = model.cameraName();
+  // A built-in camera in numbers: it was fitted to this size, and to what was known then.
+  if (!model.hasBuiltInCamera()) request.camera = model.cameraName();
   if (model.backdrop && model.backdrop->shown && showsBackdrop(model)) {
     request.backdrop = backdropText(shown_.backdrop, model.backdrop->camera);
     request.backdrop_offset = secondsText(model.backdrop->offset, 0);
@@ -65,6 +66,13 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
   request.view = model.cameraView();
   setSize(request, model.viewer.made_width, size);
   setTerms(model, request);
+  if (model.hasBuiltInCamera()) {
+    // An inset that would show the same is not shown.
+    std::vector<CellInset> insets = request.insets.value_or(model.cell().insets);
+    std::erase_if(insets,
+                  [&](const CellInset& inset) { return inset.camera == model.cameraName(); });
+    request.insets = std::move(insets);
+  }
   // The sample counts of llvmpipe, which draws it.
   request.samples = samples_ > 1 ? 4 : 1;
   if (model.hand.drawn()) {

@@ -12,7 +12,7 @@ namespace rocinante {
 
 Status RequestDesk::apply(const ViewerRequests& requests, const WindowSize& size, SteadyTime now) {
   if (requests.close) my_.window.requestClose();
-  if (auto looked = look(requests, size); !looked) return looked;
+  if (auto looked = look(requests, size, now); !looked) return looked;
   if (requests.mark) {
     const auto marked = my_.model.addMark(*requests.mark);
     say(marked ? fmt::format("marked: {}", *requests.mark) : marked.error().text(), !marked, now);
@@ -26,7 +26,7 @@ Status RequestDesk::apply(const ViewerRequests& requests, const WindowSize& size
 }
 
 /// Clicks on the picture, and where it is seen from.
-Status RequestDesk::look(const ViewerRequests& requests, const WindowSize& size) {
+Status RequestDesk::look(const ViewerRequests& requests, const WindowSize& size, SteadyTime now) {
   if (requests.click) {
     if (auto clicked = my_.picture.click(*requests.click); !clicked) return clicked;
   }
@@ -36,6 +36,11 @@ Status RequestDesk::look(const ViewerRequests& requests, const WindowSize& size)
   if (requests.reset) my_.model.resetCamera();
   if (requests.fit || (requests.reset && my_.model.cameraName().empty())) {
     my_.model.fit(my_.picture.corners(false), size.width, size.height);
+  }
+  if (const auto& name = requests.built_in_camera) {
+    const auto view = my_.picture.builtIn(*name, size.width, size.height);
+    if (!view.ok() && scripted_) return view.error();
+    view.ok() ? my_.model.useBuiltInCamera(*name, *view) : say(view.error().text(), true, now);
   }
   if (requests.fit_selected) my_.model.fit(my_.picture.corners(true), size.width, size.height);
   return {};

@@ -50,7 +50,7 @@ class RequestDesk {
   void finish(SteadyTime now);
 
  private:
-  Status look(const ViewerRequests& requests, const WindowSize& size);
+  Status look(const ViewerRequests& requests, const WindowSize& size, SteadyTime now);
   Status makeFiles(const ViewerRequests& requests, const WindowSize& size, SteadyTime now);
   Status makeEvidence(const ViewerRequests& requests, const WindowSize& size, SteadyTime now);
   Status addCamera(const std::string& name, SteadyTime now);

@@ -48,6 +48,11 @@ class WindowPicture {
   Status click(const PictureClick& click);
   /// Shows others the place of a surface that the last picture has there, or that there is none.
   Status point(const PictureClick& at);
+  /// The view of a built-in camera, fitted to a picture of that size.
+  Result<CameraView> builtIn(std::string_view name, int width, int height) {
+    return fitted_.view(name, model_.choice(), model_.hiddenPaths(), model_.shownPaths(), width,
+                        height);
+  }
   /// Draws the last frame on that rung beside the shown picture; its cost in ms, which contains all
   /// that the driver had to compile.
   Result<double> tryFrame(int rung, bool drops_looks);
