@@ -14,6 +14,7 @@
 #include "viewer/ui/model/notice_stack.h"
 #include "viewer/ui/model/open_state.h"
 #include "viewer/ui/model/panel_places.h"
+#include "viewer/ui/model/selection.h"
 #include "viewer/view/backdrop_frame.h"
 
 namespace rocinante {
@@ -73,6 +74,7 @@ struct PanelState {
   std::array<char, 64> source_filter{};  ///< the same for sources
   std::array<char, 64> event_filter{};   ///< the same for events
   std::set<std::string> open_devices;    ///< whose links are listed
+  Selection listed_selection;            ///< that the list of devices was scrolled to
   std::vector<std::string> lines;        ///< that the last frame had over the picture
   NoticeStack notices;                   ///< which of them are shown
   std::vector<PictureNote> notes;        ///< over the picture until they are dismissed

@@ -64,6 +64,11 @@ bool containsWord(std::string_view text, std::string_view word) {
          std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
+float scrollToShow(float scroll, float top, float height, float room) {
+  if (top >= scroll && top + height <= scroll + room) return scroll;
+  return std::max(0.0F, top + height / 2 - room / 2);
+}
+
 std::string endOfName(const std::string& name, float room) {
   if (ImGui::CalcTextSize(name.c_str()).x <= room) return name;
   for (std::size_t from = 1; from < name.size(); ++from) {

@@ -33,6 +33,15 @@ std::string endOfName(const std::string& name, float room);
 /// As much of the text as there is room for: its beginning.
 std::string shortened(const std::string& text, float room);
 
+/// How far a list must be scrolled to show a row whole, from `scroll`: not at all when it is seen,
+/// else so that it stands in the middle. `top` and `height` of the row from the list's beginning,
+/// `room`: the list's height. Pixels. Pure.
+float scrollToShow(float scroll, float top, float height, float room);
+
+/// Whether a list that grows shows its newest row: not when the user has scrolled up from `most`,
+/// the end of its way before it grew. Pure.
+inline bool followsNewest(float scroll, float most) { return scroll >= most - 1; }
+
 /// Whether a key of Dear ImGui went down or repeats.
 inline bool keyPressed(ImGuiKey key) {
 #if IMGUI_VERSION_NUM >= 18700

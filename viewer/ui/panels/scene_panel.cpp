@@ -12,6 +12,7 @@
 #include "viewer/ui/model/shown_layers.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
+#include "viewer/ui/panels/time_axis.h"
 
 namespace rocinante {
 namespace {
@@ -172,6 +173,35 @@ void drawDeviceRow(ViewModel& model, const PosedDevice& device) {
   }
 }
 
+/// The row of the selected device or link; a link without a row has that of its device.
+std::optional<std::size_t> rowOf(const std::vector<DeviceRow>& rows, const Selection& selected) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const DeviceRow& row = rows[i];
+    if (row.device->name != selected.device) continue;
+    if (!row.link) {
+      found = i;
+    } else if (row.device->model->links[*row.link].name == selected.link) {
+      return i;
+    }
+  }
+  return found;
+}
+
+/// What was selected elsewhere, such as in the picture, is in the list: its device is open, and no
+/// filter leaves it out. True when it was selected since the list was drawn.
+bool showSelected(ViewModel& model) {
+  PanelState& panels = model.viewer.panels;
+  if (model.selected == panels.listed_selection) return false;
+  panels.listed_selection = model.selected;
+  if (model.selected.device.empty()) return false;
+  if (!containsWord(model.selected.device, panels.device_filter.data())) {
+    panels.device_filter[0] = 0;
+  }
+  if (!model.selected.link.empty()) panels.open_devices.insert(model.selected.device);
+  return true;
+}
+
 void drawDevices(ViewModel& model, float bottom) {
   if (!ImGui::CollapsingHeader("Devices", ImGuiTreeNodeFlags_DefaultOpen)) return;
   if (model.scene().devices.size() > 12) {
@@ -179,10 +209,16 @@ void drawDevices(ViewModel& model, float bottom) {
     ImGui::InputTextWithHint("##find", "find a device", model.viewer.panels.device_filter.data(),
                              model.viewer.panels.device_filter.size());
   }
+  const bool moves = showSelected(model);
   const std::vector<DeviceRow> rows = deviceRows(model);
   const float pitch = ImGui::GetFrameHeightWithSpacing();
   const float room = bottom - ImGui::GetCursorScreenPos().y - ImGui::GetStyle().WindowPadding.y;
-  ImGui::BeginChild("devices", ImVec2(0, listHeight(rows.size(), pitch, room)));
+  const float height = listHeight(rows.size(), pitch, room);
+  ImGui::BeginChild("devices", ImVec2(0, height));
+  if (const auto row = rowOf(rows, model.selected); moves && row) {
+    ImGui::SetScrollY(
+        scrollToShow(ImGui::GetScrollY(), static_cast<float>(*row) * pitch, pitch, height));
+  }
   // Only visible rows of thousands are made.
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(rows.size()), pitch);
@@ -254,6 +290,8 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
   const float pitch = ImGui::GetTextLineHeightWithSpacing();
   const auto rows = static_cast<float>(std::clamp<std::size_t>(events.size(), 1, kMaxEventRows));
   ImGui::BeginChild("events", ImVec2(0, rows * pitch + 4));
+  const bool follows =
+      model.isGrowing() && followsNewest(ImGui::GetScrollY(), ImGui::GetScrollMaxY());
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(all ? events.size() : listed.size()), pitch);
   while (clipper.Step()) {
@@ -264,6 +302,7 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
       ImGui::PopID();
     }
   }
+  if (follows) ImGui::SetScrollHereY(1);
   ImGui::EndChild();
   auto& text = model.viewer.panels.mark_text;
   ImGui::SetNextItemWidth(px(-60));

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <functional>
+#include <memory>
+
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/test_session.h"
+#include "viewer/ui/panels/picture_lines.h"
 #include "viewer/ui/window/interface_context.h"
 
 namespace rocinante {
@@ -38,6 +42,83 @@ TEST(Panels, OfTensOfThousandsOfEventsDrawWhatThereIsRoomFor) {
   ASSERT_TRUE(model->update(SteadyTime{}).ok());
   ASSERT_GT(model->events().size(), 15'000U);
   EXPECT_LT(drawnCorners(*model), 20'000);
+}
+
+/// A model and a context of ImGui, whose frames come when the test says so.
+class DrawnPanels : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
+    auto cell = loadCell(folder_ / "arm.urdf", {});
+    ASSERT_TRUE(cell.ok());
+    auto model = ViewModel::make(std::move(*cell), std::nullopt, std::nullopt, {}, {});
+    ASSERT_TRUE(model.ok());
+    model_ = std::make_unique<ViewModel>(std::move(*model));
+    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
+    ImGui::GetIO().Fonts->Build();
+  }
+  /// Frames with what `draw` draws, the last one with the left button down there.
+  void frames(const std::function<void()>& draw,
+              std::optional<std::pair<double, double>> clicked = {}) {
+    FrameInput input;
+    input.mouse = clicked;
+    for (int frame = 0; frame < 4; ++frame) {
+      input.down[0] = clicked && frame == 3;
+      interface_.beginFrame(1280, 720, &input);
+      draw();
+      ImGui::Render();
+    }
+    input.down[0] = false;
+    interface_.beginFrame(1280, 720, &input);
+    ImGui::Render();
+  }
+
+  test::TemporaryFolder folder_;
+  InterfaceContext interface_{nullptr};
+  std::unique_ptr<ViewModel> model_;
+};
+
+TEST_F(DrawnPanels, ALineOverThePictureIsDismissedByAClick) {
+  PanelState& panels = model_->viewer.panels;
+  for (const char* text : {"one", "two", "three", "four", "five", "six"}) {
+    panels.notes.push_back({text, true});
+  }
+  const PanelRectangle free{400, 100, 500, 400};
+  const auto draw = [&] {
+    drawPictureLines(*model_, pictureLines(*model_, ViewerStatus(), SteadyTime{}), free);
+  };
+  frames(draw);
+  // Those for which there is no room are said, too.
+  ASSERT_EQ(panels.lines.size(), 7U);
+  EXPECT_EQ(panels.lines[0], "one");
+  EXPECT_EQ(panels.lines[1], "Esc dismisses it");
+  EXPECT_EQ(panels.lines.back(), "six");
+  frames(draw, std::pair(650.0, 110.0));
+  ASSERT_EQ(panels.notes.size(), 5U);
+  EXPECT_EQ(panels.notes.front().text, "two");
+  frames(draw, std::pair(300.0, 110.0));  // beside them
+  EXPECT_EQ(panels.notes.size(), 5U);
+}
+
+TEST_F(DrawnPanels, TheListOfDevicesOpensWhatWasSelectedInThePicture) {
+  PanelState& panels = model_->viewer.panels;
+  ViewerRequests requests;
+  const auto draw = [&] {
+    ImGui::Begin("list");
+    drawSceneTab(*model_, 600, requests);
+    ImGui::End();
+  };
+  frames(draw);
+  EXPECT_TRUE(panels.open_devices.empty());
+  std::string("leg").copy(panels.device_filter.data(), 3);
+  model_->selected = {"arm", "hand"};
+  frames(draw);
+  EXPECT_TRUE(panels.open_devices.contains("arm"));
+  EXPECT_EQ(panels.device_filter[0], 0);
+  // What the user closes then stays closed.
+  panels.open_devices.clear();
+  frames(draw);
+  EXPECT_TRUE(panels.open_devices.empty());
 }
 
 }  // namespace
