@@ -62,6 +62,18 @@ std::string shownKey(std::string_view key) {
   return shown + std::string(key);
 }
 
+std::string commandHint(std::string_view name, std::string_view words) {
+  const Command* const command = findCommand(name);
+  if (command == nullptr) return {};
+  std::string means(command->means), keys;
+  for (const Shortcut& shortcut : command->shortcuts) {
+    if (shortcut.words != words) continue;
+    if (!shortcut.means.empty()) means = shortcut.means;
+    keys += (keys.empty() ? "" : ", ") + shownKey(shortcut.key);
+  }
+  return keys.empty() ? means : means + " (" + keys + ")";
+}
+
 std::string shownKeys(const Command& command) {
   if (!command.keys_shown.empty()) return std::string(command.keys_shown);
   std::string keys;

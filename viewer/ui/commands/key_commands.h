@@ -26,6 +26,10 @@ Status runKey(const KeyPress& press, const CommandStage& stage);
 /// The key as people read it: "Shift+H", "Space", "left".
 std::string shownKey(std::string_view key);
 
+/// What the command does with these words, and its keys for it, for people: "a second back (left)".
+/// Empty for an unknown name.
+std::string commandHint(std::string_view name, std::string_view words = {});
+
 /// Keys of the command, for people: "left, right, Shift+left". Empty without one.
 std::string shownKeys(const Command& command);
 

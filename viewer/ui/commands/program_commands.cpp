@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -150,6 +151,26 @@ Status resetPanels(CommandWords /*words*/, const CommandStage& stage) {
   return {};
 }
 
+/// The tabs that there are now, as `tab` names them.
+std::vector<std::string> tabChoices(const ViewModel& model) {
+  std::vector<std::string> tabs{"scene", "look"};
+  if (model.isLive()) tabs.emplace_back("sources");
+  if (model.cursor() != nullptr) tabs.insert(tabs.end(), {"events", "check"});
+  tabs.emplace_back("frame");
+  return tabs;
+}
+
+Status openTab(CommandWords words, const CommandStage& stage) {
+  const std::vector<std::string> tabs = tabChoices(stage.model);
+  if (std::ranges::find(tabs, words[0]) == tabs.end()) {
+    return badWord(fmt::format("`{}` is none of the tabs {}", words[0], fmt::join(tabs, ", ")));
+  }
+  std::string name = words[0];
+  name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  stage.model.viewer.panels.openTab(std::move(name));
+  return {};
+}
+
 Status quitProgram(CommandWords /*words*/, const CommandStage& stage) {
   stage.requests.close = true;
   return {};
@@ -256,6 +277,11 @@ std::vector<Command> programCommands() {
        .arguments = "NAME",
        .means = "write those into NAME.layout.toml",
        .run = saveLayout},
+      {.name = "tab",
+       .arguments = "NAME",
+       .means = "a tab of the left panel: scene, look, sources, events, check or frame",
+       .run = openTab,
+       .choices = tabChoices},
       {.name = "reset-panels", .means = "reset the panels' layout", .run = resetPanels},
       {.name = "theme",
        .arguments = "[dark|light]",

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "viewer/ui/commands/command_groups.h"
+#include "viewer/ui/model/wall_clock.h"
 
 namespace rocinante {
 namespace {
@@ -110,6 +111,19 @@ Status markMoment(CommandWords words, const CommandStage& stage) {
 Status askTime(CommandWords /*words*/, const CommandStage& stage) {
   stage.model.viewer.panels.time_text[0] = 0;
   stage.model.viewer.panels.asks_time = true;
+  return {};
+}
+
+Status setClock(CommandWords words, const CommandStage& stage) {
+  bool& day = stage.model.viewer.panels.wall_clock;
+  if (!words.empty() && words[0] != "session" && words[0] != "day") {
+    return badWord(fmt::format("`{}` is neither session nor day", words[0]));
+  }
+  const bool wanted = words.empty() ? !day : words[0] == "day";
+  if (wanted && !hasWallClock(stage.model.origin())) {
+    return badWord("this session has no time of day: it begins before the year 2000");
+  }
+  day = wanted;
   return {};
 }
 
@@ -253,6 +267,10 @@ std::vector<Command> timeCommands() {
        .arguments = "T [T]",
        .means = "the time line from one time to another, or all of it",
        .run = showSpan},
+      {.name = "clock",
+       .arguments = "[session|day]",
+       .means = "the time line in session time, or also in that of the day (UTC)",
+       .run = setClock},
       {.name = "type-time",
        .means = "go to a typed time",
        .run = askTime,

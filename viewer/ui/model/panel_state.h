@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/time.h"
@@ -62,7 +63,9 @@ struct PictureNote {
 struct PanelState {
   bool shown = true;
   bool help_shown = false;
-  bool is_light = false;  ///< light panels instead of dark ones
+  bool is_light = false;    ///< light panels instead of dark ones
+  bool wall_clock = false;  ///< also the time of day, where the session has one
+  std::string wanted_tab;   ///< of the left panel, to be opened by the next frame; empty: none
   PanelPlaces places;
   OpenState open;
   PaletteState palette;
@@ -80,6 +83,15 @@ struct PanelState {
   std::vector<PictureNote> notes;        ///< over the picture until they are dismissed
   std::string complaint;                 ///< one sentence to show; empty: none
   std::vector<std::string> doubts;       ///< doubts about written files, printed at the end
+
+  /// The left panel with that tab: "Scene", "Look", "Sources", "Events", "Check" or "Frame".
+  void openTab(std::string name) {
+    shown = true;
+    if (const auto place = places.places.find("Scene"); place != places.places.end()) {
+      place->second.collapsed = false;
+    }
+    wanted_tab = std::move(name);
+  }
 };
 
 }  // namespace rocinante

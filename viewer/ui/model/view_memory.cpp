@@ -52,6 +52,7 @@ const std::map<std::string, PanelPlace>* ViewMemory::panelsOf(const fs::path& ce
 std::string ViewMemory::text() const {
   std::string text = "# What rocinante view remembers; --fresh ignores it.\nformat = 1\n";
   text += fmt::format("theme = \"{}\"\n", theme == Theme::dark ? "dark" : "light");
+  if (wall_clock) text += "clock = \"day\"\n";
   if (width > 0) text += fmt::format("size = [{}, {}]\n", width, height);
   for (const RecentContent& one : recent) {
     if (!canBeWritten(one.cell) || !canBeWritten(one.log)) continue;
@@ -83,6 +84,11 @@ Result<ViewMemory> ViewMemory::parse(std::string_view text, const std::string& f
     if (theme != "dark" && theme != "light") {
       root.error("view.memory", "theme", "the theme is neither dark nor light");
     }
+    const std::string clock = root.text("clock").value_or("session");
+    if (clock != "session" && clock != "day") {
+      root.error("view.memory", "clock", "the clock is neither session nor day");
+    }
+    memory.wall_clock = clock == "day";
     memory.theme = theme == "light" ? Theme::light : Theme::dark;
     if (const auto size = root.pair("size")) {
       const auto side = [](double length) {

@@ -27,6 +27,7 @@ struct ViewMemory {
   static constexpr std::size_t kMaxCells = 50;
 
   Theme theme = Theme::dark;
+  bool wall_clock = false;            ///< the time line has the time of day, too
   int width = 0, height = 0;          ///< of the window; 0: never said
   std::vector<RecentContent> recent;  ///< newest first
   std::vector<CellMemory> cells;      ///< newest first

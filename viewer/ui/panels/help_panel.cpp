@@ -74,4 +74,14 @@ void drawHelp(ViewModel& model) {
   ImGui::End();
 }
 
+void drawHelpButton(ViewModel& model) {
+  bool& shown = model.viewer.panels.help_shown;
+  const float size = ImGui::GetTextLineHeight() + px(4);
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameRounding, size / 2);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+  if (ImGui::Button("?##help", ImVec2(size, size))) shown = !shown;
+  ImGui::PopStyleVar(2);
+  explain(("mouse and keyboard (" + shownKeys(*findCommand("help")) + ")").c_str());
+}
+
 }  // namespace rocinante

@@ -1,6 +1,7 @@
 #include "viewer/ui/panels/panels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "viewer/ui/panels/docks.h"
 #include "viewer/ui/panels/hand_panel.h"
@@ -19,27 +20,30 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, const PanelRec
   if (placed.collapsed()) {
     drawCollapsed("Scene");
   } else if (ImGui::BeginTabBar("tabs")) {
-    if (ImGui::BeginTabItem("Scene")) {
+    const auto begin = [tab = std::exchange(model.viewer.panels.wanted_tab, {})](const char* name) {
+      return ImGui::BeginTabItem(name, nullptr, tab == name ? ImGuiTabItemFlags_SetSelected : 0);
+    };
+    if (begin("Scene")) {
       drawSceneTab(model, placed.bottom(), requests);
       ImGui::EndTabItem();
     }
-    if (ImGui::BeginTabItem("Look")) {
+    if (begin("Look")) {
       drawLookTab(model);
       ImGui::EndTabItem();
     }
-    if (model.isLive() && ImGui::BeginTabItem("Sources")) {
+    if (model.isLive() && begin("Sources")) {
       drawSourcesTab(model, now);
       ImGui::EndTabItem();
     }
-    if (model.cursor() != nullptr && ImGui::BeginTabItem("Events")) {
+    if (model.cursor() != nullptr && begin("Events")) {
       drawEventsTab(model, now, requests);
       ImGui::EndTabItem();
     }
-    if (model.cursor() != nullptr && ImGui::BeginTabItem("Check")) {
+    if (model.cursor() != nullptr && begin("Check")) {
       drawFindingsTab(model, now);
       ImGui::EndTabItem();
     }
-    if (ImGui::BeginTabItem("Frame")) {
+    if (begin("Frame")) {
       drawFrameTab(status, requests);
       ImGui::EndTabItem();
     }

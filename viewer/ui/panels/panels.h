@@ -72,6 +72,10 @@ void drawFindingsTab(ViewModel& model, SteadyTime now);
 
 void drawHelp(ViewModel& model);
 
+/// Draws a small round button with a question mark at the cursor of the present window: it shows
+/// mouse and keyboard, or hides them.
+void drawHelpButton(ViewModel& model);
+
 /// Shows how the mouse can change the inset that it is over, or that it holds: a frame and the
 /// corner that changes its size. Draws nothing while the mouse is elsewhere.
 void drawInsetGrip(const ViewModel& model);

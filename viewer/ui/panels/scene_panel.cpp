@@ -10,6 +10,7 @@
 
 #include "core/packet/packet_text.h"
 #include "viewer/ui/model/shown_layers.h"
+#include "viewer/ui/model/wall_clock.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/time_axis.h"
@@ -252,12 +253,17 @@ std::vector<std::size_t> listedEvents(const ViewModel& model) {
 
 void drawEventRow(const ViewModel& model, const Event& event, TimelineCursor& cursor,
                   SteadyTime now) {
-  const std::string line = fmt::format(
-      "{:9.3f}  {}{}{}", std::chrono::duration<double>(event.time - model.origin()).count(),
-      event.source, event.source.empty() ? "" : ": ", event.text);
+  const std::string seconds = fmt::format("{:9.3f}", secondsOf(event.time - model.origin()));
+  const std::string said = event.source + (event.source.empty() ? "" : ": ") + event.text;
+  const bool by_day = showsClock(model);
+  const std::string line = (by_day ? clockText(event.time) : seconds) + "  " + said;
   const bool here = event.time == cursor.position(now);
   if (ImGui::Selectable(line.c_str(), here)) cursor.seek(event.time, now);
-  explain(line.c_str());
+  if (by_day) {
+    explain((seconds + " s, " + calendarText(event.time) + "\n" + said).c_str());
+  } else {
+    explain(line.c_str());
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "core/base/duration_text.h"
 #include "viewer/shown/plot_scale.h"
+#include "viewer/ui/model/wall_clock.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {
@@ -139,6 +140,10 @@ void applyTimeMouse(ViewModel& model, TimelineCursor& cursor, const TimeAxis& ax
                                 axis.momentAt(io.MousePos.x));
   }
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right)) model.viewer.time_view.showAll();
+}
+
+bool showsClock(const ViewModel& model) {
+  return model.viewer.panels.wall_clock && hasWallClock(model.origin());
 }
 
 std::string shownSeconds(Nanoseconds since_origin) {

@@ -42,6 +42,9 @@ void askStudy(ViewModel& model, const TimeAxis& axis);
 /// double click of the right button shows all.
 void applyTimeMouse(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, SteadyTime now);
 
+/// Whether the time of day is shown beside that of the session: it is wanted, and there is one.
+bool showsClock(const ViewModel& model);
+
 /// A session time as the time line writes it: seconds with three decimals.
 std::string shownSeconds(Nanoseconds since_origin);
 

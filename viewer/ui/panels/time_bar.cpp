@@ -7,9 +7,12 @@
 
 #include "core/base/duration_text.h"
 #include "core/cli/text_table.h"
+#include "viewer/ui/commands/key_commands.h"
+#include "viewer/ui/model/wall_clock.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
+#include "viewer/ui/panels/transport_signs.h"
 
 namespace rocinante {
 namespace {
@@ -45,11 +48,61 @@ void drawPartButtons(TimelineCursor& cursor, SteadyTime now) {
   explain("no longer only a part");
 }
 
+bool drawCommandButton(TransportSign sign, const char* name, const char* words = "") {
+  ImGui::PushID(words);
+  const bool pressed = drawSignButton(name, sign, commandHint(name, words).c_str(), true);
+  ImGui::PopID();
+  return pressed;
+}
+
+void drawPlay(TimelineCursor& cursor, SteadyTime now) {
+  const std::string keys = " (" + shownKeys(*findCommand("play-pause")) + ")";
+  const TransportSign sign = cursor.playing()    ? TransportSign::pause
+                             : cursor.reversed() ? TransportSign::play_back
+                                                 : TransportSign::play;
+  const char* const words = cursor.playing() ? "pause" : cursor.reversed() ? "play back" : "play";
+  if (drawSignButton("play", sign, (words + keys).c_str())) cursor.toggle(now);
+}
+
+/// With Shift a tenth, as by the keys.
+void drawStep(TimelineCursor& cursor, bool forward, SteadyTime now) {
+  const std::string whole = forward ? "1" : "-1";
+  const std::string tenth = forward ? "0.1" : "-0.1";
+  const std::string words =
+      commandHint("step", whole) + "; with Shift " + commandHint("step", tenth);
+  const TransportSign sign = forward ? TransportSign::step_on : TransportSign::step_back;
+  if (!drawSignButton(forward ? "on" : "back", sign, words.c_str(), true)) return;
+  const Nanoseconds by(ImGui::GetIO().KeyShift ? 100'000'000 : 1'000'000'000);
+  cursor.step(forward ? by : -by, now);
+}
+
+void drawTransport(TimelineCursor& cursor, SteadyTime now) {
+  if (drawCommandButton(TransportSign::to_start, "start")) cursor.seek(cursor.start(), now);
+  ImGui::SameLine(0, px(2));
+  drawStep(cursor, false, now);
+  ImGui::SameLine(0, px(2));
+  drawPlay(cursor, now);
+  ImGui::SameLine(0, px(2));
+  drawStep(cursor, true, now);
+  ImGui::SameLine(0, px(2));
+  if (drawCommandButton(TransportSign::to_end, "end")) cursor.seek(cursor.end(), now);
+}
+
+void drawEventButtons(const ViewModel& model, TimelineCursor& cursor, SteadyTime now) {
+  const auto jump = [&](bool forward) {
+    if (const Event* event = model.eventBeside(cursor.position(now), forward)) {
+      cursor.seek(event->time, now);
+    }
+  };
+  if (drawCommandButton(TransportSign::event_before, "event", "previous")) jump(false);
+  ImGui::SameLine(0, px(2));
+  if (drawCommandButton(TransportSign::event_after, "event", "next")) jump(true);
+}
+
 /// In a narrow window the least important buttons are left out.
 void drawButtons(const ViewModel& model, TimelineCursor& cursor, SteadyTime now, float room) {
-  if (ImGui::Button(cursor.playing() ? "Pause" : "Play", ImVec2(px(64), 0))) cursor.toggle(now);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Space");
-  if (room < px(360)) return;
+  if (room < px(360)) return drawPlay(cursor, now);
+  drawTransport(cursor, now);
   ImGui::SameLine();
   if (ImGui::Button(cursor.reversed() ? "<##way" : ">##way", ImVec2(px(24), 0))) {
     cursor.setReversed(!cursor.reversed(), now);
@@ -65,21 +118,13 @@ void drawButtons(const ViewModel& model, TimelineCursor& cursor, SteadyTime now,
     }
     ImGui::EndCombo();
   }
+  explain("the speed of playing");
+  if (room >= px(560) && !model.events().empty()) {
+    ImGui::SameLine();
+    drawEventButtons(model, cursor, now);
+  }
   if (room < px(760)) return;
   ImGui::SameLine();
-  const auto jump = [&](bool forward) {
-    if (const Event* event = model.eventBeside(cursor.position(now), forward)) {
-      cursor.seek(event->time, now);
-    }
-  };
-  if (!model.events().empty()) {
-    if (ImGui::Button("|<")) jump(false);
-    explain("the event before (,)");
-    ImGui::SameLine(0, px(2));
-    if (ImGui::Button(">|")) jump(true);
-    explain("the next event (.)");
-    ImGui::SameLine();
-  }
   drawRepeat(cursor, now);
   ImGui::SameLine();
   drawPartButtons(cursor, now);
@@ -125,34 +170,67 @@ void drawTime(ViewModel& model, TimelineCursor& cursor, SteadyTime now, float ro
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), left + widest));
 }
 
-/// What `check` found, at the right end.
+/// The switch for the time of day, and that.
+void drawClock(ViewModel& model, TimelineCursor& cursor, SteadyTime now, float room) {
+  const bool fits = room >= px(880) || showsClock(model);
+  if (!fits || !hasWallClock(model.origin())) return;
+  bool& on = model.viewer.panels.wall_clock;
+  ImGui::PushStyleColor(ImGuiCol_Button,
+                        ImGui::GetStyleColorVec4(on ? ImGuiCol_TabActive : ImGuiCol_Button));
+  if (ImGui::Button("UTC")) on = !on;
+  ImGui::PopStyleColor();
+  const LogTime moment = cursor.position(now);
+  explain((calendarText(moment) + "\n" + commandHint("clock")).c_str());
+  if (on) {
+    ImGui::SameLine();
+    ImGui::TextUnformatted(clockText(moment).c_str());
+    explain(calendarText(moment).c_str());
+  }
+  ImGui::SameLine();
+}
+
+/// What `check` found, in the words for which there is room; empty: none.
+std::string verdictText(const CheckReport& report, float room) {
+  const std::size_t errors = report.countOf(Severity::error);
+  const std::size_t warnings = report.countOf(Severity::warning);
+  if (errors + warnings == 0) return "checked: no findings";
+  std::string text = errors > 0 ? cli::counted(errors, "error") : "";
+  if (warnings > 0) text += (text.empty() ? "" : ", ") + cli::counted(warnings, "warning");
+  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  return cli::counted(errors + warnings, "finding");
+}
+
+/// The same at the right end: a click lists it.
 void drawVerdict(ViewModel& model) {
   const FindingsStudy* const judged = model.findings();
   if (judged == nullptr) return;
   std::string text;
   ImU32 color = fadedInk(0.6F);
+  const float room = ImGui::GetContentRegionAvail().x - 2 * px(4);
   if (const CheckReport* const report = judged->report()) {
-    const std::size_t errors = report->countOf(Severity::error);
-    const std::size_t warnings = report->countOf(Severity::warning);
-    if (errors > 0) text = cli::counted(errors, "error");
-    if (warnings > 0) text += (text.empty() ? "" : ", ") + cli::counted(warnings, "warning");
-    if (errors > 0 || warnings > 0)
-      color = severityColor(errors > 0 ? Severity::error : Severity::warning);
-    if (text.empty()) text = "checked: no findings";
+    const bool any_error = report->countOf(Severity::error) > 0;
+    if (any_error || report->countOf(Severity::warning) > 0)
+      color = severityColor(any_error ? Severity::error : Severity::warning);
+    text = verdictText(*report, room);
   } else if (judged->isFinished()) {
     text = "not checked";
   } else {
     text = fmt::format("checking {:.0f} %", judged->progress() * 100);
   }
   const float width = ImGui::CalcTextSize(text.c_str()).x;
-  const float room = ImGui::GetContentRegionAvail().x;
   if (room < width) return;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
-  ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", text.c_str());
-  if (!judged->fault().empty())
-    explain(judged->fault().c_str());
-  else
-    explain("as `rocinante check` judges it: the tab Check lists it");
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(4), ImGui::GetStyle().FramePadding.y));
+  const bool clicked = ImGui::Button((text + "##verdict").c_str());
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor(2);
+  if (clicked) model.viewer.panels.openTab("Check");
+  const std::string words = judged->fault().empty()
+                                ? "as `rocinante check` judges it; a click lists it"
+                                : judged->fault();
+  explain(words.c_str());
 }
 
 void drawZoom(ViewModel& model) {
@@ -178,7 +256,7 @@ void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  drawButtons(model, cursor, now, room);
+  drawButtons(model, cursor, now, showsClock(model) ? room - px(130) : room);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   if (room >= px(220)) {
@@ -186,8 +264,8 @@ void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
     ImGui::SameLine();
   }
   if (room >= px(560)) {
+    drawClock(model, cursor, now, room);
     drawZoom(model);
-    ImGui::AlignTextToFramePadding();
     drawVerdict(model);
   }
   const float top =

@@ -8,6 +8,7 @@
 
 #include "core/base/duration_text.h"
 #include "viewer/ui/commands/study_actions.h"
+#include "viewer/ui/model/wall_clock.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
@@ -28,20 +29,22 @@ constexpr ImU32 kBesideColor = IM_COL32(120, 190, 255, 255);
 /// What the left button holds.
 enum class Grab : int { none, moment, part_start, part_end, finding };
 
-void drawRuler(const TimeAxis& axis, float top, LogTime origin) {
+/// In session time, or in that of the day.
+void drawRuler(const TimeAxis& axis, float top, LogTime origin, bool by_day) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   constexpr float kLabelRoom = 64;
   const Nanoseconds step =
       rulerStep(axis.until - axis.from, static_cast<double>(axis.width), px(kLabelRoom));
-  // From the first multiple of the step since the origin on the line.
-  Nanoseconds at = (axis.from - origin) / step * step;
-  if (at < axis.from - origin) at += step;
+  // From the first multiple of the step since the origin, or a midnight, on the line.
+  const LogTime zero = by_day ? LogTime{} : origin;
+  Nanoseconds at = (axis.from - zero) / step * step;
+  if (at < axis.from - zero) at += step;
   const ImU32 ink = fadedInk(0.62F);
   const float text_px = px(kRulerText);
-  for (; origin + at <= axis.until; at += step) {
-    const float x = axis.xOf(origin + at);
+  for (; zero + at <= axis.until; at += step) {
+    const float x = axis.xOf(zero + at);
     list->AddLine(ImVec2(x, top), ImVec2(x, top + px(4)), ink);
-    const std::string label = rulerLabel(at, step);
+    const std::string label = by_day ? clockLabel(zero + at, step) : rulerLabel(at, step);
     const float width = ImGui::GetFont()->CalcTextSizeA(text_px, 1e6F, 0, label.c_str()).x;
     const float left = std::clamp(x - width / 2, axis.left, axis.left + axis.width - width);
     list->AddText(ImGui::GetFont(), text_px, ImVec2(left, top + px(4)), ink, label.c_str());
@@ -250,11 +253,17 @@ void drawPlaceTip(const MomentHover& hover, const std::string& text) {
   ImGui::EndTooltip();
 }
 
+/// "7.880 s", with the time of day where that is wanted.
+std::string momentText(const ViewModel& model, LogTime moment) {
+  const std::string text = shownSeconds(moment - model.origin()) + " s";
+  return showsClock(model) ? text + ", " + clockText(moment) + " UTC" : text;
+}
+
 void explainPlace(ViewModel& model, const TimeAxis& axis, const CheckReport* report,
                   std::size_t finding, ImVec2 mouse, float top) {
   // That of the tick, when there is one.
   LogTime moment = axis.momentAt(mouse.x);
-  std::string text = shownSeconds(moment - model.origin()) + " s";
+  std::string text = momentText(model, moment);
   if (finding > 0) {
     const Finding& found = report->findings[finding - 1];
     text += fmt::format("\n{}: {}", nameOf(found.severity), found.text);
@@ -262,7 +271,7 @@ void explainPlace(ViewModel& model, const TimeAxis& axis, const CheckReport* rep
     moment = *found.first;
   } else if (const Event* event = eventNear(model, axis, mouse.x)) {
     moment = event->time;
-    text = fmt::format("{} s\n{}{}{}", shownSeconds(event->time - model.origin()), event->source,
+    text = fmt::format("{}\n{}{}{}", momentText(model, event->time), event->source,
                        event->source.empty() ? "" : ": ", event->text);
   } else if (model.viewer.picture != nullptr && mouse.y < top + px(kStripHeight)) {
     const std::vector<const SourceStrip*> strips = stripsOf(*model.viewer.picture);
@@ -352,7 +361,7 @@ void drawTrack(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
   if (axis.shows(shown)) {
     list->AddCircleFilled(ImVec2(at, middle), px(7), IM_COL32(255, 255, 255, 255), 20);
   }
-  drawRuler(axis, middle + px(5), model.origin());
+  drawRuler(axis, middle + px(5), model.origin(), showsClock(model));
   if (hovered && !ImGui::IsItemActive()) {
     list->AddLine(ImVec2(mouse.x, top), ImVec2(mouse.x, middle + px(6)), fadedInk(0.4F));
     explainPlace(model, axis, report, finding, mouse, top);

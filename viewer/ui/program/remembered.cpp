@@ -43,6 +43,7 @@ std::pair<int, int> Remembered::sizeFor(int width, int height) const {
 void Remembered::apply(ViewContent& content) {
   ViewModel& model = *content.model;
   model.viewer.panels.is_light = isLight();
+  model.viewer.panels.wall_clock = memory_.wall_clock;
   if (file_.empty()) return;
   model.viewer.panels.open.recent = memory_.recent;
   if (const auto* panels = memory_.panelsOf(whole(content.request.cell))) {
@@ -57,6 +58,7 @@ void Remembered::apply(ViewContent& content) {
 void Remembered::keep(const ViewContent& content, const Window& window) {
   const ViewModel& model = *content.model;
   memory_.theme = model.viewer.panels.is_light ? Theme::light : Theme::dark;
+  memory_.wall_clock = model.viewer.panels.wall_clock;
   std::tie(memory_.width, memory_.height) = window.size();
   if (!model.viewer.is_empty)
     memory_.keepPanels(whole(content.request.cell), model.viewer.panels.places.places);

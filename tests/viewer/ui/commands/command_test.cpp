@@ -122,6 +122,60 @@ TEST(Commands, RunByKeyWithTheWordsOfTheKey) {
   EXPECT_TRUE(requests.fit_selected);
 }
 
+TEST(Commands, SayWhatTheyDoWithTheirKeys) {
+  EXPECT_EQ(commandHint("start"), "the start of the log (Home)");
+  EXPECT_EQ(commandHint("step", "-1"), "a second back (left)");
+  EXPECT_EQ(commandHint("event", "next"), "the next event (full stop)");
+  EXPECT_EQ(commandHint("pause"), "stay at this moment");
+  EXPECT_EQ(commandHint("dance"), "");
+}
+
+TEST(Commands, OpenATabOfTheLeftPanel) {
+  const test::TemporaryFolder folder;
+  ViewModel model = armModel(folder, true);
+  ASSERT_TRUE(model.update(SteadyTime{}).ok());
+  ViewerRequests requests;
+  const CommandStage stage{model, SteadyTime{}, 480, requests};
+  PanelState& panels = model.viewer.panels;
+  panels.shown = false;
+  panels.places.places["Scene"].collapsed = true;
+  EXPECT_TRUE(runCommand("tab", std::vector<std::string>{"check"}, stage));
+  EXPECT_EQ(panels.wanted_tab, "Check");
+  EXPECT_TRUE(panels.shown);
+  EXPECT_FALSE(panels.places.places["Scene"].collapsed);
+}
+
+TEST(Commands, DismissTheLinesOverThePicture) {
+  const test::TemporaryFolder folder;
+  ViewModel model = armModel(folder, false);
+  ViewerRequests requests;
+  PanelState& panels = model.viewer.panels;
+  panels.notes = {{"a texture is missing", false}};
+  const std::vector<NoticeKey> said{{"driving", true}, {"kept: the disk is full"}};
+  EXPECT_EQ(panels.notices.order(said).size(), 2U);
+  EXPECT_TRUE(runCommand("dismiss", {}, {model, SteadyTime{}, 480, requests}));
+  EXPECT_TRUE(panels.notes.empty());
+  EXPECT_EQ(panels.notices.order(said), std::vector<std::size_t>{0});
+}
+
+TEST(Commands, AskForABuiltInCameraUnlessTheCellHasOneOfThatName) {
+  const test::TemporaryFolder folder;
+  ViewModel model = armModel(folder, false);
+  ASSERT_TRUE(model.update(SteadyTime{}).ok());
+  ViewerRequests requests;
+  const CommandStage stage{model, SteadyTime{}, 480, requests};
+  EXPECT_TRUE(runCommand("camera", std::vector<std::string>{"map"}, stage));
+  EXPECT_EQ(requests.built_in_camera, "map");
+  requests = {};
+  CellCamera own;
+  own.name = "map";
+  own.eye = {1, 2, 3};
+  model.addCamera(own);
+  EXPECT_TRUE(runCommand("camera", std::vector<std::string>{"map"}, stage));
+  EXPECT_FALSE(requests.built_in_camera);
+  EXPECT_EQ(model.cameraName(), "map");
+}
+
 TEST(Commands, RefuseWrongWords) {
   const test::TemporaryFolder folder;
   ViewModel model = armModel(folder, true);
@@ -134,7 +188,8 @@ TEST(Commands, RefuseWrongWords) {
         "fit all",    "orbit a b",        "pan 1 b",        "zoom nan",        "edges many",
         "shadows 2",  "hide nobody",      "show layer",     "auto x/y/z",      "select nobody",
         "insets all", "style edges many", "detail 10",      "panels 1",        "help me",
-        "click 1 b",  "key enter2",       "frame few",      "wait long"}) {
+        "click 1 b",  "key enter2",       "frame few",      "wait long",       "clock utc",
+        "tab Check",  "tab sources",      "tab all"}) {
     std::vector<std::string> words = splitWords(line);
     const std::string name = words.front();
     words.erase(words.begin());

@@ -118,6 +118,17 @@ TEST_F(TimeCommands, MovesTheTimeLine) {
   EXPECT_TRUE(model_->cursor()->reversed());
 }
 
+TEST_F(TimeCommands, TheTimeOfDayIsThatOfASessionThatHasOne) {
+  const bool& shown = model_->viewer.panels.wall_clock;
+  EXPECT_EQ(run("clock"), "");
+  EXPECT_TRUE(shown);
+  EXPECT_EQ(run("clock session"), "");
+  EXPECT_FALSE(shown);
+  EXPECT_EQ(run("clock utc"), "`utc` is neither session nor day");
+  EXPECT_EQ(run("clock day"), "");
+  EXPECT_TRUE(shown);
+}
+
 TEST_F(TimeCommands, AMarkHasWords) {
   EXPECT_EQ(run("mark look at this"), "");
   EXPECT_EQ(requests_.mark, "look at this");

@@ -11,6 +11,7 @@ namespace {
 ViewMemory fullMemory() {
   ViewMemory memory;
   memory.theme = Theme::light;
+  memory.wall_clock = true;
   memory.width = 1600;
   memory.height = 900;
   memory.shown({"/cells/a \"b\"\n.cell.toml", {}});
@@ -29,6 +30,7 @@ ViewMemory fullMemory() {
 constexpr char kFullText[] = R"(# What rocinante view remembers; --fresh ignores it.
 format = 1
 theme = "light"
+clock = "day"
 size = [1600, 900]
 
 [[recent]]
@@ -79,6 +81,8 @@ TEST(ViewMemory, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(fault("format = 1\ntheme = \"pink\"\n"),
             "the theme is neither dark nor light (view.toml:2:9)");
   EXPECT_NE(fault("format = 1\ntheme = 3\n"), "read");
+  EXPECT_EQ(fault("format = 1\nclock = \"night\"\n"),
+            "the clock is neither session nor day (view.toml:2:9)");
   EXPECT_NE(fault("format = 1\n[[recent]]\nlog = \"a\"\n"), "read");
   EXPECT_NE(fault("format = 1\ncolour = 1\n"), "read");
   EXPECT_NE(fault("nonsense"), "read");
