@@ -7,6 +7,7 @@
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
+#include "viewer/ui/panels/frame_state.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/placed_panel.h"
@@ -203,12 +204,6 @@ void drawGraph(const ViewerStatus& status) {
                 IM_COL32(255, 255, 255, 110));
 }
 
-/// Draws the cost of a frame and the resulting frame rate.
-void drawFrameTime(const ViewerStatus& status) {
-  const double total = status.times.mean().total();
-  ImGui::Text("%.1f ms, %.*f frames/s", total, total > 100 ? 1 : 0, 1000 / std::max(total, 0.01));
-}
-
 /// "detail 3", or "auto: 3" if chosen by the governor; at rest "auto: full".
 std::string rungText(const ViewerStatus& status) {
   if (status.refined) return "auto: full";
@@ -216,9 +211,18 @@ std::string rungText(const ViewerStatus& status) {
                                                  : fmt::format("auto: {}", status.rung);
 }
 
+/// Empty while nothing was measured, and under a script.
+std::string stateText(const ViewerStatus& status) {
+  if (!status.tells_times || status.times.count() == 0) return {};
+  const FrameState state = status.refining                  ? FrameState::refining
+                           : status.refined || status.still ? FrameState::at_rest
+                                                            : FrameState::drawing;
+  return frameStateText(state, status.times.mean().total(), status.target_fps);
+}
+
 void drawTimes(const ViewerStatus& status) {
   const FrameTimes& mean = status.times.mean();
-  drawFrameTime(status);
+  ImGui::TextUnformatted(frameCostText(mean.total()).c_str());
   drawGraph(status);
   for (const Stage& stage : kStages) {
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(stage.color), "%s %.1f", stage.name,
@@ -283,9 +287,7 @@ float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now,
     drawBeside(model);
     drawMisfits(model);
     std::string frame = rungText(status);
-    if (status.tells_times && status.times.count() > 0) {
-      frame += fmt::format(", {:.0f} ms a frame", status.times.mean().total());
-    }
+    if (const std::string state = stateText(status); !state.empty()) frame += ", " + state;
     ImGui::TextDisabled("%s", frame.c_str());
     explain("more in the tab Frame");
   }

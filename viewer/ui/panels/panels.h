@@ -34,6 +34,8 @@ struct ViewerStatus {
   bool rung_fixed = false;  ///< chosen by the user, not by the governor
   bool may_govern = false;  ///< fast profile with a user
   bool refined = false;     ///< at rest: everything is drawn, whatever the rung
+  bool refining = false;    ///< that is being done
+  bool still = false;       ///< the scene was not drawn for a while
   double target_fps = 30;
   bool coarse_ready = true;  ///< coarser meshes are ready
   bool drops_looks = false;  ///< shadows and contact are left out to be drawn in time

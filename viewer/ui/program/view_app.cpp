@@ -35,6 +35,8 @@
 namespace rocinante {
 namespace {
 
+constexpr Nanoseconds kStillAfter = std::chrono::milliseconds(300);
+
 double millisecondsSince(SteadyTime start) {
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   return took.count();
@@ -93,6 +95,8 @@ class ViewApp {
   void endLook(const Governor::Runaway& runaway);
   Status compose(bool same_picture);
   bool frameDue(bool changed) const;
+  /// The scene was not drawn for a while; a script's frames do not depend on it.
+  bool isStill() const { return !scripted() && now() - scene_drawn_at_ >= kStillAfter; }
   void writeDown();
   Status applyRequests(const ViewerRequests& requests);
   void writeScreenshot(const std::filesystem::path& file);
@@ -126,8 +130,9 @@ class ViewApp {
   std::optional<SteadyTime> last_frame_;
   FrameJournal journal_;
   bool scene_drawn_ = false;  ///< in this frame
-  bool swaps_ = true;         ///< something was drawn into the window
-  FrameTimes times_;          ///< of the frame that last drew the scene
+  SteadyTime scene_drawn_at_{};
+  bool swaps_ = true;  ///< something was drawn into the window
+  FrameTimes times_;   ///< of the frame that last drew the scene
   ViewerStatus status_;
   PixelRectangle part_{0, 0, 1, 1};  ///< what the picture has of the window
   RenderStyle style_;                ///< of the last frame
@@ -221,9 +226,19 @@ bool ViewApp::warmsUp() const {
 /// Draws a slice of the picture at rest. A rung that the user chose stays as it is.
 Status ViewApp::refine() {
   if (scripted() || detail_.fixed()) return {};
+  const bool due = picture_.refinesAt(now());
+  if (due && !status_.refining) {
+    // Said before it takes time.
+    status_.refining = true;
+    frame_due_.drawSoon();
+    return {};
+  }
   const auto whole = picture_.refine(now());
   if (!whole.ok()) return whole.error();
-  if (!*whole) return {};
+  if (!*whole) {
+    if (due && !picture_.refinesAt(now())) frame_due_.drawSoon();  // given up
+    return {};
+  }
   // Shown by a frame of its own.
   composer_.forget();
   frame_due_.happened(now());
@@ -289,6 +304,8 @@ Status ViewApp::drawFrame(double app_ms) {
   times.app = app_ms;
   const SteadyTime began = std::chrono::steady_clock::now();
   beginFrame();
+  status_.refining = status_.refining && picture_.refinesAt(now());
+  status_.still = isStill();
   ViewerRequests requests;
   part_ = drawPanels(model_, status_, now(), requests);
   requests.click = applyUserInput(model_, now(), interface_.presses(), requests);
@@ -314,6 +331,7 @@ Status ViewApp::drawFrame(double app_ms) {
   frame_due_.drawn(now());
   status_.refined = picture_.refined();
   scene_drawn_ = drawn->has_value();
+  if (scene_drawn_) scene_drawn_at_ = now();
   if (!*drawn) return {};
   const auto part = [&](const StageTime& stage) {
     const double ms = std::min(static_cast<double>(stage.wall_ns) / 1e6, times.draw);
@@ -366,7 +384,7 @@ void ViewApp::writeDown() {
 
 bool ViewApp::frameDue(bool changed) const {
   const TimelineCursor* cursor = model_.cursor();
-  return scripted() || changed ||
+  return scripted() || changed || isStill() != status_.still ||
          (cursor != nullptr && cursor->playing() && !cursor->following()) ||
          frame_due_.at(now(), panelsChangeEvery(model_, {opening_.busy(),
                                                          evidence_.active() || requests_.isSaving(),
