@@ -49,11 +49,12 @@ LineSize sizeOf(const PictureLine& line, const PanelRectangle& free) {
   return {wrap, {size.x + 2 * padding.x + 1, height}};
 }
 
-/// The size of the line that says how many more there are.
+/// The size of the line that says how many more there are; ImGui has none that is smaller.
 NoticeSize moreSize(const std::string& text) {
-  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-  return {ImGui::CalcTextSize(text.c_str()).x + 2 * padding.x + 1,
-          ImGui::GetTextLineHeight() + padding.y};
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = ImGui::CalcTextSize(text.c_str()).x + 2 * style.WindowPadding.x;
+  return {std::max(width, style.WindowMinSize.x),
+          std::max(ImGui::GetTextLineHeight() + style.WindowPadding.y, style.WindowMinSize.y)};
 }
 
 /// An opaque window there, below all others, one for each slot; true while the mouse is over it.
@@ -88,7 +89,8 @@ bool drawLine(std::size_t slot, const PictureLine& line, const LineSize& size,
 bool drawMore(std::size_t slot, const std::string& text, const std::string& rest,
               const PanelRectangle& at) {
   const bool hovered = beginLine(slot, at, true);
-  ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y / 2);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  ImGui::SetCursorPos(ImVec2((at.width - size.x) / 2, (at.height - size.y) / 2));
   ImGui::TextDisabled("%s", text.c_str());
   ImGui::End();
   if (!hovered) return false;
@@ -186,7 +188,8 @@ void drawPictureLines(ViewModel& model, const std::vector<PictureLine>& lines,
     only_sizes.push_back(sizes.back().size);
   }
   const std::size_t most = panels.notices.shows_all ? shown.size() : kMostLines;
-  const NoticePlaces placed = placeNotices(only_sizes, free, moreSize("100 more"), px(kGap), most);
+  const NoticePlaces placed = placeNotices(
+      only_sizes, free, moreSize(fmt::format("{} more", shown.size())), px(kGap), most);
   for (std::size_t i = 0; i < placed.places.size(); ++i) {
     if (drawLine(slot++, lines[shown[i]], sizes[i], placed.places[i])) clicked = &lines[shown[i]];
   }
