@@ -1,5 +1,5 @@
-# A second log beside the first: its ghosts are those of the evidence, which render draws; partings are gone to; hidden,
-# the picture is that of one session.
+# A second log beside the first: its ghosts are those of the evidence, which render draws; partings are gone to, the
+# largest with a sentence; hidden, the picture is that of one session.
 export ASAN_OPTIONS=detect_leaks=0
 demo=$SRC/examples/demo
 cp "$demo/session.mcap" accepted.mcap
@@ -33,3 +33,7 @@ rocinante golden compare window.png hidden.png --quiet | sed 's/:.*//' || echo "
 look --beside accepted.mcap --align nowhere
 printf 'parting next\n' >script.txt
 look
+printf 'parting sideways\n' >script.txt
+look
+printf 'parting largest\nawait-line the largest difference:\nquit\n' >script.txt
+look --beside accepted.mcap --align 1.5s

@@ -177,12 +177,31 @@ Status setBeside(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+/// Says how far the two are apart there, too.
+Status goToLargestParting(const PartingStudy& partings, const CommandStage& stage) {
+  const auto largest = partings.largest();
+  if (!largest && !partings.fault().empty()) return badWord(partings.fault());
+  if (!largest) {
+    stage.requests.fault =
+        partings.isFinished() ? "the two are nowhere apart" : "the two are still being compared";
+    return {};
+  }
+  stage.model.cursor()->seek(largest->at, stage.now);
+  stage.model.viewer.time_view.follow(largest->at);
+  stage.requests.notice = "the largest difference: " + largest->what;
+  return {};
+}
+
 Status goToParting(CommandWords words, const CommandStage& stage) {
+  const bool to_largest = words[0] == "largest";
   const auto next = isNext(words[0]);
-  if (!next.ok()) return next.error();
+  if (!to_largest && !next.ok()) {
+    return badWord(fmt::format("`{}` is neither next, previous nor largest", words[0]));
+  }
   ViewModel& model = stage.model;
   const PartingStudy* const partings = model.partings();
   if (partings == nullptr) return badWord("there is no session beside (view --beside LOG)");
+  if (to_largest) return goToLargestParting(*partings, stage);
   TimelineCursor& cursor = *model.cursor();
   if (const auto moment = partings->beside(cursor.position(stage.now), *next)) {
     cursor.seek(*moment, stage.now);
@@ -236,11 +255,12 @@ std::vector<Command> plotCommands() {
        .shortcuts = {{"Y", "", ""}},
        .offered = hasBeside},
       {.name = "parting",
-       .arguments = "next|previous",
-       .means = "where the two sessions begin to be apart",
+       .arguments = "next|previous|largest",
+       .means = "where the two sessions begin to be apart, or differ most",
        .run = goToParting,
        .shortcuts = {{"K", "next", "the next moment at which the two sessions part"},
-                     {"shift+K", "previous", "the moment before at which they part"}},
+                     {"shift+K", "previous", "the moment before at which they part"},
+                     {"ctrl+K", "largest", "where the two sessions differ most, and by how much"}},
        .offered = hasBeside},
   };
   for (Command& command : commands) {

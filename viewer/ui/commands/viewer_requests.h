@@ -53,6 +53,8 @@ struct ViewerRequests {
   std::optional<Nanoseconds> frame_at;
   /// Wait until the files that were opened are shown.
   bool await_files = false;
+  /// What a command found: a sentence to show.
+  std::optional<std::string> notice;
   /// Why a key or a typed command did nothing: a sentence to show.
   std::optional<std::string> fault;
 };

@@ -148,6 +148,11 @@ void drawBeside(ViewModel& model) {
     ImGui::TextColored(ink(kAmissColor), "apart: %s", fewOf(apart).c_str());
     explain("K and Shift K go to where the two part");
   }
+  if (const auto largest = partings == nullptr ? std::nullopt : partings->largest()) {
+    ImGui::TextUnformatted(
+        fmt::format("most: {} {}", plainText(largest->item), largest->size).c_str());
+    explain((plainText(largest->what) + "\nCtrl K goes there").c_str());
+  }
 }
 
 /// Draws received data that does not fit the cell.

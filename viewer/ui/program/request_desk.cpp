@@ -19,6 +19,7 @@ Status RequestDesk::apply(const ViewerRequests& requests, const WindowSize& size
   }
   my_.detail.apply(requests);
   openFiles(requests.open, now);
+  if (requests.notice) say(*requests.notice, false, now);
   if (requests.fault) say(*requests.fault, true, now);
   if (auto made = makeFiles(requests, size, now); !made) return made;
   tellNews(now);

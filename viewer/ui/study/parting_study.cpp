@@ -29,6 +29,22 @@ std::vector<Parting> partingsOf(const RunJudgement& judged, const SessionTrack& 
   return partings;
 }
 
+/// Findings without a figure come last.
+double severityOf(const RunFinding& finding) {
+  return finding.largest ? *finding.largest / std::max(finding.limit, 1e-9) : -1;
+}
+
+std::optional<PartingPeak> largestOf(const RunJudgement& judged, const SessionTrack& run) {
+  const auto largest = std::ranges::max_element(judged.findings, {}, severityOf);
+  if (largest == judged.findings.end()) return std::nullopt;
+  PartingPeak peak;
+  peak.at = std::clamp(run.origin + largest->at_run, run.start, run.end);
+  peak.item = largest->item;
+  if (largest->largest) peak.size = figureText(*largest->largest, largest->unit);
+  peak.what = largest->what;
+  return peak;
+}
+
 /// Those that overlap as one.
 std::vector<Parting> together(const std::vector<Parting>& by_item) {
   std::vector<Parting> all;
@@ -57,9 +73,9 @@ std::string apartItem(const RunFinding& finding) {
 PartingStudy::Answer PartingStudy::look(const Cell& cell, const Question& question,
                                         const std::stop_token& stop) {
   auto accepted = trackSession(cell, question.beside, {}, stop);
-  if (!accepted.ok()) return {{}, {}, accepted.error().text()};
+  if (!accepted.ok()) return {{}, {}, {}, accepted.error().text()};
   auto run = trackSession(cell, question.shown, {}, stop);
-  if (!run.ok()) return {{}, {}, run.error().text()};
+  if (!run.ok()) return {{}, {}, {}, run.error().text()};
   RunSpec spec;
   if (question.alignment.matched.empty()) {
     spec.align = RunAlign::origin;
@@ -70,10 +86,11 @@ PartingStudy::Answer PartingStudy::look(const Cell& cell, const Question& questi
     for (std::size_t i = 0; i < count && !stop.stop_requested(); ++i) task(i);
   };
   const RunJudgement judged = judgeRun(spec, {&*accepted}, *run, one_by_one);
-  if (!judged.comparable) return {{}, {}, judged.rule};
+  if (!judged.comparable) return {{}, {}, {}, judged.rule};
   Answer answer;
   answer.by_item = partingsOf(judged, *accepted, *run);
   answer.partings = together(answer.by_item);
+  answer.largest = largestOf(judged, *run);
   return answer;
 }
 
@@ -99,6 +116,11 @@ std::vector<std::string> PartingStudy::apartAt(LogTime moment) const {
     }
   }
   return {items.begin(), items.end()};
+}
+
+std::optional<PartingPeak> PartingStudy::largest() const {
+  const auto found = worker_.found();
+  return found ? found->largest : std::nullopt;
 }
 
 std::string PartingStudy::fault() const {

@@ -19,6 +19,15 @@ struct Parting {
   bool operator==(const Parting&) const = default;
 };
 
+/// How far two sessions are apart in one thing at most.
+struct PartingPeak {
+  LogTime at{};      ///< where it is largest, in the shown session's time
+  std::string item;  ///< "arm/elbow", "signal arm current", "event/picked"
+  std::string size;  ///< "30.0°", "3.1 mm"; empty: it has no figure, such as a missing event
+  std::string what;  ///< one sentence, with the times of both
+  bool operator==(const PartingPeak&) const = default;
+};
+
 /// What a finding is about: a device by its name, else as it is named there ("drawing/plan/path",
 /// "event/picked", "session").
 std::string apartItem(const RunFinding& finding);
@@ -36,6 +45,9 @@ class PartingStudy {
   std::vector<Parting> found() const;
   /// What is apart at a moment, sorted.
   std::vector<std::string> apartAt(LogTime moment) const;
+  /// The largest of all, by how many times its limit it is; without a figure only where nothing has
+  /// one. Empty: the two are not apart, or it is not finished.
+  std::optional<PartingPeak> largest() const;
   /// Why it cannot be told; one sentence, or empty.
   std::string fault() const;
   /// The beginning of the first one after a moment, or of the last one that begins before it.
@@ -53,6 +65,7 @@ class PartingStudy {
   struct Answer {
     std::vector<Parting> partings;
     std::vector<Parting> by_item;  ///< by time, each of one item
+    std::optional<PartingPeak> largest;
     std::string fault;
   };
   static Answer look(const Cell& cell, const Question& question, const std::stop_token& stop);

@@ -38,6 +38,41 @@ TEST(PartingStudy, FindsWhereTwoSessionsArePart) {
   EXPECT_EQ(study.beside(sessionTime(2010), true), std::nullopt);
   EXPECT_EQ(study.beside(sessionTime(2010), false), sessionTime(1000));
   EXPECT_EQ(study.beside(sessionTime(1000), false), std::nullopt);
+  // All that is apart is one joint: by one radian beyond its limit.
+  const auto largest = study.largest();
+  ASSERT_TRUE(largest);
+  EXPECT_TRUE(largest->item.starts_with("arm/")) << largest->item;
+  EXPECT_TRUE(largest->size.starts_with("57")) << largest->size;
+  EXPECT_FALSE(largest->what.empty());
+  EXPECT_FALSE(study.apartAt(largest->at).empty());
+}
+
+TEST(PartingStudy, TheLargestIsByItsLimitAndOfTheShownSessionsTime) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", test::kArmUrdf);
+  const auto session = [&](const char* name, const char* there, int later_ms) {
+    test::writeSession(folder / name, {{0 + later_ms, "joints arm 0\n"},
+                                       {1000 + later_ms, std::string("joints arm ") + there + "\n"},
+                                       {2000 + later_ms, "joints arm 0\n"},
+                                       {5000 + later_ms, "joints arm 0\n"}});
+  };
+  session("a.mcap", "0.5", 500);
+  session("b.mcap", "1.5", 0);
+  const auto cell = loadCell(folder / "arm.urdf", {});
+  ASSERT_TRUE(cell.ok());
+  EventAlignment later;
+  later.anchor_a = sessionTime(500);
+  later.anchor_b = sessionTime(0);
+  PartingStudy study(*cell, folder / "a.mcap", folder / "b.mcap", later);
+  study.wait();
+  EXPECT_EQ(study.fault(), "");
+  const auto largest = study.largest();
+  ASSERT_TRUE(largest);
+  EXPECT_GE(largest->at, sessionTime(1500));
+  EXPECT_LE(largest->at, sessionTime(2500));
+  const PartingStudy alike(*cell, folder / "a.mcap", folder / "a.mcap", {});
+  alike.wait();
+  EXPECT_FALSE(alike.largest());
 }
 
 TEST(PartingStudy, ALogThatIsGoneIsASentence) {
