@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 #include <utility>
+
+#include "core/foreign/recordings/opened_recording.h"
 
 namespace rocinante {
 namespace {
@@ -11,19 +14,39 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxEntries = 5000;
+/// Files whose beginning is read to tell whether they can be shown: a folder may be far away.
+constexpr int kMostRead = 200;
 
-}  // namespace
-
-bool canBeShown(std::string_view file_name) {
-  constexpr std::array<std::string_view, 9> kEndings{".cell.toml", ".urdf", ".sdf", ".obj", ".stl",
-                                                     ".dae",       ".gltf", ".glb", ".mcap"};
+/// Whether the name has one of the endings, which are in small letters, and more.
+bool endsWithOne(std::string_view file_name, std::span<const std::string_view> endings) {
   std::string name(file_name);
   std::ranges::transform(name, name.begin(), [](unsigned char letter) {
     return static_cast<char>(std::tolower(letter));
   });
-  return std::ranges::any_of(kEndings, [&](std::string_view end) {
+  return std::ranges::any_of(endings, [&](std::string_view end) {
     return name.size() > end.size() && name.ends_with(end);
   });
+}
+
+/// Names of many things, recordings among them.
+bool mayBeRecording(std::string_view file_name) {
+  constexpr std::array<std::string_view, 4> kEndings{".csv", ".json", ".jsonl", ".ndjson"};
+  return endsWithOne(file_name, kEndings);
+}
+
+/// A folder that is a bag is one thing.
+bool isBagFolder(const fs::path& folder) {
+  std::error_code none;
+  return fs::exists(folder / "metadata.yaml", none) && isForeignRecording(folder);
+}
+
+}  // namespace
+
+bool canBeShown(std::string_view file_name) {
+  constexpr std::array<std::string_view, 15> kEndings{
+      ".cell.toml", ".urdf", ".sdf", ".obj", ".stl",    ".dae", ".gltf", ".glb",
+      ".mcap",      ".bag",  ".db3", ".cap", ".pcapng", ".lcm", ".pcap"};
+  return endsWithOne(file_name, kEndings);
 }
 
 Result<std::vector<FileEntry>> listFolder(const fs::path& folder) {
@@ -33,14 +56,17 @@ Result<std::vector<FileEntry>> listFolder(const fs::path& folder) {
     return Error{ErrorKind::refused, "cannot list the folder: " + fault.message(), folder.string()};
   }
   std::vector<FileEntry> entries;
+  int read = 0;
   for (; !fault && each != fs::directory_iterator() && entries.size() < kMaxEntries;
        each.increment(fault)) {
     const std::string name = each->path().filename().string();
     if (name.starts_with('.')) continue;
     std::error_code unknown;
     if (each->is_directory(unknown)) {
-      entries.push_back({name + "/", true});
-    } else if (canBeShown(name) && each->is_regular_file(unknown)) {
+      entries.push_back({name + "/", !isBagFolder(each->path())});
+    } else if (each->is_regular_file(unknown) &&
+               (canBeShown(name) || (mayBeRecording(name) && ++read <= kMostRead &&
+                                     isForeignRecording(each->path())))) {
       entries.push_back({name, false});
     }
   }

@@ -14,16 +14,18 @@ namespace rocinante {
 
 /// A line of a list of files.
 struct FileEntry {
-  std::string name;  ///< of a folder with a slash behind it
-  bool is_folder = false;
+  std::string name;        ///< of a folder with a slash behind it
+  bool is_folder = false;  ///< to be entered: not a bag, which is shown
   bool operator==(const FileEntry&) const = default;
 };
 
-/// True for names of what the window can show: cells, models and logs.
+/// True for names of what the window can show: cells, models, logs, bags and captures.
 bool canBeShown(std::string_view file_name);
 
-/// The folders and the files that can be shown, folders first, each by name; hidden ones are left
-/// out, and all beyond some thousands. not_found or refused with the system's reason.
+/// The folders and what can be shown, folders first, each by name; hidden ones are left out, and
+/// all beyond some thousands. A folder that is a bag is shown. Tables and lines of JSON are there
+/// if their first lines are those of a recording, as far as some hundreds of them are read.
+/// not_found or refused with the system's reason.
 Result<std::vector<FileEntry>> listFolder(const std::filesystem::path& folder);
 
 /// What was shown before, newest first.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/plain_text.h"
+#include "core/foreign/recordings/opened_recording.h"
 #include "viewer/ui/commands/palette_entries.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
@@ -79,7 +80,7 @@ void take(const OpenLine& line, OpenState& open, ViewerRequests& requests) {
 
 void takePath(const fs::path& path, OpenState& open, ViewerRequests& requests) {
   std::error_code unknown;
-  if (fs::is_directory(path, unknown)) {
+  if (fs::is_directory(path, unknown) && !isForeignRecording(path)) {
     open.enter(path);
     open.just_opened = true;
   } else {

@@ -318,7 +318,9 @@ Result<ContentRequest> requestOf(const std::vector<fs::path>& files, const Conte
   }
   for (const fs::path& given : files) {
     std::error_code fault;
-    const fs::path file = fs::absolute(given, fault);
+    // "bag/" is "bag", by whose name the window is called.
+    const fs::path whole = fs::absolute(given, fault);
+    const fs::path file = whole.has_filename() ? whole : whole.parent_path();
     if (fs::is_directory(file, fault) && !isForeignRecording(file)) {
       return Error{ErrorKind::bad_argument, "a folder cannot be shown; open a file of it",
                    file.string()};

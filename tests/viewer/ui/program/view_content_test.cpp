@@ -154,5 +154,28 @@ TEST_F(OpenedFiles, AreListedWithFoldersFirst) {
   EXPECT_FALSE(canBeShown(".urdf"));
 }
 
+TEST_F(OpenedFiles, ListRecordingsOfOtherPrograms) {
+  std::filesystem::create_directory(folder_ / "bag");
+  std::filesystem::copy_file(folder_ / "s.mcap", folder_ / "bag/bag_0.mcap");
+  test::writeText(folder_ / "bag/metadata.yaml", "");
+  std::filesystem::create_directory(folder_ / "empty");
+  test::writeText(folder_ / "empty/metadata.yaml", "");
+  test::writeText(folder_ / "table.csv", "time,arm.turn\n0,1\n1,2\n");
+  test::writeText(folder_ / "prices.csv", "fruit,price\napple,1\n");
+  test::writeText(folder_ / "net.PCAP", "");
+  const auto listed = listFolder(folder_.path());
+  ASSERT_TRUE(listed.ok());
+  EXPECT_EQ(*listed, (std::vector<FileEntry>{{"empty/", true},
+                                             {"arm.urdf", false},
+                                             {"bag/", false},
+                                             {"net.PCAP", false},
+                                             {"s.mcap", false},
+                                             {"table.csv", false}}));
+  // Chosen there, it is called as a file is.
+  const auto request = requestOf({folder_ / "bag/"}, {});
+  ASSERT_TRUE(request.ok());
+  EXPECT_EQ(request->log, folder_ / "bag");
+}
+
 }  // namespace
 }  // namespace rocinante
