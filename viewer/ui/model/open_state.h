@@ -30,7 +30,7 @@ Result<std::vector<FileEntry>> listFolder(const std::filesystem::path& folder);
 
 /// What was shown before, newest first.
 struct RecentContent {
-  std::filesystem::path cell;  ///< a log's, if it carries its cell
+  std::filesystem::path cell;  ///< a log's, if it carries its cell; empty: the log has none
   std::filesystem::path log;   ///< empty: none
   bool operator==(const RecentContent&) const = default;
 };

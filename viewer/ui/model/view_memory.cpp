@@ -56,11 +56,12 @@ std::string ViewMemory::text() const {
   if (width > 0) text += fmt::format("size = [{}, {}]\n", width, height);
   for (const RecentContent& one : recent) {
     if (!canBeWritten(one.cell) || !canBeWritten(one.log)) continue;
-    text += "\n[[recent]]\ncell = " + tomlText(one.cell.string()) + "\n";
+    text += "\n[[recent]]\n";
+    if (!one.cell.empty()) text += "cell = " + tomlText(one.cell.string()) + "\n";
     if (!one.log.empty()) text += "log = " + tomlText(one.log.string()) + "\n";
   }
   for (const CellMemory& one : cells) {
-    if (!canBeWritten(one.cell)) continue;
+    if (one.cell.empty() || !canBeWritten(one.cell)) continue;
     text += "\n[[cell]]\nfile = " + tomlText(one.cell.string()) + "\n";
     for (const auto& [name, place] : one.panels) {
       text += "[[cell.panel]]\n" + panelText(name, place);
@@ -99,18 +100,20 @@ Result<ViewMemory> ViewMemory::parse(std::string_view text, const std::string& f
     }
     for (TomlTable& table : root.tables("recent", "[[recent]]")) {
       RecentContent one;
-      one.cell = table.requiredText("cell").value_or("");
+      one.cell = table.text("cell").value_or("");
       one.log = table.text("log").value_or("");
       table.finish();
+      if (one == RecentContent()) continue;
       if (memory.recent.size() < kMaxRecent) memory.recent.push_back(std::move(one));
     }
     for (TomlTable& table : root.tables("cell", "[[cell]]")) {
       CellMemory one;
-      one.cell = table.requiredText("file").value_or("");
+      one.cell = table.text("file").value_or("");
       for (TomlTable& panel : table.tables("panel", "[[cell.panel]]")) {
         one.panels.insert(readPanel(panel));
       }
       table.finish();
+      if (one.cell.empty()) continue;
       if (memory.cells.size() < kMaxCells) memory.cells.push_back(std::move(one));
     }
     root.finish();

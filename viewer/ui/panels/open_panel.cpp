@@ -28,7 +28,7 @@ struct OpenLine {
 std::string recentText(const RecentContent& recent) {
   std::string text = recent.cell.filename().string();
   if (!recent.log.empty() && recent.log != recent.cell)
-    text += " + " + recent.log.filename().string();
+    text += (text.empty() ? "" : " + ") + recent.log.filename().string();
   return plainText(text);
 }
 
@@ -104,22 +104,23 @@ bool drawLine(const OpenLine& line, bool chosen) {
 bool drawRecent(const RecentContent& recent, bool chosen) {
   const float left = ImGui::GetCursorPosX();
   const bool clicked = ImGui::Selectable("##recent", chosen);
-  explain((plainText(recent.cell.string()) +
-           (recent.log.empty() ? "" : "\n" + plainText(recent.log.string())))
+  const fs::path& named = recent.cell.empty() ? recent.log : recent.cell;
+  explain((plainText(named.string()) +
+           (recent.log.empty() || recent.cell.empty() ? "" : "\n" + plainText(recent.log.string())))
               .c_str());
   const std::string text = recentText(recent);
   ImGui::SameLine(left);
   ImGui::TextUnformatted(text.c_str());
   const float folder_at = left + ImGui::CalcTextSize(text.c_str()).x + px(14);
   ImGui::SameLine(folder_at);
-  ImGui::TextDisabled("%s", plainText(recent.cell.parent_path().string()).c_str());
+  ImGui::TextDisabled("%s", plainText(named.parent_path().string()).c_str());
   return clicked;
 }
 
 void openRecent(const RecentContent& recent, ViewerRequests& requests) {
-  requests.open = {recent.cell};
-  if (recent.log == recent.cell || recent.log.empty()) return;
-  requests.open.push_back(recent.log);
+  requests.open.clear();
+  if (!recent.cell.empty()) requests.open.push_back(recent.cell);
+  if (!recent.log.empty() && recent.log != recent.cell) requests.open.push_back(recent.log);
 }
 
 void drawOpenList(ViewModel& model, ViewerRequests& requests) {

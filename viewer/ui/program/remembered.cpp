@@ -17,6 +17,11 @@ fs::path whole(const fs::path& path) {
   return path.empty() ? path : fs::absolute(path, ignored).lexically_normal();
 }
 
+/// By what the places of panels are remembered; empty: they are not.
+fs::path namesPanels(const ContentRequest& request) {
+  return whole(request.cell.empty() ? request.log : request.cell);
+}
+
 }  // namespace
 
 Remembered Remembered::load(bool wanted) {
@@ -46,10 +51,10 @@ void Remembered::apply(ViewContent& content) {
   model.viewer.panels.wall_clock = memory_.wall_clock;
   if (file_.empty()) return;
   model.viewer.panels.open.recent = memory_.recent;
-  if (const auto* panels = memory_.panelsOf(whole(content.request.cell))) {
+  if (const auto* panels = memory_.panelsOf(namesPanels(content.request))) {
     model.viewer.panels.places.places = *panels;
   }
-  if (model.viewer.is_empty) return;
+  if (model.viewer.is_empty || content.request.named().empty()) return;
   const RecentContent now{whole(content.request.cell), whole(content.request.log)};
   memory_.shown(now);
   shown_.push_back(now);
@@ -60,8 +65,10 @@ void Remembered::keep(const ViewContent& content, const Window& window) {
   memory_.theme = model.viewer.panels.is_light ? Theme::light : Theme::dark;
   memory_.wall_clock = model.viewer.panels.wall_clock;
   std::tie(memory_.width, memory_.height) = window.size();
-  if (!model.viewer.is_empty)
-    memory_.keepPanels(whole(content.request.cell), model.viewer.panels.places.places);
+  const fs::path named = namesPanels(content.request);
+  if (!model.viewer.is_empty && !named.empty()) {
+    memory_.keepPanels(named, model.viewer.panels.places.places);
+  }
 }
 
 void Remembered::save() const {

@@ -63,6 +63,24 @@ TEST(ViewMemory, IsWrittenAndReadAgain) {
   EXPECT_EQ(read->panelsOf("/cells/other.cell.toml"), nullptr);
 }
 
+TEST(ViewMemory, ALogWithoutACellIsRemembered) {
+  ViewMemory memory;
+  memory.shown({{}, "/logs/bag"});
+  memory.keepPanels({}, {{"Scene", {}}});
+  const auto read = ViewMemory::parse(memory.text(), "view.toml");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(read->recent, memory.recent);
+  EXPECT_TRUE(read->cells.empty());
+  // As it was once written.
+  const auto old = ViewMemory::parse(
+      "format = 1\n[[recent]]\ncell = \"\"\nlog = \"/logs/bag\"\n[[recent]]\ncell = \"\"\n"
+      "[[cell]]\nfile = \"\"\n",
+      "view.toml");
+  ASSERT_TRUE(old.ok()) << old.error().text();
+  EXPECT_EQ(old->recent, memory.recent);
+  EXPECT_TRUE(old->cells.empty());
+}
+
 TEST(ViewMemory, CutAnywhereIsReadOrRefused) {
   const std::string whole = kFullText;
   for (std::size_t length = 0; length <= whole.size(); ++length) {
@@ -83,7 +101,7 @@ TEST(ViewMemory, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(fault("format = 1\ntheme = 3\n"), "read");
   EXPECT_EQ(fault("format = 1\nclock = \"night\"\n"),
             "the clock is neither session nor day (view.toml:2:9)");
-  EXPECT_NE(fault("format = 1\n[[recent]]\nlog = \"a\"\n"), "read");
+  EXPECT_NE(fault("format = 1\n[[recent]]\ncell = 3\n"), "read");
   EXPECT_NE(fault("format = 1\ncolour = 1\n"), "read");
   EXPECT_NE(fault("nonsense"), "read");
   EXPECT_EQ(fault("format = 1\nsize = [1e300, -5]\n"), "read");
