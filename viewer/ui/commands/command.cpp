@@ -40,7 +40,7 @@ const std::vector<Command>& allCommands() {
     for (std::vector<Command> group :
          {timeCommands(), liveCommands(), plotCommands(), cameraCommands(), pictureCommands(),
           handCommands(), inspectCommands(), backdropCommands(), publishCommands(),
-          programCommands(), scriptCommands(), inputCommands()}) {
+          connectCommands(), programCommands(), scriptCommands(), inputCommands()}) {
       std::ranges::move(group, std::back_inserter(all));
     }
     return all;

@@ -12,6 +12,8 @@ namespace rocinante {
 std::vector<Command> timeCommands();
 /// A growing session: live, or a log that is still written.
 std::vector<Command> liveCommands();
+/// Endpoints, and live sessions behind what is shown.
+std::vector<Command> connectCommands();
 /// Plots and findings.
 std::vector<Command> plotCommands();
 std::vector<Command> cameraCommands();

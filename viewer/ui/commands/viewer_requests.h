@@ -31,6 +31,9 @@ struct ViewerRequests {
   std::optional<std::pair<std::string, std::filesystem::path>> golden_case;
   std::optional<std::filesystem::path> screenshot;  ///< of the coming frame, panels included
   std::vector<std::filesystem::path> open;          ///< show these files instead
+  std::vector<std::string> connect;  ///< listen at these endpoints, as they were typed; empty: no
+  bool to_live = false;              ///< show the live session that goes on behind what is shown
+  std::optional<bool> disconnect;    ///< end a live session; true: though it has heard something
   std::optional<std::string> save_camera;  ///< the view as a camera of the cell, by this name
   bool close = false;
   bool save_live =

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/plain_text.h"
 #include "core/foreign/recordings/opened_recording.h"
 
 namespace rocinante {
@@ -47,6 +48,18 @@ bool canBeShown(std::string_view file_name) {
       ".cell.toml", ".urdf", ".sdf", ".obj", ".stl",    ".dae", ".gltf", ".glb",
       ".mcap",      ".bag",  ".db3", ".cap", ".pcapng", ".lcm", ".pcap"};
   return endsWithOne(file_name, kEndings);
+}
+
+bool looksLikeEndpoint(std::string_view typed) {
+  constexpr std::array<std::string_view, 5> kWays{"udp://", "pcap://", "subscribe://", "nats://",
+                                                  "jetstream://"};
+  if (std::ranges::any_of(kWays, [&](std::string_view way) { return typed.starts_with(way); })) {
+    return true;
+  }
+  const std::size_t colon = typed.rfind(':');
+  if (colon == typed.npos || typed.find('/') != typed.npos) return false;
+  const std::string_view port = typed.substr(colon + 1, typed.find('?', colon) - colon - 1);
+  return !port.empty() && port.size() <= 5 && std::ranges::all_of(port, isDigit);
 }
 
 Result<std::vector<FileEntry>> listFolder(const fs::path& folder) {

@@ -28,6 +28,10 @@ bool canBeShown(std::string_view file_name);
 /// not_found or refused with the system's reason.
 Result<std::vector<FileEntry>> listFolder(const std::filesystem::path& folder);
 
+/// True for what somebody types to connect and not to open a file: an address with its port
+/// (HOST:PORT, :PORT), or what begins with the name of a way to receive (udp://).
+bool looksLikeEndpoint(std::string_view typed);
+
 /// What was shown before, newest first.
 struct RecentContent {
   std::filesystem::path cell;  ///< a log's, if it carries its cell; empty: the log has none
@@ -47,6 +51,10 @@ struct OpenState {
   std::size_t chosen = 0;
   LineStart start;
   std::vector<RecentContent> recent;
+  bool listens = false;              ///< it tells what is heard at the usual endpoints
+  std::array<char, 256> endpoint{};  ///< being typed, NUL-terminated
+  /// Endpoints of live sessions behind what is shown, with blanks between; the last shown first.
+  std::vector<std::string> left;
 
   /// Shows the list, of the last folder or else of `where`.
   void open(const std::filesystem::path& where);

@@ -283,16 +283,25 @@ const FindingsStudy* ViewModel::findings() {
   return judged_.get();
 }
 
+void ViewModel::listenAround() {
+  if (!survey_) {
+    survey_ = std::make_unique<EndpointSurvey>(usualEndpoints());
+  } else if (!survey_->isListening()) {
+    survey_->listen();
+  }
+  if (study_waits) survey_->wait();
+}
+
 bool ViewModel::hasStudyNews() const {
-  return (nearest_ && nearest_->takeNews()) || (study_ && study_->hasNews()) ||
-         (judged_ && !judged_seen_ && judged_->isFinished()) ||
+  return (survey_ && survey_->takeNews()) || (nearest_ && nearest_->takeNews()) ||
+         (study_ && study_->hasNews()) || (judged_ && !judged_seen_ && judged_->isFinished()) ||
          (study_beside_ && study_beside_->hasNews()) || (partings_ && partings_->takeNews());
 }
 
 bool ViewModel::isStudyBusy() const {
-  return (nearest_ && nearest_->isBusy()) || (study_ && study_->isBusy()) ||
-         (judged_ && !judged_->isFinished()) || (study_beside_ && study_beside_->isBusy()) ||
-         (partings_ && !partings_->isFinished()) ||
+  return (survey_ && survey_->isListening()) || (nearest_ && nearest_->isBusy()) ||
+         (study_ && study_->isBusy()) || (judged_ && !judged_->isFinished()) ||
+         (study_beside_ && study_beside_->isBusy()) || (partings_ && !partings_->isFinished()) ||
          (study_ && viewer.findings_wanted && !judged_ && !log_grows_);
 }
 

@@ -24,6 +24,7 @@
 #include "viewer/ui/model/selection.h"
 #include "viewer/ui/model/timeline_cursor.h"
 #include "viewer/ui/model/viewer_state.h"
+#include "viewer/ui/study/endpoint_survey.h"
 #include "viewer/ui/study/findings_study.h"
 #include "viewer/ui/study/log_study.h"
 #include "viewer/ui/study/nearest_study.h"
@@ -97,6 +98,9 @@ class ViewModel {
   bool isGrowing() const { return log_grows_; }
   const LiveFeed& feed() const { return *feed_; }
   LiveFeed& feed() { return *feed_; }
+  /// Goes on with the live session of another model, with what that has heard and kept. That one is
+  /// only to be destroyed then. This one has neither a session nor one that is live.
+  void takeLive(ViewModel& from);
   /// Why nothing moves in a live session; empty otherwise.
   std::optional<Finding> liveReason(SteadyTime now) const;
   /// Received data that does not fit the cell; in a live session at most half a second old.
@@ -125,6 +129,11 @@ class ViewModel {
   /// was last measured in the background: null while `nearest_wanted` is false, without a selection
   /// and before the first answer. It may be of an earlier moment.
   const NearestFound* nearest() const { return nearest_found_ ? &*nearest_found_ : nullptr; }
+
+  /// Listens at the usual endpoints for a moment, in the background; nothing while it does.
+  void listenAround();
+  /// What it heard; null before the first listenAround().
+  const EndpointSurvey* survey() const { return survey_.get(); }
 
   /// The background has something new to show.
   bool hasStudyNews() const;
@@ -288,6 +297,7 @@ class ViewModel {
   std::unique_ptr<FindingsStudy> judged_;           // borrows *cell_
   bool judged_seen_ = false;
   std::unique_ptr<NearestStudy> nearest_;  // borrows *cell_
+  std::unique_ptr<EndpointSurvey> survey_;
   std::optional<NearestFound> nearest_found_;
   std::optional<NearestWish> nearest_asked_;
   bool nearest_is_old_ = false;  ///< what is shown has changed since it was asked

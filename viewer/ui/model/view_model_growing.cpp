@@ -24,6 +24,17 @@ bool ViewModel::goToNow() {
   return true;
 }
 
+void ViewModel::takeLive(ViewModel& from) {
+  names_->expectOthers();
+  feed_ = std::exchange(from.feed_, std::nullopt);
+  live_ = std::move(from.live_);
+  heard_ = from.heard_;
+  live_since_ = from.live_since_;
+  last_arrival_ = from.last_arrival_;
+  live_at_ = from.live_at_;
+  keeping_trouble_ = from.keeping_trouble_;
+}
+
 bool ViewModel::hear(SteadyTime now) {
   if (!live_since_) live_since_ = now;
   const bool follows = showsNow();

@@ -69,7 +69,8 @@ struct ViewerState {
   PacketLookup packet;
   bool nearest_wanted = false;  ///< measure how near the selection is to others
   bool outline_selected = true;
-  bool is_empty = false;  ///< nothing is shown yet: an empty cell stands for it
+  bool is_empty = false;   ///< nothing is shown yet: an empty cell stands for it
+  bool was_shown = false;  ///< it comes back to the window, and is as it was
 };
 
 }  // namespace rocinante

@@ -121,6 +121,14 @@ std::string fewOf(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Draws the live session that goes on behind what is shown.
+void drawLeft(const ViewModel& model) {
+  const std::vector<std::string>& left = model.viewer.panels.open.left;
+  if (left.empty()) return;
+  ImGui::TextDisabled("live behind this: %s", fewOf(left).c_str());
+  explain("it is heard and kept; `live` in the palette (Ctrl P) goes back to it");
+}
+
 /// Draws what the session beside is, and what is apart from it at the shown moment.
 void drawBeside(ViewModel& model) {
   const BesideSession* const beside = model.beside();
@@ -289,6 +297,7 @@ float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now,
     drawCollapsed("Figures");
   } else {
     drawSession(model, now);
+    drawLeft(model);
     drawBeside(model);
     drawMisfits(model);
     std::string frame = rungText(status);

@@ -7,6 +7,7 @@
 
 #include "core/base/plain_text.h"
 #include "core/foreign/recordings/opened_recording.h"
+#include "viewer/ui/commands/command.h"
 #include "viewer/ui/commands/palette_entries.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
@@ -19,8 +20,9 @@ namespace fs = std::filesystem;
 constexpr float kOpenWidth = 620;
 constexpr int kOpenLines = 16;
 
-/// A line of the list: something shown before, or a file or folder.
+/// A line of the list: endpoints, something shown before, or a file or folder.
 struct OpenLine {
+  EndpointLine endpoints;  ///< empty: none
   const RecentContent* recent = nullptr;
   FileEntry entry;
 };
@@ -33,18 +35,24 @@ std::string recentText(const RecentContent& recent) {
 }
 
 /// Best first when something is typed.
-std::vector<OpenLine> openLines(const OpenState& open, std::string_view typed) {
+std::vector<OpenLine> openLines(const ViewModel& model, std::string_view typed) {
+  const OpenState& open = model.viewer.panels.open;
   std::vector<std::pair<int, OpenLine>> scored;
   for (const RecentContent& recent : open.recent) {
     if (const auto score = fuzzyScore(typed, recentText(recent))) {
-      scored.push_back({*score, {&recent, {}}});
+      scored.push_back({*score, {{}, &recent, {}}});
     }
   }
+  // Behind every file that matches: nearly any letters are somewhere in an endpoint.
+  for (EndpointLine& line : endpointLines(model)) {
+    if (!containsWord(line.endpoints + " " + line.note, typed)) continue;
+    scored.push_back({0, {std::move(line), nullptr, {}}});
+  }
   if (typed.empty() && open.folder.has_relative_path())
-    scored.push_back({0, {nullptr, {"../", true}}});
+    scored.push_back({0, {{}, nullptr, {"../", true}}});
   for (const FileEntry& entry : open.entries) {
     if (const auto score = fuzzyScore(typed, entry.name))
-      scored.push_back({*score, {nullptr, entry}});
+      scored.push_back({*score, {{}, nullptr, entry}});
   }
   if (!typed.empty()) {
     std::ranges::stable_sort(scored, std::greater<>(), &std::pair<int, OpenLine>::first);
@@ -64,6 +72,11 @@ std::optional<fs::path> typedPath(const OpenState& open) {
 }
 
 void take(const OpenLine& line, OpenState& open, ViewerRequests& requests) {
+  if (!line.endpoints.endpoints.empty()) {
+    open.shown = false;
+    requests.connect = splitWords(line.endpoints.endpoints);
+    return;
+  }
   if (line.recent != nullptr) {
     open.shown = false;
     return openRecent(*line.recent, requests);
@@ -90,6 +103,7 @@ void takePath(const fs::path& path, OpenState& open, ViewerRequests& requests) {
 }
 
 bool drawLine(const OpenLine& line, bool chosen) {
+  if (!line.endpoints.endpoints.empty()) return drawEndpoint(line.endpoints, chosen);
   if (line.recent != nullptr) return drawRecent(*line.recent, chosen);
   const ImVec4 color =
       ImGui::GetStyleColorVec4(line.entry.is_folder ? ImGuiCol_TextDisabled : ImGuiCol_Text);
@@ -100,6 +114,41 @@ bool drawLine(const OpenLine& line, bool chosen) {
 }
 
 }  // namespace
+
+std::vector<EndpointLine> endpointLines(const ViewModel& model) {
+  std::vector<EndpointLine> lines;
+  for (const std::string& left : model.viewer.panels.open.left) {
+    lines.push_back({left, "goes on behind this"});
+  }
+  if (model.survey() == nullptr) return lines;
+  std::vector<HeardEndpoint> all = model.survey()->heard();
+  if (all.empty()) {
+    // Lines that come a moment later would move the others under the mouse.
+    for (const SurveyedEndpoint& usual : usualEndpoints()) {
+      all.emplace_back().endpoint = usual.endpoint.text();
+    }
+  }
+  for (const HeardEndpoint& heard : all) {
+    const bool is_left =
+        std::ranges::find(lines, heard.endpoint, &EndpointLine::endpoints) != lines.end();
+    if (!is_left) lines.push_back({heard.endpoint, heard.text()});
+  }
+  return lines;
+}
+
+bool drawEndpoint(const EndpointLine& line, bool chosen) {
+  const float left = ImGui::GetCursorPosX();
+  ImGui::PushID(line.endpoints.c_str());
+  const bool clicked = ImGui::Selectable("##endpoint", chosen);
+  ImGui::PopID();
+  const std::string where = plainText(line.endpoints);
+  explain(("listen at " + where + "\n" + line.note).c_str());
+  ImGui::SameLine(left);
+  ImGui::TextUnformatted(line.note.c_str());
+  ImGui::SameLine(left + ImGui::CalcTextSize(line.note.c_str()).x + px(14));
+  ImGui::TextDisabled("%s", where.c_str());
+  return clicked;
+}
 
 bool drawRecent(const RecentContent& recent, bool chosen) {
   const float left = ImGui::GetCursorPosX();
@@ -139,19 +188,23 @@ void drawOpenList(ViewModel& model, ViewerRequests& requests) {
   const bool opened = std::exchange(open.just_opened, false);
   ImGui::TextDisabled("%s", plainText(open.folder.string()).c_str());
   const std::string before = open.text.data();
-  const bool entered =
-      drawTypedLine("##file", "a part of a name, or a path", open.text, opened, open.start);
+  if (opened && open.listens) model.listenAround();
+  const bool entered = drawTypedLine("##file", "a part of a name, a path, or an endpoint",
+                                     open.text, opened, open.start);
   if (before != open.text.data()) open.chosen = 0;
-  const auto path = typedPath(open);
+  const bool is_endpoint = looksLikeEndpoint(open.text.data());
+  const auto path = is_endpoint ? std::nullopt : typedPath(open);
   const std::vector<OpenLine> lines =
-      path ? std::vector<OpenLine>() : openLines(open, open.text.data());
+      path || is_endpoint ? std::vector<OpenLine>() : openLines(model, open.text.data());
   const std::size_t chosen_before = open.chosen;
   if (keyPressed(ImGuiKey_DownArrow)) ++open.chosen;
   if (keyPressed(ImGuiKey_UpArrow) && open.chosen > 0) --open.chosen;
   open.chosen = std::min(open.chosen, lines.empty() ? 0 : lines.size() - 1);
 
   std::optional<OpenLine> picked;
-  if (!open.fault.empty()) {
+  if (is_endpoint) {
+    ImGui::TextDisabled("Enter listens at this endpoint");
+  } else if (!open.fault.empty()) {
     ImGui::TextWrapped("%s", plainText(open.fault).c_str());
   } else if (path) {
     ImGui::TextDisabled("Enter opens this file or folder");
@@ -169,6 +222,11 @@ void drawOpenList(ViewModel& model, ViewerRequests& requests) {
   }
   ImGui::EndChild();
   ImGui::End();
+  if (entered && is_endpoint) {
+    open.shown = false;
+    requests.connect = splitWords(open.text.data());
+    return;
+  }
   if (entered && path) return takePath(*path, open, requests);
   if (entered && !lines.empty()) picked = lines[open.chosen];
   if (picked) {

@@ -131,6 +131,16 @@ void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
 /// click; what was shown before comes first.
 void drawOpenList(ViewModel& model, ViewerRequests& requests);
 
+/// Endpoints to listen at, with blanks between, and what is known of them.
+struct EndpointLine {
+  std::string endpoints;
+  std::string note;
+};
+/// Live sessions behind what is shown, then what was heard at the usual endpoints.
+std::vector<EndpointLine> endpointLines(const ViewModel& model);
+/// A line for endpoints; true when it is clicked.
+bool drawEndpoint(const EndpointLine& line, bool chosen);
+
 /// A line for something that was shown before; true when it is clicked.
 bool drawRecent(const RecentContent& recent, bool chosen);
 void openRecent(const RecentContent& recent, ViewerRequests& requests);

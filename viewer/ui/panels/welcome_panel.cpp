@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viewer/ui/commands/command.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 
@@ -10,6 +11,23 @@ namespace {
 
 constexpr float kWelcomeWidth = 430;
 constexpr std::size_t kMaxRecent = 6;
+
+/// What was heard, and a line to type any other endpoint in.
+void drawConnect(ViewModel& model, ViewerRequests& requests) {
+  OpenState& open = model.viewer.panels.open;
+  if (open.listens && model.survey() == nullptr) model.listenAround();
+  ImGui::TextDisabled("Live");
+  for (const EndpointLine& line : endpointLines(model)) {
+    if (drawEndpoint(line, false)) requests.connect = splitWords(line.endpoints);
+  }
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##endpoint", "an endpoint, as :19960 or udp://239.1.2.3:5000",
+                               open.endpoint.data(), open.endpoint.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue)) {
+    requests.connect = splitWords(open.endpoint.data());
+  }
+  explain("Enter listens there; Ctrl+O listens again at the usual endpoints");
+}
 
 std::string megabytes(std::uint64_t bytes) {
   return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
@@ -44,6 +62,8 @@ void drawWelcome(ViewModel& model, bool loading, ViewerRequests& requests) {
       openRecent(model.viewer.panels.open.recent[i], requests);
     ImGui::PopID();
   }
+  ImGui::Spacing();
+  drawConnect(model, requests);
   ImGui::Spacing();
   ImGui::TextDisabled("Ctrl+O opens, Ctrl+P finds a command, F1 shows the keys");
   ImGui::End();

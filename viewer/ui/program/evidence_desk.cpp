@@ -40,8 +40,8 @@ void setSize(PictureTerms& terms, const std::optional<int>& width, const WindowS
 
 Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSize& size) const {
   if (shown_.cell.empty()) {
-    return Error{
-        ErrorKind::bad_argument, "this log carries no cell: a picture of it needs one", {}};
+    const std::string what = shown_.log.empty() ? "no cell is open" : "this log carries no cell";
+    return Error{ErrorKind::bad_argument, what + ": a picture of it needs one", {}};
   }
   EvidenceRequest request;
   request.cell = shown_.cell;

@@ -62,11 +62,13 @@ Status LiveSaver::merge(const KeptProgress& kept) {
   if (kept.finished.empty()) {
     return Error{ErrorKind::bad_argument, "nothing of this live session has been kept yet", {}};
   }
-  if (kept.finished.size() == 1) return attach(kept.finished.front());
+  const bool is_bare = request_.cell.empty();
+  if (kept.finished.size() == 1 && !is_bare) return attach(kept.finished.front());
   std::vector<std::string> words{"merge"};
   for (const fs::path& piece : kept.finished) words.push_back(piece.string());
-  words.insert(words.end(), {"-o", merged_.string()});
-  step_ = Step::merging;
+  words.insert(words.end(), {"-o", (is_bare ? request_.output : merged_).string()});
+  // Without a cell nothing is attached: this is the last step.
+  step_ = is_bare ? Step::attaching : Step::merging;
   return run(words);
 }
 

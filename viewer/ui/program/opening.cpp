@@ -1,30 +1,125 @@
 #include "viewer/ui/program/opening.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <chrono>
 #include <utility>
+
+#include "core/base/plain_text.h"
+#include "viewer/view/camera_choice.h"
 
 namespace rocinante {
 namespace {
 
 constexpr Nanoseconds kLongestReading = std::chrono::hours(24);
 
+/// A camera of the cell by its name, any other viewpoint in numbers: a source's view may not be
+/// there yet.
+std::string viewpointNow(ViewModel& model) {
+  const std::vector<CellCamera>& cameras = model.cell().cameras;
+  const std::string& name = model.cameraName();
+  const bool is_of_cell = std::ranges::find(cameras, name, &CellCamera::name) != cameras.end();
+  return is_of_cell ? name : viewpointText(model.cameraView());
+}
+
+/// True when a port is held by this program itself.
+bool isOwnPort(const Error& error) {
+  return error.what.find(fmt::format("(pid {})", ::getpid())) != std::string::npos;
+}
+
+Error badEndpoint(std::string what) { return {ErrorKind::bad_argument, std::move(what), {}}; }
+
 }  // namespace
+
+Opening::Opening(ContentLoader& loader, LeftSessions& left, ViewModel& model,
+                 const ContentRequest& shown)
+    : loader_(loader), left_(left), model_(model), shown_(shown) {
+  tellLeft();
+}
+
+Status Opening::begin() {
+  if (loader_.busy()) {
+    return Error{ErrorKind::refused, "wait until " + plainText(loader_.name()) + " is loaded", {}};
+  }
+  if (back_) return Error{ErrorKind::refused, "wait until the live session is shown", {}};
+  model_.viewer.panels.open.used = true;
+  model_.viewer.panels.notes.clear();
+  return {};
+}
+
+Status Opening::mayLeave() const {
+  if (!left_.full() || !hasHeard(model_)) return {};
+  return Error{ErrorKind::refused,
+               fmt::format("this window keeps {} live sessions: `disconnect` one before",
+                           LeftSessions::kMost + 1),
+               {}};
+}
 
 Status Opening::open(const std::vector<std::filesystem::path>& files) {
   if (files.empty()) return {};
-  if (loader_.busy()) {
-    return Error{ErrorKind::refused, "wait until " + loader_.name() + " is loaded", {}};
-  }
-  model_.viewer.panels.open.used = true;
-  model_.viewer.panels.notes.clear();
+  if (auto begun = begin(); !begun) return begun;
+  if (auto may = mayLeave(); !may) return may;
   auto request = requestOf(files, shown_);
   if (!request.ok()) return request.error();
   loader_.start(std::move(*request));
   return {};
 }
 
+Status Opening::connect(const std::vector<std::string>& endpoints) {
+  if (auto begun = begin(); !begun) return begun;
+  if (auto may = mayLeave(); !may) return may;
+  const std::string text = fmt::format("{}", fmt::join(endpoints, " "));
+  if (model_.isLive() && (shown_.connect == endpoints || endpointsText(shown_) == text)) {
+    return badEndpoint("this window listens at " + typedText(endpoints) + " already");
+  }
+  back_ = left_.find(endpoints);
+  if (back_) return {};
+  ContentRequest request = connectionOf(endpoints, shown_);
+  if (!model_.viewer.is_empty) {
+    request.hide = model_.hiddenPaths();
+    request.show = model_.shownPaths();
+    request.camera = viewpointNow(model_);
+  }
+  loader_.start(std::move(request));
+  return {};
+}
+
+Status Opening::goBack() {
+  if (auto begun = begin(); !begun) return begun;
+  if (auto may = mayLeave(); !may) return may;
+  if (left_.empty()) return badEndpoint("no live session goes on behind what is shown");
+  back_ = 0;
+  return {};
+}
+
+Status Opening::disconnect(bool forgets) {
+  if (auto begun = begin(); !begun) return begun;
+  const bool is_shown = model_.isLive();
+  if (!is_shown && left_.empty()) return badEndpoint("this window listens nowhere");
+  if (!forgets && hasHeard(is_shown ? model_ : left_.model(0))) {
+    return badEndpoint(
+        "what this session kept would be deleted: `save` it before, or `disconnect forget`");
+  }
+  if (is_shown) {
+    loader_.start(withoutConnection(shown_));
+  } else {
+    left_.forget(0);
+    tellLeft();
+  }
+  return {};
+}
+
 Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
   std::optional<Loaded> loaded;
+  if (back_) {
+    loaded.emplace();
+    loaded->content = left_.take(*std::exchange(back_, std::nullopt));
+    loaded->goes_back = true;
+    return loaded;
+  }
   auto result = loader_.waitFor(waits ? kLongestReading : Nanoseconds(0));
   if (!result) return loaded;
   loaded.emplace();
@@ -32,6 +127,10 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
     loaded->content = std::make_unique<ViewContent>(std::move(**result));
   } else if (model_.viewer.is_empty && !model_.viewer.panels.open.used) {
     return result->error();
+  } else if ((model_.isLive() || !left_.empty()) && isOwnPort(result->error())) {
+    loaded->fault =
+        "this window listens at that port itself: `disconnect` ends that, `live` shows what it "
+        "left";
   } else {
     loaded->fault = result->error().text();
   }

@@ -7,35 +7,54 @@
 #include <vector>
 
 #include "viewer/ui/panels/panels.h"
+#include "viewer/ui/program/left_sessions.h"
 #include "viewer/ui/program/view_content.h"
 
 namespace rocinante {
 
-/// Opens files in a window that shows something already. Main thread; borrows all.
+/// Opens files, and connects to endpoints, in a window that shows something already. What is live
+/// goes on behind what is shown then (LeftSessions). Main thread; borrows all.
 class Opening {
  public:
-  Opening(ContentLoader& loader, ViewModel& model, const ContentRequest& shown)
-      : loader_(loader), model_(model), shown_(shown) {}
+  Opening(ContentLoader& loader, LeftSessions& left, ViewModel& model, const ContentRequest& shown);
 
   bool busy() const { return loader_.busy(); }
   /// Starts to load what was opened or dropped; refused with a sentence for the user.
   Status open(const std::vector<std::filesystem::path>& files);
+  /// Listens at endpoints, as they were typed, with the cell that is shown; at those of a session
+  /// that was left, goes back to it. refused or bad_argument with a sentence.
+  Status connect(const std::vector<std::string>& endpoints);
+  /// Shows the live session that was left last. bad_argument when there is none.
+  Status goBack();
+  /// Ends the live session that is shown, of which the cell at rest stays, or else the one that was
+  /// left last. `forgets`: also one that has heard something, which is refused otherwise.
+  Status disconnect(bool forgets);
 
   /// What came of it, once it has come.
   struct Loaded {
     std::unique_ptr<ViewContent> content;  ///< null: it cannot be read
     std::string fault;                     ///< why, for the user
+    bool goes_back = false;                ///< it was shown before, and is not refused
   };
   /// Fails with what cannot be read when that is all that was asked for. `waits`: until it has
   /// come.
   Result<std::optional<Loaded>> take(bool waits);
 
+  /// To be called now and then.
+  void tend(SteadyTime now) { left_.tend(now); }
   std::optional<LoadingStatus> status() const;
 
  private:
+  Status begin();
+  /// Whether what is shown may give way.
+  Status mayLeave() const;
+  void tellLeft() { model_.viewer.panels.open.left = left_.names(); }
+
   ContentLoader& loader_;
+  LeftSessions& left_;
   ViewModel& model_;
   const ContentRequest& shown_;
+  std::optional<std::size_t> back_;  ///< the session that was left and is to be shown
 };
 
 }  // namespace rocinante

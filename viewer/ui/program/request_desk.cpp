@@ -19,6 +19,7 @@ Status RequestDesk::apply(const ViewerRequests& requests, const WindowSize& size
   }
   my_.detail.apply(requests);
   openFiles(requests.open, now);
+  tellRefusal(connect(requests), now);
   if (requests.notice) say(*requests.notice, false, now);
   if (requests.fault) say(*requests.fault, true, now);
   if (auto made = makeFiles(requests, size, now); !made) return made;
@@ -124,8 +125,14 @@ void RequestDesk::finish(SteadyTime now) {
   if (my_.evidence.noticeIsFault()) my_.model.viewer.panels.doubts.push_back(my_.evidence.notice());
 }
 
-void RequestDesk::openFiles(const std::vector<std::filesystem::path>& files, SteadyTime now) {
-  const Status begun = my_.opening.open(files);
+Status RequestDesk::connect(const ViewerRequests& requests) {
+  if (!requests.connect.empty()) return my_.opening.connect(requests.connect);
+  if (requests.to_live) return my_.opening.goBack();
+  return requests.disconnect ? my_.opening.disconnect(*requests.disconnect) : Status();
+}
+
+/// What cannot be shown.
+void RequestDesk::tellRefusal(const Status& begun, SteadyTime now) {
   if (begun) return;
   if (begun.error().kind == ErrorKind::refused) return say(begun.error().text(), true, now);
   my_.model.viewer.panels.notes.push_back({begun.error().text(), true});

@@ -37,7 +37,9 @@ class RequestDesk {
       : my_(parts), scripted_(scripted), saving_(parts.shown) {}
 
   Status apply(const ViewerRequests& requests, const WindowSize& size, SteadyTime now);
-  void openFiles(const std::vector<std::filesystem::path>& files, SteadyTime now);
+  void openFiles(const std::vector<std::filesystem::path>& files, SteadyTime now) {
+    tellRefusal(my_.opening.open(files), now);
+  }
 
   /// The coming frame is to be written to a file, for a user.
   bool wantsScreenshot() const { return screenshot_.has_value(); }
@@ -55,6 +57,8 @@ class RequestDesk {
   Status makeEvidence(const ViewerRequests& requests, const WindowSize& size, SteadyTime now);
   Status addCamera(const std::string& name, SteadyTime now);
   Status saveLive(const std::filesystem::path& file, SteadyTime now);
+  Status connect(const ViewerRequests& requests);
+  void tellRefusal(const Status& begun, SteadyTime now);
   void tellNews(SteadyTime now);
   void say(std::string text, bool is_fault, SteadyTime now) {
     my_.evidence.say(std::move(text), is_fault, now);

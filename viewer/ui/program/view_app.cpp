@@ -61,7 +61,7 @@ class ViewApp {
       : shown_(content.request),
         model_(*content.model),
         options_(options),
-        opening_(session.loader, model_, shown_),
+        opening_(session.loader, session.left, model_, shown_),
         window_(&window),
         interface_(options.script.empty() ? window_ : nullptr),
         picture_(model_, std::move(renderer), options.samples),
@@ -145,6 +145,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   auto renderer = Renderer::create(window, model.cell(), options.profile);
   if (!renderer.ok()) return renderer.error();
   for (const std::string& warning : renderer->warnings()) {
+    if (model.viewer.was_shown) break;
     const std::string shown = model.cell().shown(warning);
     cli::warn(shown);
     model.viewer.panels.notes.push_back({shown, false});
@@ -170,8 +171,10 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   ViewerStatus& status = app->status_;
   status.renderer = app->picture_.renderer().key().renderer;
   status.tells_times = !app->scripted() && !app->record_.active();
+  model.viewer.panels.open.listens = status.tells_times;
   // What nobody chose is the window's choice, where bits need not be the same each time.
-  if (app->isPersonal() && options.profile == Profile::fast && content.request.styles.empty()) {
+  if (app->isPersonal() && options.profile == Profile::fast && content.request.styles.empty() &&
+      !model.viewer.was_shown) {
     model.useLooksByDefault();
   }
   app->detail_.tell(status);
@@ -433,6 +436,7 @@ void ViewApp::finishPreview() {
 /// the place of what is shown when nothing is made of that any more, and unless it is an empty
 /// picture in place of a good one.
 Result<std::unique_ptr<ViewContent>> ViewApp::takeOpened() {
+  opening_.tend(now());
   if (evidence_.isMaking() || requests_.isSaving()) return nullptr;
   auto loaded = opening_.take(scripted());
   if (!loaded.ok()) return loaded.error();
@@ -446,7 +450,8 @@ Result<std::unique_ptr<ViewContent>> ViewApp::takeOpened() {
     notes.push_back({(*loaded)->fault, true});
     return nullptr;
   }
-  if (model_.viewer.is_empty || isHopeless(model_.cell()) || !isHopeless(content->model->cell())) {
+  if ((*loaded)->goes_back || model_.viewer.is_empty || isHopeless(model_.cell()) ||
+      !isHopeless(content->model->cell())) {
     return content;
   }
   notes.push_back(
@@ -458,7 +463,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::takeOpened() {
 
 Result<std::unique_ptr<ViewContent>> ViewApp::run() {
   std::unique_ptr<ViewContent> next;
-  if (model_.cameraName().empty()) {
+  if (model_.cameraName().empty() && !model_.viewer.was_shown) {
     if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
     prepareView();
     part_ = part();

@@ -10,6 +10,7 @@
 #include "viewer/render/renderer.h"
 #include "viewer/ui/model/view_layout.h"
 #include "viewer/ui/program/input_record.h"
+#include "viewer/ui/program/left_sessions.h"
 #include "viewer/ui/program/script_runner.h"
 #include "viewer/ui/program/view_content.h"
 #include "viewer/ui/program/view_script.h"
@@ -51,6 +52,7 @@ struct WindowSession {
   InputRecord record;
   /// Made for the first content; its shader serves all. Needs the window's context.
   std::optional<ImguiPainter> painter;
+  LeftSessions left{};
 };
 
 /// Shows the content until the window is closed, the script ends, or a signal stops it: null; or

@@ -69,9 +69,27 @@ Result<OpenedRecording> openRecordingOf(const ContentRequest& request, const fs:
   return opened;
 }
 
+/// What a cell that nobody described is shown with.
+void nameBareCell(const ContentRequest& request, Cell& cell, std::vector<PictureNote>& notes) {
+  if (request.log.empty()) {
+    cell.file = endpointsText(request);
+    notes.push_back(
+        {"no cell is open: what packets say is shown, poses as axes; open a cell or model to see "
+         "more",
+         false});
+    return;
+  }
+  cell.file = request.log.string();
+  notes.push_back(
+      {"this log carries no cell: what its packets say is shown, poses as axes; open "
+       "it together with its cell or model to see more",
+       false});
+}
+
 /// The file that has the cell. Of a log without one it is the cell that was shown before, and empty
 /// where there was none.
 Result<fs::path> cellFile(const ContentRequest& request, const OpenedRecording& opened) {
+  if (request.log.empty()) return request.cell;
   if (!request.cell.empty() && request.cell != request.log) return request.cell;
   const auto log = LogReader::open(opened.log);
   if (!log.ok()) return log.error();
@@ -223,6 +241,12 @@ bool isHopeless(const Cell& cell) {
 
 Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress,
                                 const std::stop_token& stop) {
+  if (auto read = readEndpoints(request); !read) return read.error();
+  if (request.empty()) {
+    ViewContent nothing = emptyContent();
+    nothing.request = std::move(request);
+    return nothing;
+  }
   OpenedRecording recording;
   if (!request.log.empty()) {
     auto opened = openRecordingOf(request, request.log, request.cell, progress, stop);
@@ -232,7 +256,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   const auto file = cellFile(request, recording);
   if (!file.ok()) return recording.named(file.error());
   const bool is_own_cell = !recording.log.empty() && *file == recording.log;
-  const bool is_bare = file->empty() && !request.log.empty();
+  const bool is_bare = file->empty();
   if (recording.imported && request.cell.empty() && !is_own_cell && !is_bare) {
     // Of the cell that is shown: its names are meant.
     auto opened = openRecordingOf(request, request.log, *file, progress, stop);
@@ -249,7 +273,6 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   options.progress = progress;
   Result<Cell> cell = is_bare ? bareCell() : CellCache::ofUser().load(*file, options);
   if (!cell.ok()) return recording.named(cell.error());
-  if (is_bare) cell->file = request.log.string();
   if (recording.folder) {
     // A temporary log lasts as long as the cell that is shown with it.
     cell->keeps_files = std::make_shared<
@@ -258,12 +281,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   }
   ViewContent content;
   std::vector<PictureNote> notes = notesOf(*cell);
-  if (is_bare) {
-    notes.push_back(
-        {"this log carries no cell: what its packets say is shown, poses as axes; open "
-         "it together with its cell or model to see more",
-         false});
-  }
+  if (is_bare) nameBareCell(request, *cell, notes);
   for (const std::string& warning : recording.warnings) notes.push_back({warning, false});
   if (!recording.not_kept.empty()) notes.push_back({recording.not_kept, false});
   for (const PictureNote& note : notes) content.warnings.push_back(note.text);
@@ -291,7 +309,10 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   if (auto shown = showBeside(request, *file, progress, stop, content); !shown) {
     return shown.error();
   }
-  if (is_bare) request.styles.insert(request.styles.begin(), "axes=*");
+  constexpr const char* kBareStyle = "axes=*";
+  if (is_bare && std::ranges::find(request.styles, kBareStyle) == request.styles.end()) {
+    request.styles.insert(request.styles.begin(), kBareStyle);
+  }
   if (auto applied = applyArguments(request, *content.model, content.warnings); !applied) {
     return applied.error();
   }
@@ -308,43 +329,13 @@ ViewContent emptyContent() {
   return content;
 }
 
-Result<ContentRequest> requestOf(const std::vector<fs::path>& files, const ContentRequest& shown) {
-  ContentRequest request;
-  request.where = shown.where;
-  if (shown.live) {
-    return Error{ErrorKind::bad_argument,
-                 "this window shows a live session; open the file in another one",
-                 {}};
-  }
-  for (const fs::path& given : files) {
-    std::error_code fault;
-    // "bag/" is "bag", by whose name the window is called.
-    const fs::path whole = fs::absolute(given, fault);
-    const fs::path file = whole.has_filename() ? whole : whole.parent_path();
-    if (fs::is_directory(file, fault) && !isForeignRecording(file)) {
-      return Error{ErrorKind::bad_argument, "a folder cannot be shown; open a file of it",
-                   file.string()};
-    }
-    if (!fs::exists(file, fault)) {
-      return Error{ErrorKind::not_found, "there is no such file", file.string()};
-    }
-    fs::path& place = isLog(file) || isForeignRecording(file) ? request.log : request.cell;
-    if (!place.empty()) {
-      return Error{ErrorKind::bad_argument, "a window shows one cell and one log at a time",
-                   file.string()};
-    }
-    place = file;
-  }
-  if (request.cell.empty() && shown.cell != shown.log) request.fallback_cell = shown.cell;
-  return request;
-}
-
 void ContentLoader::start(ContentRequest request) {
-  name_ = request.named().filename().string();
+  name_ = request.title();
   busy_ = true;
   progress_ = {};
   const auto load = [this](ContentRequest& asked, const std::stop_token& stop) {
-    const TellLoadProgress on_terminal = cli::loadProgress(asked.named().string());
+    const TellLoadProgress on_terminal =
+        cli::loadProgress(asked.named().empty() ? asked.title() : asked.named().string());
     const TellLoadProgress tell = [&](const LoadProgress& now) {
       on_terminal(now);
       const std::lock_guard lock(mutex_);

@@ -73,9 +73,6 @@ Status finishContent(const Arguments& arguments, ContentRequest& content) {
   if (!content.log.empty()) {
     return Error{ErrorKind::bad_argument, "a log and --live cannot be used together", ""};
   }
-  if (content.cell.empty()) {
-    return Error{ErrorKind::bad_argument, "--live needs a CELL", ""};
-  }
   content.live.emplace();
   for (const std::string& text : arguments.live) {
     if (text.empty()) continue;

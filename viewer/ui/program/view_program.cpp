@@ -48,7 +48,9 @@ bool useLayout(const ViewOptions& options, ViewContent& content) {
 
 Result<ViewContent> loadNow(const ContentRequest& request) {
   if (request.empty()) return emptyContent();
-  return loadContent(request, cli::loadProgress(request.named().string()));
+  return loadContent(
+      request,
+      cli::loadProgress(request.named().empty() ? request.title() : request.named().string()));
 }
 
 /// Shows what is being read, before anything else is made, until it is there or takes a while:
@@ -125,6 +127,10 @@ Result<bool> runViewer(const ContentRequest& first, const ViewOptions& options) 
     if (!next.ok()) return next.error();
     remembered.keep(*content, **window);
     beyond_doubt = isBeyondDoubt(*content->model) && beyond_doubt;
+    // Said once, though it may come back.
+    content->warnings.clear();
+    content->model->viewer.panels.doubts.clear();
+    if (*next != nullptr) session.left.leave(std::move(content), **next);
     content = std::move(*next);
   }
   remembered.save();

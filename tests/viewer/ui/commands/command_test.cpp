@@ -87,6 +87,29 @@ TEST(Commands, ThatNeedALogSayThatThereIsNone) {
   EXPECT_TRUE(runKey(*parseKey("space"), stage));  // a key then does nothing
 }
 
+TEST(Commands, ConnectAndAskTheProgramToWaitInAScript) {
+  const test::TemporaryFolder folder;
+  ViewModel model = armModel(folder, false);
+  ViewerRequests requests;
+  const CommandStage stage{model, SteadyTime{}, 480, requests};
+  const std::vector<std::string> words{":5000", "pcap://lo"};
+  EXPECT_TRUE(runCommand("connect", words, stage));
+  EXPECT_EQ(requests.connect, words);
+  EXPECT_TRUE(requests.await_files);
+  EXPECT_FALSE(model.viewer.panels.open.shown);
+  requests = {};
+  EXPECT_TRUE(runCommand("connect", {}, stage));
+  EXPECT_TRUE(model.viewer.panels.open.shown) << "where endpoints are offered";
+  EXPECT_FALSE(requests.await_files);
+  EXPECT_TRUE(runCommand("live", {}, stage));
+  EXPECT_TRUE(requests.to_live && requests.await_files);
+  const std::vector<std::string> other{"everything"};
+  EXPECT_EQ(runCommand("disconnect", other, stage).error().text(), "`everything` is not forget");
+  const std::vector<std::string> forget{"forget"};
+  EXPECT_TRUE(runCommand("disconnect", forget, stage));
+  EXPECT_EQ(requests.disconnect, true);
+}
+
 TEST(Commands, RunByKeyWithTheWordsOfTheKey) {
   const test::TemporaryFolder folder;
   ViewModel model = armModel(folder, true);

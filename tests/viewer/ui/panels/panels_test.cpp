@@ -121,5 +121,22 @@ TEST_F(DrawnPanels, TheListOfDevicesOpensWhatWasSelectedInThePicture) {
   EXPECT_TRUE(panels.open_devices.empty());
 }
 
+TEST(Panels, ListLiveSessionsBehindWhatIsShownAndWhatIsHeard) {
+  auto model = ViewModel::make(Cell(), std::nullopt, std::nullopt, {}, {});
+  ASSERT_TRUE(model.ok());
+  EXPECT_TRUE(endpointLines(*model).empty()) << "nobody listened around";
+  const std::string usual = Endpoint::standard().text();
+  model->viewer.panels.open.left = {usual};
+  ASSERT_EQ(endpointLines(*model).size(), 1U);
+  EXPECT_EQ(endpointLines(*model)[0].note, "goes on behind this");
+  model->listenAround();
+  const auto lines = endpointLines(*model);
+  ASSERT_EQ(lines.size(), 2U) << "each once";
+  EXPECT_EQ(lines[0].endpoints, usual);
+  EXPECT_EQ(lines[1].endpoints, "udp://0.0.0.0:19960");
+  model->viewer.is_empty = true;
+  EXPECT_GT(drawnCorners(*model), 100);
+}
+
 }  // namespace
 }  // namespace rocinante

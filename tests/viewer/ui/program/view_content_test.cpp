@@ -75,10 +75,39 @@ TEST_F(OpenedFiles, AreRefusedWithASentence) {
   EXPECT_EQ(what({folder_ / "gone.urdf"}, {}), "there is no such file");
   EXPECT_EQ(what({folder_ / "arm.urdf", folder_ / "arm.urdf"}, {}),
             "a window shows one cell and one log at a time");
+}
+
+TEST_F(OpenedFiles, OfALiveWindowKeepWhatConcernsLiveSessions) {
   ContentRequest live;
   live.live.emplace();
-  EXPECT_EQ(what({folder_ / "arm.urdf"}, live),
-            "this window shows a live session; open the file in another one");
+  live.cell = folder_ / "other.urdf";
+  live.trust = "keys.trust";
+  live.keep.bytes = 1;
+  using Leaving = ContentRequest::Leaving;
+  const auto cell = requestOf({folder_ / "arm.urdf"}, live);
+  ASSERT_TRUE(cell.ok());
+  EXPECT_EQ(cell->leaving, Leaving::goes_along);
+  const auto log = requestOf({folder_ / "s.mcap"}, live);
+  ASSERT_TRUE(log.ok());
+  EXPECT_EQ(log->leaving, Leaving::stays_behind);
+  EXPECT_EQ(log->fallback_cell, folder_ / "other.urdf");
+  // Nothing that is not signed is shown by connecting again.
+  const ContentRequest again = connectionOf({":5000"}, *log);
+  EXPECT_EQ(again.trust, "keys.trust");
+  EXPECT_EQ(again.keep.bytes, 1U);
+  EXPECT_EQ(withoutConnection(live).leaving, Leaving::ends);
+}
+
+TEST(LooksLikeEndpoint, ButNotLikeAFile) {
+  for (const char* const endpoint :
+       {":19960", "127.0.0.1:5000", "[::1]:5000", "robot7:19960", "udp://239.1.2.3:5000?ttl=1",
+        "239.1.2.3:5000?interface=eth0", "pcap://lo", "nats://h/x", "subscribe://h:1"}) {
+    EXPECT_TRUE(looksLikeEndpoint(endpoint)) << endpoint;
+  }
+  for (const char* const other : {"", "arm", "arm.urdf", "./a:1", "/logs/12:30", "a:", "a:123456",
+                                  "a:b", "take 12:30.mcap", ":1x"}) {
+    EXPECT_FALSE(looksLikeEndpoint(other)) << other;
+  }
 }
 
 TEST_F(OpenedFiles, TheirErrorsAreNotesOverThePicture) {

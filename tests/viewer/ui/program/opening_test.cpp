@@ -1,0 +1,200 @@
+#include "viewer/ui/program/opening.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "core/net/udp_socket.h"
+#include "tests/support/environment.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/test_session.h"
+
+namespace rocinante {
+namespace {
+
+using namespace std::chrono_literals;
+
+SteadyTime presentTime() { return std::chrono::steady_clock::now(); }
+
+/// The address of a port of 127.0.0.1 that was free a moment ago.
+std::string unusedAddress() {
+  auto probe = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value());
+  return "udp://127.0.0.1:" + std::to_string(probe->boundAddress().port);
+}
+
+/// A window without a window: what it shows, and what gives way to what.
+class OpeningInAWindow : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
+    test::writeSession(folder_ / "s.mcap", {{0, "joints arm 2\n"}, {1000, "joints arm 3\n"}});
+  }
+  /// What becomes of it: what is shown then, or a sentence.
+  std::string done(const std::function<Status(Opening&)>& ask) {
+    Opening opening(loader_, left_, model(), content_->request);
+    const Status begun = ask(opening);
+    if (!begun) return begun.error().what;
+    auto loaded = opening.take(true);
+    if (!loaded.ok()) return loaded.error().text();
+    if (!*loaded) return "nothing";
+    if ((*loaded)->content == nullptr) return (*loaded)->fault;
+    std::unique_ptr<ViewContent> next = std::move((*loaded)->content);
+    left_.leave(std::move(content_), *next);
+    content_ = std::move(next);
+    return model().viewer.is_empty ? "an empty window" : content_->request.title();
+  }
+  std::string connect(const std::vector<std::string>& endpoints) {
+    return done([&](Opening& opening) { return opening.connect(endpoints); });
+  }
+  std::string open(const std::vector<std::filesystem::path>& files) {
+    return done([&](Opening& opening) { return opening.open(files); });
+  }
+  std::string goBack() {
+    return done([](Opening& opening) { return opening.goBack(); });
+  }
+  std::string disconnect(bool forgets) {
+    return done([&](Opening& opening) { return opening.disconnect(forgets); });
+  }
+  ViewModel& model() { return *content_->model; }
+  /// Sends until the shown session, or else those behind it, have heard it, and keep it.
+  void say(const std::string& endpoint, const std::string& statement,
+           const std::function<bool()>& heard) {
+    auto sender = UdpSender::open(Endpoint::parse(endpoint).value());
+    ASSERT_TRUE(sender.ok());
+    const SteadyTime began = presentTime();
+    for (; !heard(); ++sequence_) {
+      ASSERT_LT(presentTime() - began, 30s);
+      const std::string text = "RK1 me@a " + std::to_string(sequence_) + " -\n" + statement;
+      ASSERT_TRUE(sender->send(bytesOf(text)).ok());
+      ASSERT_TRUE(model().update(presentTime()).ok());
+      std::this_thread::sleep_for(5ms);
+    }
+  }
+  double turn() {
+    const DeviceState* const arm = model().state().findDevice("arm");
+    return arm != nullptr && arm->joints ? arm->joints->value.front() : -1;
+  }
+
+  const test::TemporaryFolder folder_;
+  const test::Environment environment_{{{"XDG_CACHE_HOME", (folder_ / "cache").string()}}};
+  ContentLoader loader_;
+  LeftSessions left_;
+  std::unique_ptr<ViewContent> content_ = std::make_unique<ViewContent>(emptyContent());
+  int sequence_ = 0;
+};
+
+TEST_F(OpeningInAWindow, ALiveSessionGoesOnBehindALogAndIsGoneBackTo) {
+  const std::string endpoint = unusedAddress();
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(connect({endpoint}), "arm.urdf");
+  ASSERT_TRUE(model().isLive());
+  say(endpoint, "joints arm 0.5\n", [&] { return turn() == 0.5 && model().cursor() != nullptr; });
+  const ViewModel* const live = &model();
+  EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
+  EXPECT_FALSE(model().isLive());
+  EXPECT_EQ(model().cell().devices.size(), 1U) << "with the cell that was shown";
+  EXPECT_EQ(left_.names(), std::vector<std::string>{endpoint});
+  // It is heard and kept meanwhile.
+  const std::uint64_t before = left_.model(0).feed().keeper()->progress().datagrams;
+  say(endpoint, "joints arm 0.75\n",
+      [&] { return left_.model(0).feed().keeper()->progress().datagrams > before + 3; });
+  left_.tend(presentTime());
+  EXPECT_EQ(goBack(), "arm.urdf");
+  EXPECT_EQ(&model(), live);
+  EXPECT_TRUE(model().viewer.was_shown);
+  say(endpoint, "joints arm 0.75\n", [&] { return turn() == 0.75; });
+  EXPECT_GT(model().live()->datagrams, before + 3);
+  ASSERT_NE(model().cursor(), nullptr) << "its past is there";
+  EXPECT_TRUE(left_.empty());
+}
+
+TEST_F(OpeningInAWindow, AnEndpointIsLeftForAnotherAndConnectedToAgain) {
+  const std::string first = unusedAddress(), second = unusedAddress();
+  EXPECT_EQ(connect({first}), first) << "without a cell";
+  say(first, "pose box 1 2 3 0 0 0 1\n", [&] { return model().scene().findDevice("box"); });
+  EXPECT_EQ(connect({first}), "this window listens at " + first + " already");
+  EXPECT_EQ(connect({second}), second);
+  EXPECT_EQ(left_.names(), std::vector<std::string>{first});
+  EXPECT_EQ(connect({first}), first);
+  EXPECT_NE(model().scene().findDevice("box"), nullptr) << "what it heard is still there";
+  EXPECT_TRUE(left_.empty()) << "nothing was heard at the second";
+}
+
+TEST_F(OpeningInAWindow, ACellTakesTheLiveSessionAlong) {
+  const std::string endpoint = unusedAddress();
+  EXPECT_EQ(connect({endpoint}), endpoint);
+  say(endpoint, "joints arm 0.5\n", [&] { return model().cursor() != nullptr; });
+  const std::uint64_t heard = model().live()->datagrams;
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  ASSERT_TRUE(model().isLive());
+  EXPECT_TRUE(left_.empty());
+  ASSERT_TRUE(model().update(presentTime()).ok());
+  EXPECT_EQ(turn(), 0.5);
+  EXPECT_GE(model().live()->datagrams, heard);
+  say(endpoint, "joints arm 0.25\n", [&] { return turn() == 0.25 && model().cursor() != nullptr; });
+  EXPECT_EQ(endpointsText(content_->request), endpoint);
+}
+
+TEST_F(OpeningInAWindow, DisconnectingAsksBeforeSomethingIsLost) {
+  const std::string endpoint = unusedAddress();
+  EXPECT_EQ(disconnect(false), "this window listens nowhere");
+  EXPECT_EQ(goBack(), "no live session goes on behind what is shown");
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(connect({endpoint}), "arm.urdf");
+  say(endpoint, "joints arm 0.5\n", [&] { return turn() == 0.5; });
+  constexpr const char* kWouldBeLost =
+      "what this session kept would be deleted: `save` it before, or `disconnect forget`";
+  EXPECT_EQ(disconnect(false), kWouldBeLost);
+  EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
+  EXPECT_EQ(disconnect(false), kWouldBeLost) << "of the one behind it";
+  EXPECT_EQ(disconnect(true), "nothing");
+  EXPECT_TRUE(left_.empty());
+  // The port is free again, and the cell stays.
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(connect({endpoint}), "arm.urdf");
+  EXPECT_EQ(disconnect(false), "arm.urdf") << "nothing was heard";
+  EXPECT_FALSE(model().isLive());
+}
+
+TEST_F(OpeningInAWindow, AWindowKeepsFourLiveSessions) {
+  for (int i = 0; i < 4; ++i) {
+    const std::string endpoint = unusedAddress();
+    EXPECT_EQ(connect({endpoint}), endpoint);
+    say(endpoint, "pose box 1 2 3 0 0 0 1\n", [&] { return model().scene().findDevice("box"); });
+  }
+  EXPECT_EQ(connect({unusedAddress()}),
+            "this window keeps 4 live sessions: `disconnect` one before");
+  EXPECT_EQ(open({folder_ / "s.mcap"}),
+            "this window keeps 4 live sessions: `disconnect` one before");
+  EXPECT_EQ(disconnect(true), "an empty window");
+  EXPECT_EQ(left_.names().size(), 3U);
+}
+
+TEST_F(OpeningInAWindow, BadEndpointsAreSentencesAndWhatIsShownStays) {
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(connect({"nonsense"}), "an endpoint needs a port, as in HOST:19960 (nonsense)");
+  auto held = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value());
+  ASSERT_TRUE(held.ok());
+  const std::string taken = "127.0.0.1:" + std::to_string(held->boundAddress().port);
+  EXPECT_NE(connect({taken}).find(" is held by "), std::string::npos);
+  EXPECT_FALSE(connect({"\x1B[31m%00\xFF:1"}).empty());
+  EXPECT_FALSE(connect({std::string(100'000, '[') + ":1"}).empty());
+  EXPECT_EQ(content_->request.title(), "arm.urdf");
+  // A port of this window's own.
+  const std::string endpoint = unusedAddress();
+  EXPECT_EQ(connect({endpoint}), "arm.urdf");
+  EXPECT_EQ(connect({endpoint.substr(6)}),
+            "this window listens at that port itself: `disconnect` ends that, `live` shows what it "
+            "left");
+}
+
+TEST(TypedText, HasNoPasswords) {
+  EXPECT_EQ(typedText({"nats://ada:secret@robots/cell", ":19960"}),
+            "nats://...@robots/cell :19960");
+  EXPECT_EQ(typedText({"a\x1B"}), "a\\x1b");
+}
+
+}  // namespace
+}  // namespace rocinante

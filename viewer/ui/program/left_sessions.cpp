@@ -1,0 +1,80 @@
+#include "viewer/ui/program/left_sessions.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+constexpr Nanoseconds kTendEvery = std::chrono::seconds(1);
+
+}  // namespace
+
+bool hasHeard(const ViewModel& model) {
+  if (!model.isLive()) return false;
+  const LiveKeeper* const keeper = model.feed().keeper();
+  return (model.live() != nullptr && model.live()->datagrams > 0) ||
+         (keeper != nullptr && keeper->progress().datagrams > 0);
+}
+
+void LeftSessions::leave(std::unique_ptr<ViewContent> content, ViewContent& next) {
+  if (!content->model->isLive()) return;
+  switch (next.request.leaving) {
+    case ContentRequest::Leaving::ends:
+      return;
+    case ContentRequest::Leaving::goes_along:
+      next.model->takeLive(*content->model);
+      next.request.live = content->request.live;
+      next.request.connect = content->request.connect;
+      return;
+    case ContentRequest::Leaving::stays_behind:
+      return add(std::move(content));
+  }
+}
+
+void LeftSessions::add(std::unique_ptr<ViewContent> content) {
+  ViewModel& model = *content->model;
+  if (!hasHeard(model)) return;
+  model.hand.stopDriving();
+  model.viewer.hover = {};  // its texture is the window's
+  model.viewer.was_shown = true;
+  model.viewer.panels.open.shown = model.viewer.panels.palette.shown = false;
+  contents_.insert(contents_.begin(), std::move(content));
+}
+
+std::vector<std::string> LeftSessions::names() const {
+  std::vector<std::string> names;
+  for (const auto& content : contents_) names.push_back(endpointsText(content->request));
+  return names;
+}
+
+std::optional<std::size_t> LeftSessions::find(const std::vector<std::string>& endpoints) const {
+  const std::string text = fmt::format("{}", fmt::join(endpoints, " "));
+  const auto found = std::ranges::find_if(contents_, [&](const auto& content) {
+    return content->request.connect == endpoints || endpointsText(content->request) == text;
+  });
+  if (found == contents_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - contents_.begin());
+}
+
+std::unique_ptr<ViewContent> LeftSessions::take(std::size_t number) {
+  const auto at = contents_.begin() + static_cast<std::ptrdiff_t>(number);
+  std::unique_ptr<ViewContent> content = std::move(*at);
+  contents_.erase(at);
+  return content;
+}
+
+void LeftSessions::tend(SteadyTime now) {
+  if (contents_.empty() || (tended_ && now - *tended_ < kTendEvery)) return;
+  tended_ = now;
+  for (const auto& content : contents_) {
+    // What fails now is said when it is shown.
+    static_cast<void>(content->model->update(now));
+  }
+}
+
+}  // namespace rocinante

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "viewer/ui/program/view_content.h"
+
+namespace rocinante {
+
+/// A live session heard something, which is lost when it ends.
+bool hasHeard(const ViewModel& model);
+
+/// The live sessions of a window that shows something else: they listen and keep on. Main thread.
+class LeftSessions {
+ public:
+  /// Beside the one that is shown. Each has a socket, threads and a kept log.
+  static constexpr std::size_t kMost = 3;
+
+  bool empty() const { return contents_.empty(); }
+  bool full() const { return contents_.size() >= kMost; }
+  /// Content gives way to the next one, which says what becomes of it if it is live: it stays here
+  /// and sends nothing any more, but ends if it has heard nothing; it goes along; or it ends.
+  void leave(std::unique_ptr<ViewContent> content, ViewContent& next);
+  /// Their endpoints, as endpointsText(), the one that was shown last first.
+  std::vector<std::string> names() const;
+  /// The number of the one with these endpoints, as they were typed or as names() has them.
+  std::optional<std::size_t> find(const std::vector<std::string>& endpoints) const;
+  const ViewModel& model(std::size_t number) const { return *contents_[number]->model; }
+  /// Gives one back to be shown.
+  std::unique_ptr<ViewContent> take(std::size_t number);
+  /// Ends one: what it kept is deleted.
+  void forget(std::size_t number) { take(number).reset(); }
+  /// To be called now and then: each takes what it heard, and lets go of what is no longer kept.
+  void tend(SteadyTime now);
+
+ private:
+  void add(std::unique_ptr<ViewContent> content);
+
+  std::vector<std::unique_ptr<ViewContent>> contents_;  ///< the one shown last first
+  std::optional<SteadyTime> tended_;
+};
+
+}  // namespace rocinante
