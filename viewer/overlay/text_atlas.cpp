@@ -18,9 +18,6 @@ namespace {
 constexpr char32_t kReplacement = 0xFFFD;
 constexpr int kAtlasWidth = 1024;
 
-struct CharacterRange {
-  char32_t first, last;
-};
 constexpr std::array kRanges{
     CharacterRange{0x20, 0x7E},
     CharacterRange{0xA0, 0x17F},  // Latin
@@ -40,6 +37,8 @@ constexpr std::array kRanges{
 int rounded(float number) { return static_cast<int>(std::floor(number + 0.5F)); }
 
 }  // namespace
+
+std::span<const CharacterRange> drawnCharacters() { return kRanges; }
 
 TextAtlas::TextAtlas(int line_px) : line_px_(std::clamp(line_px, 6, 96)), width_(kAtlasWidth) {
   stbtt_fontinfo font;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -21,8 +22,17 @@ struct TextSize {
   int width = 0, height = 0;
 };
 
-/// The glyphs of the embedded font at one size, drawn on the CPU: Latin, Greek, Cyrillic and common
-/// symbols. A missing character shows as U+FFFD. Immutable; any thread may read it.
+/// Characters from `first` to `last`.
+struct CharacterRange {
+  char32_t first, last;
+};
+
+/// What pictures and panels have glyphs for, ascending: Latin, Greek, Cyrillic, common symbols, and
+/// U+FFFD. Valid as long as the process.
+std::span<const CharacterRange> drawnCharacters();
+
+/// The glyphs of the embedded font at one size, drawn on the CPU, of drawnCharacters(). A missing
+/// character shows as U+FFFD. Immutable; any thread may read it.
 class TextAtlas {
  public:
   /// `line_px`: from the top of one line to the top of the next, 6 to 96.

@@ -10,9 +10,27 @@
 #include <cmath>
 
 #include "viewer/overlay/embedded_font.h"
+#include "viewer/overlay/text_atlas.h"
 #include "viewer/ui/window/panel_style.h"
 
 namespace rocinante {
+namespace {
+
+/// What panels have glyphs for: the characters of pictures. By itself Dear ImGui has those of
+/// Western Europe alone, and a question mark for any other.
+const ImWchar* panelCharacters() {
+  static const std::vector<ImWchar> ranges = [] {
+    std::vector<ImWchar> ends;
+    for (const auto& [first, last] : drawnCharacters()) {
+      ends.insert(ends.end(), {static_cast<ImWchar>(first), static_cast<ImWchar>(last)});
+    }
+    ends.push_back(0);
+    return ends;
+  }();
+  return ranges.data();
+}
+
+}  // namespace
 
 InterfaceContext::InterfaceContext(Window* window) : window_(window) {
   ImGui::CreateContext();
@@ -47,6 +65,7 @@ bool InterfaceContext::useScale(float scale) {
   const ByteView font = embeddedFont();
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;
+  config.GlyphRanges = panelCharacters();
   io.Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(font.data()), static_cast<int>(font.size()),
                                  kFontPixels * scale, &config);
   restyle();
