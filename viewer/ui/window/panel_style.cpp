@@ -2,33 +2,52 @@
 
 #include <imgui.h>
 
-namespace rocinante {
+#include <cmath>
 
+namespace rocinante {
 namespace {
 
-void useLightColors(ImGuiStyle& style) {
-  ImGui::StyleColorsLight();
-  style.Colors[ImGuiCol_Text] = ImVec4(0.10F, 0.12F, 0.14F, 1.0F);
-  style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.40F, 0.44F, 0.48F, 1.0F);
-  style.Colors[ImGuiCol_WindowBg] = ImVec4(0.95F, 0.96F, 0.97F, 0.90F);
-  style.Colors[ImGuiCol_PopupBg] = ImVec4(0.98F, 0.98F, 0.99F, 0.98F);
-  style.Colors[ImGuiCol_TitleBgActive] = style.Colors[ImGuiCol_TitleBg] =
-      ImVec4(0.83F, 0.87F, 0.90F, 0.98F);
-  style.Colors[ImGuiCol_Header] = ImVec4(0.74F, 0.82F, 0.90F, 0.9F);
-  style.Colors[ImGuiCol_HeaderHovered] = ImVec4(0.66F, 0.77F, 0.88F, 0.9F);
-  style.Colors[ImGuiCol_Button] = ImVec4(0.76F, 0.83F, 0.90F, 1.0F);
-  style.Colors[ImGuiCol_FrameBg] = ImVec4(0.84F, 0.87F, 0.90F, 1.0F);
-  style.Colors[ImGuiCol_Tab] = ImVec4(0.86F, 0.89F, 0.92F, 1.0F);
-  style.Colors[ImGuiCol_TabActive] = ImVec4(0.70F, 0.80F, 0.90F, 1.0F);
-  style.Colors[ImGuiCol_TabHovered] = ImVec4(0.62F, 0.75F, 0.88F, 1.0F);
-  style.Colors[ImGuiCol_CheckMark] = ImVec4(0.80F, 0.42F, 0.0F, 1.0F);
-  style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.85F, 0.48F, 0.05F, 1.0F);
-}
+/// One Dear ImGui context is there at a time, and so is one theme.
+bool is_light_now = false;
+
+struct StyledColor {
+  ImGuiCol where;
+  PanelColor color;
+};
+constexpr StyledColor kStyled[] = {
+    {ImGuiCol_Text, PanelColor::text},
+    {ImGuiCol_TextDisabled, PanelColor::dim_text},
+    {ImGuiCol_TextSelectedBg, PanelColor::selected_text},
+    {ImGuiCol_WindowBg, PanelColor::panel},
+    {ImGuiCol_PopupBg, PanelColor::popup},
+    {ImGuiCol_TitleBg, PanelColor::title},
+    {ImGuiCol_TitleBgActive, PanelColor::title},
+    {ImGuiCol_TableHeaderBg, PanelColor::table_head},
+    {ImGuiCol_Header, PanelColor::row},
+    {ImGuiCol_HeaderHovered, PanelColor::row_hovered},
+    {ImGuiCol_HeaderActive, PanelColor::row_held},
+    {ImGuiCol_Button, PanelColor::button},
+    {ImGuiCol_ButtonHovered, PanelColor::button_hovered},
+    {ImGuiCol_ButtonActive, PanelColor::button_held},
+    {ImGuiCol_FrameBg, PanelColor::field},
+    {ImGuiCol_FrameBgHovered, PanelColor::field_hovered},
+    {ImGuiCol_FrameBgActive, PanelColor::field_held},
+    {ImGuiCol_Tab, PanelColor::tab},
+    {ImGuiCol_TabActive, PanelColor::tab_chosen},
+    {ImGuiCol_TabUnfocused, PanelColor::tab},
+    {ImGuiCol_TabUnfocusedActive, PanelColor::tab_chosen},
+    {ImGuiCol_TabHovered, PanelColor::tab_hovered},
+    {ImGuiCol_CheckMark, PanelColor::check_mark},
+    {ImGuiCol_SliderGrab, PanelColor::slider_thumb},
+    {ImGuiCol_SliderGrabActive, PanelColor::slider_thumb_held},
+    {ImGuiCol_PlotHistogram, PanelColor::progress},
+};
 
 }  // namespace
 
 void stylePanels(bool light) {
-  ImGui::StyleColorsDark();
+  is_light_now = light;
+  light ? ImGui::StyleColorsLight() : ImGui::StyleColorsDark();
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowRounding = 6;
   style.FrameRounding = 4;
@@ -39,19 +58,20 @@ void stylePanels(bool light) {
   style.WindowPadding = ImVec2(12, 10);
   style.ItemSpacing = ImVec2(8, 6);
   style.IndentSpacing = 18;
-  style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09F, 0.11F, 0.13F, 0.86F);
-  style.Colors[ImGuiCol_PopupBg] = ImVec4(0.09F, 0.11F, 0.13F, 0.95F);
-  style.Colors[ImGuiCol_TitleBgActive] = style.Colors[ImGuiCol_TitleBg] =
-      ImVec4(0.13F, 0.16F, 0.19F, 0.95F);
-  style.Colors[ImGuiCol_Header] = ImVec4(0.22F, 0.30F, 0.38F, 0.8F);
-  style.Colors[ImGuiCol_Button] = ImVec4(0.22F, 0.30F, 0.38F, 1.0F);
-  style.Colors[ImGuiCol_FrameBg] = ImVec4(0.25F, 0.31F, 0.37F, 1.0F);
-  style.Colors[ImGuiCol_Tab] = ImVec4(0.16F, 0.20F, 0.24F, 1.0F);
-  style.Colors[ImGuiCol_TabActive] = ImVec4(0.30F, 0.40F, 0.50F, 1.0F);
-  style.Colors[ImGuiCol_TabHovered] = ImVec4(0.34F, 0.46F, 0.58F, 1.0F);
-  style.Colors[ImGuiCol_CheckMark] = ImVec4(1.0F, 0.66F, 0.25F, 1.0F);
-  style.Colors[ImGuiCol_SliderGrab] = ImVec4(1.0F, 0.66F, 0.25F, 1.0F);
-  if (light) useLightColors(style);
+  style.DisabledAlpha = kDisabledOpacity;
+  for (const auto& [where, color] : kStyled) style.Colors[where] = panelInk(color);
 }
+
+ImU32 drawnColor(std::uint32_t rgba) {
+  return IM_COL32(rgba >> 24U, rgba >> 16U & 0xFFU, rgba >> 8U & 0xFFU, rgba & 0xFFU);
+}
+
+ImU32 panelColor(PanelColor color, float opacity) {
+  const std::uint32_t rgba = colorOf(color, is_light_now);
+  const float alpha = std::round(static_cast<float>(rgba & 0xFFU) * opacity);
+  return drawnColor((rgba & 0xFFFFFF00U) | static_cast<std::uint32_t>(alpha));
+}
+
+ImVec4 panelInk(PanelColor color) { return ImGui::ColorConvertU32ToFloat4(panelColor(color)); }
 
 }  // namespace rocinante
