@@ -193,8 +193,8 @@ int main(int argc, char** argv) {
                 "the session: a log, or a bag, capture or table; without one, the cell at rest");
   const cli::Option second =
       app.addOption("--beside", job.beside,
-                    "another log of the same cell: its devices as clear ghosts, where "
-                    "they are elsewhere")
+                    "another log of the same cell: its devices as ghosts, where they stand "
+                    "at another place")
           .valueName("LOG");
   addAlignOption(app, second, job.align);
   app.addOption(

@@ -28,8 +28,8 @@ frames() {
 xdotool mousemove --window "$window" 628 440 click 1
 frames
 # joint2, onto the picture; joint1, onto the time line.
-drag 635 303 450 300
-drag 635 284 450 560
+drag 635 289 450 300
+drag 635 270 450 560
 frames
 # The canister's x, as packets have said it by then.
 for command in "seek 10s" "select canister"; do

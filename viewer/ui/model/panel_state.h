@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/time.h"
+#include "viewer/shown/short_names.h"
 #include "viewer/ui/model/line_start.h"
 #include "viewer/ui/model/notice_stack.h"
 #include "viewer/ui/model/open_state.h"
@@ -78,6 +79,7 @@ struct PanelState {
   std::array<char, 64> event_filter{};   ///< the same for events
   std::set<std::string> open_devices;    ///< whose links are listed
   Selection listed_selection;            ///< that the list of devices was scrolled to
+  ShortNameLists short_names;            ///< of the lists, as they are shown
   std::vector<std::string> lines;        ///< that the last frame had over the picture
   NoticeStack notices;                   ///< which of them are shown
   std::vector<PictureNote> notes;        ///< over the picture until they are dismissed

@@ -22,6 +22,20 @@ void forEachGroup(const Link& link, const std::function<void(std::string_view)>&
 
 }  // namespace
 
+const char* nameOf(ShownPart part) {
+  switch (part) {
+    case ShownPart::nothing:
+      return "nothing to show";
+    case ShownPart::hidden:
+      return "hidden";
+    case ShownPart::some:
+      return "partly shown";
+    case ShownPart::all:
+      break;
+  }
+  return "shown";
+}
+
 ShownPart shownLink(const PosedDevice& device, std::size_t link, const ViewChoice& choice) {
   ShownPart sum = ShownPart::nothing;
   if (device.model->links[link].visuals.empty()) return sum;

@@ -10,6 +10,8 @@ namespace rocinante {
 
 /// How much of something is drawn. nothing: it has nothing to draw.
 enum class ShownPart : std::uint8_t { nothing, hidden, some, all };
+/// "partly shown" and so on.
+const char* nameOf(ShownPart part);
 
 /// Of each layer of the cell, in its order: what the picture shows of all that the layer holds,
 /// whether packets, the cell or the user decided it.

@@ -135,7 +135,7 @@ void ViewModel::loseLog(const Error& error) {
     if (cursor_) cursor_->setGrowing(false);
     return;
   }
-  keeping_trouble_ = "the past of this session cannot be shown: " + error.text();
+  keeping_trouble_ = "earlier moments of this session cannot be shown: " + error.text();
   if (heard_) receive(live_->state);  // it may have been borrowed from the log
   extras_.trails.clear();
   session_.reset();

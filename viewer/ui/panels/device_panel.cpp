@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "viewer/shown/joint_rows.h"
 #include "viewer/ui/panels/hand_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
@@ -21,9 +25,8 @@ void drawPoseButton(ViewModel& model, const Selection& shown) {
 
 void drawCarrier(const DeviceState* state) {
   if (state != nullptr && state->pose && !state->pose->value.carrier.first.empty()) {
-    ImGui::Text("carried by %s%s%s", state->pose->value.carrier.first.c_str(),
-                state->pose->value.carrier.second.empty() ? "" : "/",
-                state->pose->value.carrier.second.c_str());
+    const auto& carrier = state->pose->value.carrier;
+    drawCut("carried by " + carrier.first + (carrier.second.empty() ? "" : "/" + carrier.second));
   }
 }
 
@@ -35,7 +38,13 @@ void drawBareValues(const DeviceState& state) {
     }
   }
   for (const auto& [name, value] : state.named_joints) {
-    ImGui::Text("%-14s %9.4f", name.c_str(), value.value);
+    const std::string number = fmt::format("{:.4f}", value.value);
+    const float room = ImGui::GetContentRegionAvail().x - drawnWidth(number) - px(12);
+    drawCut(name, PanelColor::text, std::max(room, px(40)));
+    ImGui::SameLine();
+    const float right = ImGui::GetContentRegionAvail().x - drawnWidth(number);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(right, 0.0F));
+    ImGui::TextUnformatted(number.c_str());
   }
 }
 
@@ -53,11 +62,11 @@ void drawDevicePanel(ViewModel& model, const PanelRectangle& room, SteadyTime no
     placed.end();
     return;
   }
-  ImGui::TextUnformatted(shown.device.c_str());
-  if (!shown.link.empty()) {
-    ImGui::SameLine(0, 0);
-    ImGui::Text("/%s", shown.link.c_str());
-  }
+  const float beside = placed.collapsed() ? drawnWidth("...") + ImGui::GetStyle().ItemSpacing.x : 0;
+  const float name_room = ImGui::GetContentRegionAvail().x - beside;
+  const std::string name = cutPath(shown.device, shown.link, name_room, drawnWidth);
+  ImGui::TextUnformatted(name.c_str());
+  explainCut(name, shown.link.empty() ? shown.device : shown.device + "/" + shown.link);
   const DeviceState* const state = model.received().findDevice(shown.device);
   const PosedDevice* const device = model.scene().findDevice(shown.device);
   if (!placed.collapsed()) drawMovers(model, state);
@@ -69,7 +78,7 @@ void drawDevicePanel(ViewModel& model, const PanelRectangle& room, SteadyTime no
     drawPose(model, shown);
     drawCarrier(state);
     drawNearest(model, shown);
-    drawHandButtons(model, *device);
+    drawDeviceTools(model, *device);
     drawPacketBehind(model, *device, shown, placed.bottom());
     if (state != nullptr) drawSignals(model, shown.device, shown.link, state->signals);
     drawJointSliders(model, *device, shown.link, placed.bottom(), now);

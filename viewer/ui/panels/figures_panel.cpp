@@ -18,19 +18,28 @@ namespace {
 constexpr float kGraphHeight = 72;
 /// Wide enough for growing figures without moving the panel's edge.
 constexpr float kFiguresWidth = 244;
-const ImVec4 kAmissColor{1, 0.55F, 0.45F, 1};
 
 struct Stage {
   const char* name;
   double FrameTimes::*time;
-  ImU32 color;
+  PanelColor color;
 };
 constexpr std::array kStages{
-    Stage{"app", &FrameTimes::app, IM_COL32(120, 200, 255, 255)},
-    Stage{"cull", &FrameTimes::cull, IM_COL32(150, 220, 160, 255)},
-    Stage{"draw", &FrameTimes::draw, IM_COL32(255, 168, 64, 255)},
-    Stage{"ui", &FrameTimes::ui, IM_COL32(200, 150, 230, 255)},
+    Stage{"app", &FrameTimes::app, PanelColor::stage_app},
+    Stage{"cull", &FrameTimes::cull, PanelColor::stage_cull},
+    Stage{"draw", &FrameTimes::draw, PanelColor::stage_draw},
+    Stage{"ui", &FrameTimes::ui, PanelColor::stage_ui},
 };
+
+/// Longer names would make the panel wider.
+float nameRoom() { return px(kFiguresWidth) - 2 * ImGui::GetStyle().WindowPadding.x; }
+
+/// Its name without the folders, which are told on hover.
+void drawFile(const std::string& path, const std::string& before,
+              PanelColor color = PanelColor::text) {
+  drawCut(before + std::filesystem::path(path).filename().string(), color, nameRoom());
+  explain(path.c_str());
+}
 
 /// Draws the number of active sources; a tab of the left panel lists them.
 void drawSourceCount(const ViewModel& model, SteadyTime now) {
@@ -40,16 +49,16 @@ void drawSourceCount(const ViewModel& model, SteadyTime now) {
   const auto silent = std::ranges::count_if(rows, &SourceRow::is_silent);
   if (silent == 0) return;
   ImGui::SameLine(0, 0);
-  ImGui::TextColored(ink(kAmissColor), ", %td silent", silent);
+  ImGui::TextColored(panelInk(PanelColor::fault), ", %td silent", silent);
 }
 
 void drawLive(const ViewModel& model, SteadyTime now) {
   for (const Endpoint& endpoint : model.feed().endpoints()) {
-    ImGui::TextUnformatted(endpoint.text().c_str());
+    drawCut(endpoint.text(), PanelColor::text, nameRoom());
   }
   const LiveSnapshot* live = model.live();
   if (live != nullptr && live->untrusted.total() > 0) {
-    ImGui::TextColored(ink(kAmissColor), "%s",
+    ImGui::TextColored(panelInk(PanelColor::fault), "%s",
                        ("not trusted: " + cli::grouped(live->untrusted.total())).c_str());
     explain(live->untrusted.text().c_str());
   }
@@ -60,13 +69,14 @@ void drawLive(const ViewModel& model, SteadyTime now) {
   ImGui::Text("%.0f packets/s", live->rate_hz);
   ImGui::TextUnformatted(cli::counted(live->datagrams, "datagram").c_str());
   const std::uint64_t lost = live->dropped + live->gaps;
-  const ImVec4 color = lost == 0 ? ImVec4(0.55F, 0.85F, 0.62F, 1) : kAmissColor;
-  ImGui::TextColored(ink(color), "lost: %llu by this machine, %llu before",
+  ImGui::TextColored(panelInk(lost == 0 ? PanelColor::done : PanelColor::fault),
+                     "lost: %llu here, %llu on the way here",
                      static_cast<unsigned long long>(live->dropped),
                      static_cast<unsigned long long>(live->gaps));
+  explain("here: dropped by this machine; on the way: gaps in the numbers of sources");
   drawSourceCount(model, now);
   if (live->undecoded > 0) {
-    ImGui::TextColored(ink(kAmissColor), "%s",
+    ImGui::TextColored(panelInk(PanelColor::fault), "%s",
                        ("not packets: " + cli::grouped(live->undecoded)).c_str());
     explain(("the first begins " + live->undecoded_sample).c_str());
   }
@@ -76,14 +86,14 @@ void drawLive(const ViewModel& model, SteadyTime now) {
 void drawKept(const ViewModel& model) {
   const LiveKeeper* const keeper = model.feed().keeper();
   if (!model.keepingTrouble().empty()) {
-    ImGui::TextColored(ink(kAmissColor), "not kept");
+    ImGui::TextColored(panelInk(PanelColor::fault), "not kept");
     explain(model.keepingTrouble().c_str());
   } else if (keeper != nullptr) {
     ImGui::TextUnformatted(("kept: " + sizeText(keeper->progress().bytes)).c_str());
-    explain("the past can be shown; Shift S saves it as a log");
+    explain("earlier moments can be shown; Shift S saves them as a log");
   }
   if (!model.showsNow()) {
-    ImGui::TextColored(ink(kAmissColor), "the past");
+    ImGui::TextColored(panelInk(PanelColor::fault), "an earlier moment, not now");
     explain("N goes to now");
   }
 }
@@ -93,15 +103,15 @@ void drawSession(const ViewModel& model, SteadyTime now) {
     drawLive(model, now);
     drawKept(model);
   } else if (const Timeline* session = model.session()) {
-    ImGui::TextUnformatted(
-        std::filesystem::path(session->log().name()).filename().string().c_str());
+    drawFile(session->log().name(), "");
     ImGui::TextUnformatted(cli::counted(session->log().summary().messages, "datagram").c_str());
     if (const std::size_t places = session->log().damage().size(); places > 0) {
-      ImGui::TextColored(ink(kAmissColor), "damaged in %s", countText(places, "place").c_str());
+      ImGui::TextColored(panelInk(PanelColor::fault), "damaged in %s",
+                         countText(places, "place").c_str());
       explain("rocinante log doctor says where, and what it cost");
     }
     if (model.recordedLosses() > 0) {
-      ImGui::TextColored(ink(kAmissColor), "%llu lost while recording",
+      ImGui::TextColored(panelInk(PanelColor::fault), "%llu lost while recording",
                          static_cast<unsigned long long>(model.recordedLosses()));
       explain("counted by the recorder; rocinante log info says when");
     }
@@ -133,13 +143,9 @@ void drawLeft(const ViewModel& model) {
 void drawBeside(ViewModel& model) {
   const BesideSession* const beside = model.beside();
   if (beside == nullptr) return;
-  const std::string name =
-      std::filesystem::path(beside->session().log().name()).filename().string();
-  if (!model.beside_shown) {
-    ImGui::TextDisabled("beside: %s, hidden", name.c_str());
-    return;
-  }
-  ImGui::TextUnformatted(("beside: " + name).c_str());
+  const std::string& name = beside->session().log().name();
+  if (!model.beside_shown) return drawFile(name, "beside, hidden: ", PanelColor::dim_text);
+  drawFile(name, "beside: ");
   if (!beside->covers(model.shownTime())) {
     ImGui::TextDisabled("which does not reach this moment");
     return;
@@ -153,8 +159,9 @@ void drawBeside(ViewModel& model) {
   } else if (const auto apart = partings->apartAt(model.shownTime()); apart.empty()) {
     ImGui::TextUnformatted("the two are not apart here");
   } else {
-    ImGui::TextColored(ink(kAmissColor), "apart: %s", fewOf(apart).c_str());
-    explain("K and Shift K go to where the two part");
+    const std::string text = "apart: " + fewOf(apart);
+    drawCut(text, PanelColor::fault, nameRoom());
+    explain((text + "\nK and Shift K go to where the two part").c_str());
   }
   if (const auto largest = partings == nullptr ? std::nullopt : partings->largest()) {
     ImGui::TextUnformatted(
@@ -168,7 +175,7 @@ void drawMisfits(const ViewModel& model) {
   constexpr std::size_t kMaxNamed = 8;
   const std::vector<Misfit>& misfits = model.misfits();
   if (misfits.empty() || !model.cell().bare_model.empty()) return;
-  ImGui::TextColored(ink(kAmissColor), "%s",
+  ImGui::TextColored(panelInk(PanelColor::fault), "%s",
                      (countText(misfits.size(), "device") +
                       (misfits.size() == 1 ? " does not fit the cell" : " do not fit the cell"))
                          .c_str());
@@ -190,7 +197,7 @@ void drawGraph(const ViewerStatus& status) {
   ImGui::Dummy(graph);
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddRectFilled(corner, ImVec2(corner.x + graph.x, corner.y + graph.y),
-                      IM_COL32(20, 24, 28, 200), 3);
+                      panelColor(PanelColor::graph_ground), 3);
   const double target_ms = 1000 / status.target_fps;
   double highest = target_ms * 1.5;
   for (std::size_t i = 0; i < status.times.count(); ++i) {
@@ -208,13 +215,13 @@ void drawGraph(const ViewerStatus& status) {
     for (const Stage& stage : kStages) {
       const double above = below + status.times[i].*stage.time;
       list->AddRectFilled(ImVec2(x, bottom - height(above)),
-                          ImVec2(x + column, bottom - height(below)), stage.color);
+                          ImVec2(x + column, bottom - height(below)), panelColor(stage.color));
       below = above;
     }
   }
   const float line = bottom - height(target_ms);
   list->AddLine(ImVec2(corner.x, line), ImVec2(corner.x + graph.x, line),
-                IM_COL32(255, 255, 255, 110));
+                panelColor(PanelColor::graph_target));
 }
 
 /// "detail 3", or "auto: 3" if chosen by the governor; at rest "auto: full".
@@ -238,8 +245,7 @@ void drawTimes(const ViewerStatus& status) {
   ImGui::TextUnformatted(frameCostText(mean.total()).c_str());
   drawGraph(status);
   for (const Stage& stage : kStages) {
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(stage.color), "%s %.1f", stage.name,
-                       mean.*stage.time);
+    ImGui::TextColored(panelInk(stage.color), "%s %.1f", stage.name, mean.*stage.time);
     if (&stage != &kStages.back()) ImGui::SameLine();
   }
 }

@@ -9,13 +9,13 @@
 #include "core/base/plain_text.h"
 #include "core/kinematics/joint_values.h"
 #include "viewer/shown/joint_rows.h"
+#include "viewer/ui/panels/icon_button.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {
 namespace {
 
-const ImVec4 kFaultColor{1, 0.6F, 0.4F, 1};
-const ImVec4 kDriveColor{1, 0.35F, 0.3F, 1};
+constexpr float kToolGap = 3;
 
 /// "arm/elbow, arm/wrist", or how many.
 std::string drivenText(const JointsByDevice& joints) {
@@ -58,24 +58,57 @@ void drawDrivePopup(HandControl& hand) {
     hand.trouble = begun ? std::string() : begun.error().text();
     if (begun) ImGui::CloseCurrentPopup();
   }
-  if (!hand.trouble.empty()) ImGui::TextColored(kFaultColor, "%s", hand.trouble.c_str());
+  if (!hand.trouble.empty())
+    ImGui::TextColored(panelInk(PanelColor::fault), "%s", hand.trouble.c_str());
   ImGui::EndPopup();
 }
 
 void drawDrive(HandControl& hand) {
   if (hand.driving() != nullptr) {
-    if (ImGui::SmallButton("stop")) hand.stopDriving();
-    explain("end driving: nothing is sent any more (Esc)");
+    if (drawIconButton("stop", Icon::stop, "stop: nothing is sent any more (Esc)", true)) {
+      hand.stopDriving();
+    }
     return;
   }
-  if (ImGui::SmallButton("drive")) {
+  if (drawIconButton("drive beside", Icon::drive,
+                     "drive: what is moved by hand is sent as a source, until Esc")) {
     if (hand.drive_endpoint[0] == 0) fill(hand.drive_endpoint, Endpoint::standard().text());
     if (hand.drive_source[0] == 0) fill(hand.drive_source, DriveSettings().source);
     hand.trouble.clear();
     ImGui::OpenPopup("drive");
   }
-  explain("driving: what is moved by hand is sent as a source, until Esc");
   drawDrivePopup(hand);
+}
+
+void drawUnits(Units& units) {
+  if (drawTextButton("angles", std::string(nameOf(units.angle)),
+                     "angles: degrees or radians (U: both units)")) {
+    units.angle = units.angle == AngleUnit::degrees ? AngleUnit::radians : AngleUnit::degrees;
+  }
+  ImGui::SameLine(0, px(kToolGap));
+  if (drawTextButton("lengths", std::string(nameOf(units.length)),
+                     "lengths: millimetres or metres (U: both units)")) {
+    units.length =
+        units.length == LengthUnit::metres ? LengthUnit::millimetres : LengthUnit::metres;
+  }
+}
+
+void drawHandTools(ViewModel& model, const PosedDevice& device) {
+  HandControl& hand = model.hand;
+  ImGui::BeginDisabled(!hand.joints().devices().contains(device.name));
+  if (drawIconButton("reset", Icon::reset,
+                     "reset: give all joints of this device back; Backspace: those of all devices"))
+    hand.reset(device.name);
+  ImGui::EndDisabled();
+  ImGui::SameLine(0, px(kToolGap));
+  if (drawIconButton("copy", Icon::copy,
+                     "copy: all joint values, as --joints of rocinante model, render and view")) {
+    ImGui::SetClipboardText(copiedJoints(model, device).c_str());
+  }
+  ImGui::SameLine();
+  drawUnits(hand.units);
+  ImGui::SameLine();
+  drawDrive(hand);
 }
 
 }  // namespace
@@ -83,42 +116,31 @@ void drawDrive(HandControl& hand) {
 void drawMovers(const ViewModel& model, const DeviceState* received) {
   const std::string movers = received == nullptr ? std::string() : moversOf(*received);
   if (!movers.empty()) {
-    ImGui::TextDisabled("moved by %s", movers.c_str());
+    drawCut("moved by " + movers, PanelColor::dim_text);
   } else if (model.isLive() || model.session() != nullptr) {
     ImGui::TextDisabled("nothing said yet");
   }
 }
 
-void drawHandButtons(ViewModel& model, const PosedDevice& device) {
-  if (device.model->positionalCount() == 0) return;
-  HandControl& hand = model.hand;
-  ImGui::BeginDisabled(!hand.joints().devices().contains(device.name));
-  if (ImGui::SmallButton("reset")) hand.reset(device.name);
-  ImGui::EndDisabled();
-  explain("give all joints of this device back; Backspace: those of all devices");
-  ImGui::SameLine();
-  if (ImGui::SmallButton("copy")) ImGui::SetClipboardText(copiedJoints(model, device).c_str());
-  explain("all joint values, as --joints of rocinante model, render and view");
-  ImGui::SameLine();
-  Units& units = hand.units;
-  if (ImGui::SmallButton(std::string(nameOf(units.angle)).c_str())) {
-    units.angle = units.angle == AngleUnit::degrees ? AngleUnit::radians : AngleUnit::degrees;
+void drawDeviceTools(ViewModel& model, const PosedDevice& device) {
+  const bool has_joints = device.model->positionalCount() > 0;
+  if (has_joints) drawHandTools(model, device);
+  if (model.session() != nullptr) {
+    bool& wanted = model.viewer.packet.wanted;
+    if (has_joints) ImGui::SameLine(0, px(kToolGap));
+    if (drawIconButton("packet", Icon::packet,
+                       "packet: the one behind what is shown; a click on a joint's name: behind "
+                       "its value",
+                       wanted)) {
+      wanted = !wanted;
+    }
   }
-  explain("degrees or radians (U: both units)");
-  ImGui::SameLine();
-  if (ImGui::SmallButton(std::string(nameOf(units.length)).c_str())) {
-    units.length =
-        units.length == LengthUnit::metres ? LengthUnit::millimetres : LengthUnit::metres;
-  }
-  explain("millimetres or metres (U: both units)");
-  ImGui::SameLine();
-  drawDrive(hand);
+  const HandControl& hand = model.hand;
   const bool shown_below = hand.driving() != nullptr || !ImGui::IsPopupOpen("drive");
-  if (shown_below && !hand.trouble.empty()) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextColored(kFaultColor, "%s", hand.trouble.c_str());
-    ImGui::PopTextWrapPos();
-  }
+  if (!has_joints || !shown_below || hand.trouble.empty()) return;
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextColored(panelInk(PanelColor::fault), "%s", hand.trouble.c_str());
+  ImGui::PopTextWrapPos();
 }
 
 void drawDriveFrame(const ViewModel& model) {
@@ -127,13 +149,12 @@ void drawDriveFrame(const ViewModel& model) {
   const float width = px(5);
   ImGui::GetForegroundDrawList()->AddRect(ImVec2(width / 2, width / 2),
                                           ImVec2(size.x - width / 2, size.y - width / 2),
-                                          ImGui::GetColorU32(kDriveColor), 0, 0, width);
+                                          panelColor(PanelColor::driving), 0, 0, width);
 }
 
 HandBanner handBanner(const ViewModel& model) {
   const HandControl& hand = model.hand;
   HandBanner banner;
-  banner.color = ImVec4(1.0F, 0.72F, 0.35F, 1);
   if (hand.drawn() && model.session() != nullptr) {
     banner.what = fmt::format("what if: {} set by hand, not as the log has {}",
                               countText(hand.joints().count(), "joint"),
@@ -143,7 +164,7 @@ HandBanner handBanner(const ViewModel& model) {
   if (const HandDrive* drive = hand.driving()) {
     const std::string who =
         fmt::format("driving {} as `{}`", drive->endpoint().text(), drive->source());
-    banner.color = kDriveColor;
+    banner.color = PanelColor::driving;
     banner.what = drive->joints().empty() ? who + ": what is moved by hand is sent"
                                           : fmt::format("{}: {}", who, drivenText(drive->joints()));
     banner.hint = model.isLive() ? "Esc, Backspace or N ends it; leaving now does, too"

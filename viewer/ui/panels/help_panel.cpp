@@ -38,12 +38,12 @@ std::vector<HelpLine> keyLines(CommandGroup group) {
 void drawLines(const char* title, const std::vector<HelpLine>& lines, float left,
                float keys_width) {
   ImGui::SetCursorPosX(left);
-  ImGui::TextColored(ink(ImVec4(1.0F, 0.66F, 0.25F, 1)), "%s", title);
+  ImGui::TextColored(panelInk(PanelColor::heading), "%s", title);
   for (const HelpLine& line : lines) {
     ImGui::SetCursorPosX(left);
     ImGui::TextUnformatted(line.keys.c_str());
     ImGui::SameLine(left + keys_width);
-    ImGui::TextColored(ink(ImVec4(0.74F, 0.78F, 0.82F, 1)), "%s", line.means.c_str());
+    ImGui::TextColored(panelInk(PanelColor::dim_text), "%s", line.means.c_str());
   }
 }
 
@@ -55,7 +55,6 @@ void drawHelp(ViewModel& model) {
   ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
                                       ImVec2(size.x - px(kPanelMargin), size.y - px(kPanelMargin)));
   ImGui::SetNextWindowFocus();
-  ImGui::SetNextWindowBgAlpha(0.96F);
   ImGui::Begin("Mouse and keyboard", &model.viewer.panels.help_shown,
                kPanelFlags | ImGuiWindowFlags_HorizontalScrollbar);
   const float left = ImGui::GetStyle().WindowPadding.x;

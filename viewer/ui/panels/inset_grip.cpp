@@ -11,9 +11,6 @@
 namespace rocinante {
 namespace {
 
-constexpr ImU32 kFaint = IM_COL32(255, 255, 255, 110);
-constexpr ImU32 kHeld = IM_COL32(255, 168, 64, 255);
-
 /// The upper left corner of a part of the picture, in the window.
 ImVec2 inWindow(const ViewModel& model, const PixelRectangle& part) {
   const PixelRectangle& picture = model.viewer.picture_part;
@@ -41,9 +38,10 @@ void drawInsetGrip(const ViewModel& model) {
   const ImVec2 low = inWindow(model, part);
   const ImVec2 high(low.x + static_cast<float>(part.width),
                     low.y + static_cast<float>(part.height));
+  const ImU32 faint = panelColor(PanelColor::grip), bright = panelColor(PanelColor::grip_held);
   const bool held = model.viewer.inset_drag.has_value();
   ImDrawList* const list = ImGui::GetBackgroundDrawList();
-  list->AddRect(low, high, held ? kHeld : kFaint, 0, 0, px(held ? 2 : 1));
+  list->AddRect(low, high, held ? bright : faint, 0, 0, px(held ? 2 : 1));
   const InsetCorner corner = model.viewer.insets[at->number].inset.corner;
   const bool left = corner == InsetCorner::top_left || corner == InsetCorner::bottom_left;
   const bool top = corner == InsetCorner::top_left || corner == InsetCorner::top_right;
@@ -51,7 +49,7 @@ void drawInsetGrip(const ViewModel& model) {
   const float across = (left ? -1.0F : 1.0F) * px(14);
   const float down = (top ? -1.0F : 1.0F) * px(14);
   list->AddTriangleFilled(inner, ImVec2(inner.x + across, inner.y), ImVec2(inner.x, inner.y + down),
-                          at->sizes ? kHeld : kFaint);
+                          at->sizes ? bright : faint);
 }
 
 void drawInsetTabs(ViewModel& model) {
@@ -69,7 +67,7 @@ void drawInsetTabs(ViewModel& model) {
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar(2);
     const std::string title = insetTitle(model.viewer.insets[tab.number].inset);
-    const std::string shown = shortened(title, size.x - px(12));
+    const std::string shown = cutInMiddle(title, size.x - px(12), drawnWidth);
     if (ImGui::Button((shown + "##open").c_str(), size)) openInset(model, tab.number);
     explain(
         (title + ": there is no room for this inset; a click gives it that of another").c_str());

@@ -117,18 +117,17 @@ void drawPose(ViewModel& model, const Selection& shown) {
                 angleNumber(turn.y, units.angle).c_str(), angleText(turn.z, units.angle).c_str());
     explain("roll, pitch, yaw about fixed axes, as URDF has them");
   }
-  ImGui::TextDisabled("in %s", spaceName(model.viewer.reference).c_str());
-  ImGui::SameLine();
-  if (model.viewer.reference == shown || (!model.viewer.reference.device.empty() && !pose)) {
-    if (ImGui::SmallButton("the world")) model.viewer.reference = {};
-    explain("show poses in the world again");
-    return;
+  const bool is_set = !model.viewer.reference.device.empty();
+  const bool can_be = model.viewer.reference != shown && (pose || !is_set);
+  drawCut("in " + spaceName(model.viewer.reference), PanelColor::dim_text);
+  if (!is_set) ImGui::SameLine();  // the world's name leaves room
+  if (can_be) {
+    if (ImGui::SmallButton("set as reference")) model.viewer.reference = shown;
+    explain("show the poses of others, and distances, from this one");
+    if (is_set) ImGui::SameLine();
   }
-  if (ImGui::SmallButton("from here")) model.viewer.reference = shown;
-  explain("show the poses of others in the space of this one");
-  if (model.viewer.reference.device.empty()) return;
-  ImGui::SameLine();
-  if (ImGui::SmallButton("world")) model.viewer.reference = {};
+  if (!is_set) return;
+  if (ImGui::SmallButton("the world")) model.viewer.reference = {};
   explain("show poses in the world again");
 }
 
@@ -137,7 +136,7 @@ void drawNearest(ViewModel& model, const Selection& shown) {
   if (ImGui::SmallButton(model.viewer.nearest_wanted ? "hide distance" : "nearest")) {
     model.viewer.nearest_wanted = !model.viewer.nearest_wanted;
   }
-  explain("how near it is to the reference (`from here`), or to the nearest other device");
+  explain("how near it is to the reference, or to the nearest other device");
   if (!model.viewer.nearest_wanted) return;
   ImGui::SameLine();
   const NearestFound* const found = model.nearest();
@@ -156,8 +155,6 @@ void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selecti
                       float bottom) {
   if (model.session() == nullptr) return;
   PacketLookup& packet = model.viewer.packet;
-  if (ImGui::SmallButton(packet.wanted ? "hide packet" : "packet")) packet.wanted = !packet.wanted;
-  explain("the packet behind what is shown; a click on a joint's name: behind its value");
   if (!packet.wanted) {
     packet.value_name.clear();
     return;
@@ -172,7 +169,8 @@ void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selecti
     packet.value_name.clear();
   }
   if (!packet.value_name.empty()) {
-    ImGui::TextDisabled("behind %s", packet.value_name.c_str());
+    drawCut("behind " + packet.value_name, PanelColor::dim_text,
+            ImGui::GetContentRegionAvail().x - px(30));
     ImGui::SameLine();
     if (ImGui::SmallButton("x##value")) packet.value_name.clear();
   }

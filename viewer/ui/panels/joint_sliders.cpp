@@ -13,11 +13,9 @@
 namespace rocinante {
 namespace {
 
-constexpr float kSliderWidth = 96;
+constexpr float kLeastSlider = 64;
 constexpr float kValueWidth = 66;
 constexpr float kResetWidth = 14;
-const ImVec4 kHandColor{1.0F, 0.72F, 0.35F, 1};
-const ImVec4 kBeyondColor{1, 0.45F, 0.35F, 1};
 
 /// A row with what the user set.
 struct HandRow {
@@ -105,19 +103,20 @@ void drawJointTrack(const HandRow& one, const SliderRange& range, const ImVec2& 
     return corner.x + inset + static_cast<float>(range.partOf(row, value)) * (width - 2 * inset);
   };
   list->AddRectFilled(ImVec2(corner.x, middle - half), ImVec2(corner.x + width, middle + half),
-                      hot ? IM_COL32(96, 112, 128, 255) : IM_COL32(70, 82, 94, 255), half);
+                      panelColor(hot ? PanelColor::slider_track_hovered : PanelColor::slider_track),
+                      half);
   if (one.by_hand && one.received != row.value) {
     const float before = x_of(one.received);
     list->AddRectFilled(ImVec2(before - px(1), corner.y + px(2)),
                         ImVec2(before + px(1), corner.y + height - px(2)),
-                        IM_COL32(150, 165, 180, 255));
+                        panelColor(PanelColor::received_mark));
   }
   const auto part = row.part();
   const bool near = part && (*part < 0.05 || *part > 0.95);
-  const ImU32 color = row.outside() ? IM_COL32(255, 90, 70, 255)
-                      : one.by_hand ? ImGui::GetColorU32(kHandColor)
-                      : near        ? IM_COL32(255, 190, 70, 255)
-                                    : IM_COL32(150, 220, 160, 255);
+  const ImU32 color = panelColor(row.outside() ? PanelColor::out_of_limits
+                                 : one.by_hand ? PanelColor::by_hand
+                                 : near        ? PanelColor::near_limit
+                                               : PanelColor::within_limits);
   const float at = x_of(row.value);
   const float thumb = settable ? px(4) : px(2);
   list->AddRectFilled(ImVec2(at - thumb, corner.y + px(1)),
@@ -146,7 +145,7 @@ void drawSlider(ViewModel& model, const PosedDevice& device, const HandRow& one,
   const SliderRange range = sliderRange(one.row);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
-  const float width = px(kSliderWidth);
+  const float width = ImGui::GetContentRegionAvail().x;
   if (!settable) {
     ImGui::Dummy(ImVec2(width, height));
     drawJointTrack(one, range, corner, width, height, false, false);
@@ -202,7 +201,7 @@ void drawEdit(ViewModel& model, const JointRow& row, SteadyTime now) {
   ValueEdit& edit = *model.hand.edit;
   if (!edit.begun) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (edit.invalid) ImGui::PushStyleColor(ImGuiCol_Text, kBeyondColor);
+  if (edit.invalid) ImGui::PushStyleColor(ImGuiCol_Text, panelInk(PanelColor::beyond_limit));
   const bool entered =
       ImGui::InputText("##value", edit.text.data(), edit.text.size(),
                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
@@ -234,17 +233,19 @@ void drawValue(ViewModel& model, const PosedDevice& device, const HandRow& one, 
   const std::string text = shownValue(row, row.value, model.hand.units);
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(room, 0.0F));
-  const ImVec4 color = row.outside() ? kBeyondColor
-                       : one.by_hand ? kHandColor
-                                     : ImGui::GetStyleColorVec4(ImGuiCol_Text);
-  ImGui::TextColored(color, "%s", text.c_str());
+  const PanelColor color = row.outside() ? PanelColor::beyond_limit
+                           : one.by_hand ? PanelColor::by_hand
+                                         : PanelColor::text;
+  ImGui::TextColored(panelInk(color), "%s", text.c_str());
   if (settable && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     beginEdit(model, device.name, one);
   }
   explain(rowTip(one, model.hand.units, settable).c_str());
 }
 
-void drawRow(ViewModel& model, const PosedDevice& device, const HandRow& one, SteadyTime now) {
+/// `name`: as there is room for it.
+void drawRow(ViewModel& model, const PosedDevice& device, const HandRow& one,
+             const std::string& name, SteadyTime now) {
   const JointRow& row = one.row;
   const bool settable = !row.mimics && model.hand.use() != HandUse::none;
   ImGui::PushID(row.name.c_str());
@@ -252,9 +253,8 @@ void drawRow(ViewModel& model, const PosedDevice& device, const HandRow& one, St
   ImGui::TableNextColumn();
   if (model.session() != nullptr) {
     drawPlotButton(model, {SeriesKey::Kind::joint, device.name, row.name});
-    ImGui::SameLine(0, px(5));
+    ImGui::SameLine(0, px(kPlotButtonGap));
   }
-  const std::string name = endOfName(row.name, ImGui::GetContentRegionAvail().x);
   const ImGuiCol ink = row.said || one.by_hand ? ImGuiCol_Text : ImGuiCol_TextDisabled;
   drawDraggable(model, "name", name, ink, {{SeriesKey::Kind::joint, device.name, row.name}});
   if (ImGui::IsItemClicked() && model.viewer.packet.wanted)
@@ -274,6 +274,15 @@ void drawRow(ViewModel& model, const PosedDevice& device, const HandRow& one, St
   ImGui::PopID();
 }
 
+/// As wide as the widest name, if that leaves sliders their least.
+float nameColumn(const std::vector<std::string>& names, float before, float panel) {
+  float widest = 0;
+  for (const std::string& name : names) widest = std::max(widest, drawnWidth(name));
+  const float gaps = 6 * ImGui::GetStyle().CellPadding.x;
+  const float room = panel - px(kLeastSlider + kValueWidth + kResetWidth) - gaps;
+  return std::clamp(before + widest + px(1), before, std::max(room, before));
+}
+
 }  // namespace
 
 void drawJointSliders(ViewModel& model, const PosedDevice& device, const std::string& link,
@@ -291,12 +300,24 @@ void drawJointSliders(ViewModel& model, const PosedDevice& device, const std::st
   const float wanted = static_cast<float>(rows.size()) * pitch + px(8);
   ImGui::BeginChild("joints", ImVec2(0, std::min(std::max(left, 2 * pitch), wanted)));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(3), 0));
+  const float panel = ImGui::GetContentRegionAvail().x;
   if (ImGui::BeginTable("values", 4)) {
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("slider", ImGuiTableColumnFlags_WidthFixed, px(kSliderWidth));
+    // Of all joints of the device, also where a link's alone are listed: called the same.
+    std::vector<std::string> whole;
+    for (const JointRow& row : jointRows(*device.model, nullptr, "")) whole.push_back(row.name);
+    const float before = model.session() != nullptr ? px(kPlotButtonSide + kPlotButtonGap) : 0.0F;
+    const float column = nameColumn(whole, before, panel);
+    const std::vector<std::string>& shown =
+        model.viewer.panels.short_names.of("joints", whole, column - before, drawnWidth);
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, column);
+    ImGui::TableSetupColumn("slider", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, px(kValueWidth));
     ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, px(kResetWidth));
-    for (const HandRow& row : rows) drawRow(model, device, row, now);
+    std::size_t place = 0;  // both are in the model's order
+    for (const HandRow& row : rows) {
+      while (place + 1 < whole.size() && whole[place] != row.row.name) ++place;
+      drawRow(model, device, row, shown[place], now);
+    }
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();

@@ -66,7 +66,7 @@ void drawTrail(const std::string& path, RenderStyle& style) {
 
 void drawSelectedLooks(const ViewModel& model, RenderStyle& style) {
   const std::string path = subjectPath(model);
-  ImGui::TextDisabled("%s", path == kEverything ? "every device" : path.c_str());
+  drawCut(path == kEverything ? "every device" : path, PanelColor::dim_text);
   drawPathToggle("wireframe", path, style.wireframe);
   drawTransparent(path, style);
   drawPathToggle("collision geometry instead", path, style.collision);
@@ -124,7 +124,7 @@ void drawLookTab(ViewModel& model) {
   explain("what the picture shows, in insets without perspective, such as a map");
   ImGui::SameLine(px(140));
   bool clear = style.ghosts == GhostStyle::clear;
-  if (ImGui::Checkbox("clear ghosts", &clear)) {
+  if (ImGui::Checkbox("one-tone ghosts", &clear)) {
     style.ghosts = clear ? GhostStyle::clear : GhostStyle::plain;
   }
   explain("ghosts in one tone with bright rims, behind the actual device");

@@ -8,7 +8,6 @@ void drawMarkPrompt(ViewModel& model, ViewerRequests& requests) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y * 0.55F), ImGuiCond_Always,
                           ImVec2(0.5F, 0.5F));
-  ImGui::SetNextWindowBgAlpha(0.96F);
   ImGui::Begin("mark here", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
   const Nanoseconds at = model.shownTime() - model.origin();
   ImGui::Text("a mark at %s s",

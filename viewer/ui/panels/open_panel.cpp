@@ -108,8 +108,11 @@ bool drawLine(const OpenLine& line, bool chosen) {
   const ImVec4 color =
       ImGui::GetStyleColorVec4(line.entry.is_folder ? ImGuiCol_TextDisabled : ImGuiCol_Text);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  const bool clicked = ImGui::Selectable(plainText(line.entry.name).c_str(), chosen);
+  const std::string name = plainText(line.entry.name);
+  const std::string shown = cutInMiddle(name, ImGui::GetContentRegionAvail().x, drawnWidth);
+  const bool clicked = ImGui::Selectable((shown + "###file").c_str(), chosen);
   ImGui::PopStyleColor();
+  explainCut(shown, name);
   return clicked;
 }
 
@@ -162,7 +165,7 @@ bool drawRecent(const RecentContent& recent, bool chosen) {
   ImGui::TextUnformatted(text.c_str());
   const float folder_at = left + ImGui::CalcTextSize(text.c_str()).x + px(14);
   ImGui::SameLine(folder_at);
-  ImGui::TextDisabled("%s", plainText(named.parent_path().string()).c_str());
+  drawCut(plainText(named.parent_path().string()), PanelColor::dim_text);
   return clicked;
 }
 
@@ -179,14 +182,13 @@ void drawOpenList(ViewModel& model, ViewerRequests& requests) {
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, px(4 * kPanelMargin)), ImGuiCond_Always,
                           ImVec2(0.5F, 0));
   ImGui::SetNextWindowSize(ImVec2(width, 0));
-  ImGui::SetNextWindowBgAlpha(0.97F);
   if (open.just_opened) ImGui::SetNextWindowFocus();
   ImGui::Begin("open", nullptr,
                (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
                    ImGuiWindowFlags_NoResize);
   const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   const bool opened = std::exchange(open.just_opened, false);
-  ImGui::TextDisabled("%s", plainText(open.folder.string()).c_str());
+  drawCut(plainText(open.folder.string()), PanelColor::dim_text);
   const std::string before = open.text.data();
   if (opened && open.listens) model.listenAround();
   const bool entered = drawTypedLine("##file", "a part of a name, a path, or an endpoint",

@@ -39,6 +39,7 @@ void drawEntry(const PaletteEntry& entry, bool chosen, bool* clicked) {
   *clicked = ImGui::Selectable("##entry", chosen);
   const bool seen = ImGui::IsItemVisible();
   if (!seen) return;
+  const bool over = ImGui::IsItemHovered();
   const float key_width = entry.key.empty() ? 0 : ImGui::CalcTextSize(entry.key.c_str()).x;
   ImGui::SameLine(left);
   ImGui::TextUnformatted(entry.line.c_str());
@@ -49,11 +50,10 @@ void drawEntry(const PaletteEntry& entry, bool chosen, bool* clicked) {
   if (room > px(40)) {
     ImGui::SameLine(from);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec4 clip(corner.x, corner.y, corner.x + room, corner.y + ImGui::GetTextLineHeight());
-    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), corner,
-                                        ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                                        entry.means.c_str(), nullptr, 0, &clip);
+    const std::string means = cutInMiddle(entry.means, room, drawnWidth);
+    ImGui::GetWindowDrawList()->AddText(corner, panelColor(PanelColor::dim_text), means.c_str());
     ImGui::Dummy(ImVec2(room, ImGui::GetTextLineHeight()));
+    if (over && means != entry.means) ImGui::SetTooltip("%s", entry.means.c_str());
   }
   if (key_width > 0) {
     ImGui::SameLine(right - key_width);
@@ -70,7 +70,6 @@ void drawPalette(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, px(4 * kPanelMargin)), ImGuiCond_Always,
                           ImVec2(0.5F, 0));
   ImGui::SetNextWindowSize(ImVec2(width, 0));
-  ImGui::SetNextWindowBgAlpha(0.97F);
   if (palette.just_opened) ImGui::SetNextWindowFocus();
   ImGui::Begin("palette", nullptr,
                (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |

@@ -69,28 +69,13 @@ float scrollToShow(float scroll, float top, float height, float room) {
   return std::max(0.0F, top + height / 2 - room / 2);
 }
 
-std::string endOfName(const std::string& name, float room) {
-  if (ImGui::CalcTextSize(name.c_str()).x <= room) return name;
-  for (std::size_t from = 1; from < name.size(); ++from) {
-    const bool inside_character = (static_cast<unsigned char>(name[from]) & 0xC0U) == 0x80U;
-    if (inside_character) continue;
-    const std::string end = ".." + name.substr(from);
-    if (ImGui::CalcTextSize(end.c_str()).x <= room) return end;
-  }
-  return {};
-}
-
-std::string shortened(const std::string& text, float room) {
-  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
-  std::size_t bytes = text.size();
-  while (bytes > 1) {
-    --bytes;
-    // Not inside of a character.
-    if ((static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) continue;
-    const std::string part = text.substr(0, bytes) + "..";
-    if (ImGui::CalcTextSize(part.c_str()).x <= room) return part;
-  }
-  return "..";
+void drawCut(const std::string& text, PanelColor color, float room) {
+  const float there = room > 0 ? room : ImGui::GetContentRegionAvail().x;
+  const std::string shown = cutInMiddle(text, there, drawnWidth);
+  ImGui::PushStyleColor(ImGuiCol_Text, panelInk(color));
+  ImGui::TextUnformatted(shown.c_str());
+  ImGui::PopStyleColor();
+  explainCut(shown, text);
 }
 
 }  // namespace rocinante

@@ -7,9 +7,11 @@
 #include <string>
 #include <string_view>
 
+#include "viewer/shown/short_names.h"
 #include "viewer/ui/model/line_start.h"
 #include "viewer/ui/panels/panel_layout.h"
 #include "viewer/ui/window/interface_context.h"
+#include "viewer/ui/window/panel_style.h"
 
 namespace rocinante {
 
@@ -28,10 +30,13 @@ constexpr ImGuiWindowFlags kPanelFlags =
 /// Whether the text contains the word, ignoring case.
 bool containsWord(std::string_view text, std::string_view word);
 
-/// As much of the name as there is room for: its end, since names of one machine begin alike.
-std::string endOfName(const std::string& name, float room);
-/// As much of the text as there is room for: its beginning.
-std::string shortened(const std::string& text, float room);
+/// As wide as Dear ImGui draws it.
+inline float drawnWidth(std::string_view text) {
+  return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+/// Draws a text in the rest of the line, or in `room` pixels: where it has none, its middle is cut
+/// out, and the whole is told on hover.
+void drawCut(const std::string& text, PanelColor color = PanelColor::text, float room = 0);
 
 /// How far a list must be scrolled to show a row whole, from `scroll`: not at all when it is seen,
 /// else so that it stands in the middle. `top` and `height` of the row from the list's beginning,
@@ -51,16 +56,13 @@ inline bool keyPressed(ImGuiKey key) {
 #endif
 }
 
-/// A color of text for dark panels, dark enough for the theme that is used.
-inline ImVec4 ink(const ImVec4& color) {
-  const ImVec4& below = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
-  if (below.x + below.y + below.z < 1.5F) return color;
-  return ImVec4(color.x * 0.62F, color.y * 0.55F, color.z * 0.55F, color.w);
-}
-
 /// Adds a tool tip to the last drawn item.
 inline void explain(const char* text) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+/// Tells the whole of what the last item shows less of.
+inline void explainCut(const std::string& shown, const std::string& whole) {
+  if (shown != whole) explain(whole.c_str());
 }
 
 }  // namespace rocinante

@@ -92,8 +92,8 @@ void drawPose(ViewModel& model, const Selection& shown);
 /// it.
 void drawNearest(ViewModel& model, const Selection& shown);
 
-/// Draws the switch for the packet behind what is shown, and, if it is on, the packet. Needs a log.
-/// Above `bottom`.
+/// Draws the packet behind what is shown, if it is wanted (drawDeviceTools has the switch). Needs a
+/// log. Above `bottom`.
 void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selection& shown,
                       float bottom);
 

@@ -15,11 +15,6 @@
 namespace rocinante {
 namespace {
 
-const ImVec4 kFault(1, 0.6F, 0.4F, 1);
-const ImVec4 kHint(1.0F, 0.85F, 0.3F, 1);
-const ImVec4 kDone(0.7F, 0.9F, 0.75F, 1);
-const ImVec4 kOthers(0.6F, 0.85F, 1, 1);
-
 constexpr std::size_t kMostLines = 4;
 constexpr std::size_t kMostListed = 12;  // on hover
 constexpr float kGap = 6;
@@ -76,7 +71,7 @@ bool drawLine(std::size_t slot, const PictureLine& line, const LineSize& size,
               const PanelRectangle& at) {
   const bool hovered = beginLine(slot, at, !line.stays);
   ImGui::PushTextWrapPos(ImGui::GetStyle().WindowPadding.x + size.wrap);
-  ImGui::TextColored(ink(line.color), "%s", line.what.c_str());
+  ImGui::TextColored(panelInk(line.color), "%s", line.what.c_str());
   if (!line.hint.empty()) ImGui::TextDisabled("%s", line.hint.c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();
@@ -114,36 +109,37 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
                                       SteadyTime now) {
   std::vector<PictureLine> lines;
   std::set<std::string> known;
-  const auto add = [&](std::string key, std::string what, std::string hint, const ImVec4& color) {
+  const auto add = [&](std::string key, std::string what, std::string hint, PanelColor color) {
     if (!known.insert(key).second) return;
     lines.push_back({std::move(key), std::move(what), std::move(hint), color});
   };
   if (const auto reason = model.liveReason(now)) {
     // Its text tells for how long.
-    add("reason " + reason->rule, reason->text, reason->hint, kFault);
+    add("reason " + reason->rule, reason->text, reason->hint, PanelColor::fault);
     // Keep the last picture visible; without any data, show the reason in the centre.
     lines.back().central = model.live() == nullptr || model.live()->datagrams == 0;
   }
   if (!model.damage().empty()) {
-    add("damage", model.damage().what(), "what is shown may be older than its time says", kFault);
+    add("damage", model.damage().what(), "what is shown may be older than its time says",
+        PanelColor::fault);
   }
   if (const HandBanner hand = handBanner(model); !hand.what.empty()) {
     add("hand", hand.what, hand.hint, hand.color);
     lines.back().stays = true;
   }
   if (const OthersBanner others = othersBanner(model); !others.what.empty()) {
-    add("others", others.what, others.hint, others.is_fault ? kFault : kOthers);
+    add("others", others.what, others.hint, others.is_fault ? PanelColor::fault : PanelColor::others);
     lines.back().stays = true;
   }
   if (model.viewer.picking.active()) {
     add("picking",
         model.viewer.picking.first() ? "click the second point"
                                      : "click two points: their distance",
-        "Esc ends it", kHint);
+        "Esc ends it", PanelColor::hint);
     lines.back().stays = true;
   }
   const auto addSaid = [&](const std::string& kind, const std::string& text, bool is_fault) {
-    if (!text.empty()) add(kind + " " + text, text, "", is_fault ? kFault : kDone);
+    if (!text.empty()) add(kind + " " + text, text, "", is_fault ? PanelColor::fault : PanelColor::done);
   };
   addSaid("kept", model.keepingTrouble(), true);
   addSaid("complaint", model.viewer.panels.complaint, true);
@@ -152,7 +148,7 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
     for (const PictureNote& note : model.viewer.panels.notes) {
       if (note.is_error != errors) continue;
       const char* const hint = std::exchange(told, true) ? "" : "Esc dismisses it";
-      add(keyOf(note), note.text, hint, errors ? kFault : kHint);
+      add(keyOf(note), note.text, hint, errors ? PanelColor::fault : PanelColor::hint);
     }
   }
   addSaid("notice", status.notice, status.notice_is_fault);

@@ -8,6 +8,7 @@
 #include "core/base/time.h"
 #include "viewer/ui/model/view_model.h"
 #include "viewer/ui/panels/panels.h"
+#include "viewer/ui/window/panel_colors.h"
 
 namespace rocinante {
 
@@ -16,7 +17,7 @@ struct PictureLine {
   std::string key;  ///< as NoticeKey has it
   std::string what;
   std::string hint{};    ///< below it, dimmed; may be empty
-  ImVec4 color{};        ///< of `what`
+  PanelColor color = PanelColor::text;  ///< of `what`
   bool stays = false;    ///< as NoticeKey has it
   bool central = false;  ///< nothing is shown that it would hide
 };

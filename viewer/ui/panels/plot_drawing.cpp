@@ -18,7 +18,8 @@ namespace {
 void drawGround(const PlotLane& lane, const TimeAxis& axis, LogTime origin) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddRectFilled(ImVec2(axis.left, lane.top),
-                      ImVec2(axis.left + axis.width, lane.top + lane.height), fadedInk(0.05F));
+                      ImVec2(axis.left + axis.width, lane.top + lane.height),
+                      panelColor(PanelColor::plot_ground));
   const Nanoseconds span = axis.until - axis.from;
   const Nanoseconds step = rulerStep(span, static_cast<double>(axis.width), px(64));
   Nanoseconds at = (axis.from - origin) / step * step;
@@ -43,15 +44,15 @@ void drawGround(const PlotLane& lane, const TimeAxis& axis, LogTime origin) {
     const std::string label = fmt::format("{:.{}f}", zeroed, lane.scale.decimals);
     const float wide = ImGui::GetFont()->CalcTextSizeA(text_px, 1e6F, 0, label.c_str()).x;
     const float at_y = std::clamp(y - text_px / 2, lane.top, lane.top + lane.height - text_px);
-    list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - wide - px(6), at_y), fadedInk(0.7F),
-                  label.c_str());
+    list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - wide - px(6), at_y),
+                  panelColor(PanelColor::dim_text), label.c_str());
     free_below = at_y - px(2);
   }
   const std::string unit = lane.signal_unit.empty() ? unitText(lane.unit, lane.scale)
                                                     : lane.signal_unit + perText(lane.per_seconds);
   if (!unit.empty()) {
-    list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - px(54), lane.top), fadedInk(0.5F),
-                  unit.c_str());
+    list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - px(54), lane.top),
+                  panelColor(PanelColor::dim_text), unit.c_str());
   }
 }
 
@@ -60,8 +61,8 @@ void drawLimits(const PlotLane& lane, const PlottedCurve& plotted, const TimeAxi
                 bool looked_at) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const float left = axis.left, right = axis.left + axis.width;
-  const ImU32 line = curveColor(plotted.curve->color, looked_at ? 200 : 90);
-  const ImU32 band = IM_COL32(255, 80, 60, looked_at ? 52 : 14);
+  const ImU32 line = curveColor(plotted.curve->color, looked_at ? 0.78F : 0.35F);
+  const ImU32 band = panelColor(PanelColor::limit_band, looked_at ? 0.2F : 0.055F);
   const PlotValue& value = plotted.value;
   if (value.upper && *value.upper < lane.scale.high) {
     const float y = lane.yOf(*value.upper);
@@ -188,7 +189,7 @@ void drawLane(const ViewModel& model, const PlotLane& lane, const TimeAxis& axis
   for (const PlottedCurve& plotted : lane.curves) {
     if (model.viewer.picture_beside == nullptr) break;
     drawCurve(lane, plotted.value, plotted.beside, *model.viewer.picture_beside, axis,
-              {curveColor(plotted.curve->color, 110), px(3.5F)});
+              {curveColor(plotted.curve->color, 0.43F), px(3.5F)});
   }
   for (const PlottedCurve& plotted : lane.curves) {
     if (model.viewer.picture == nullptr) break;

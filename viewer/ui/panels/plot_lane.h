@@ -17,6 +17,7 @@ inline constexpr float kPlotTextPx = 12;
 /// One curve of the frame that is being drawn. Borrowed from the model.
 struct PlottedCurve {
   const PlotBoard::Curve* curve = nullptr;
+  std::string name{};  ///< as the legend has room for it
   PlotValue value;
   const std::vector<ValueColumn>* columns = nullptr;  ///< null: not known yet
   const std::vector<ValueColumn>* beside = nullptr;   ///< of the session beside; null: none

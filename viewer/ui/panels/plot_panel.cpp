@@ -19,6 +19,8 @@ namespace rocinante {
 namespace {
 
 constexpr float kSplitter = 7;
+constexpr float kValueRoom = 72;   // for a number of the legend
+constexpr float kLegendGaps = 20;  // the mark before a name, and what is behind it
 
 /// What is drawn at the mouse and at the playhead.
 struct Cursors {
@@ -49,6 +51,28 @@ std::string legendValue(const ViewModel& model, const PlotLane& lane, const Plot
   return "-";
 }
 
+/// Gives all curves the names that the legend has room for.
+void nameCurves(ViewModel& model, std::vector<PlotLane>& lanes, float room) {
+  const float inner = room - 2 * px(8);
+  for (const bool states : {false, true}) {
+    std::vector<PlottedCurve*> curves;
+    std::vector<std::string> names;
+    for (PlotLane& lane : lanes) {
+      if (lane.is_states != states) continue;
+      for (PlottedCurve& plotted : lane.curves) {
+        curves.push_back(&plotted);
+        names.push_back(plotted.curve->key.text());
+      }
+    }
+    // Numbers are whole, so that a name has no more room while its value is short for a moment.
+    const float values = states ? inner / 2 : px(kValueRoom);
+    const std::vector<std::string>& shown =
+        model.viewer.panels.short_names.of(states ? "plotted states" : "curves", std::move(names),
+                                           inner - values - px(kLegendGaps), drawnWidth);
+    for (std::size_t i = 0; i < curves.size(); ++i) curves[i]->name = shown[i];
+  }
+}
+
 /// Names and values of a lane; returns the curve below the mouse.
 const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
                                    const TimeAxis& axis, const Cursors& cursors, float room,
@@ -63,7 +87,8 @@ const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
     const PlottedCurve& plotted = lane.curves[i];
     const std::size_t left_over = lane.curves.size() - i;
     if (y + 2 * pitch > lane.top + lane.height && left_over > 1) {
-      list->AddText(ImVec2(left, y), fadedInk(0.6F), fmt::format("and {} more", left_over).c_str());
+      list->AddText(ImVec2(left, y), panelColor(PanelColor::dim_text),
+                    fmt::format("and {} more", left_over).c_str());
       break;
     }
     ImGui::SetCursorScreenPos(ImVec2(left, y));
@@ -73,19 +98,18 @@ const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
     const bool over = ImGui::IsItemHovered();
     if (over) hovered = plotted.curve;
     const std::string whole = legendValue(model, lane, plotted, axis, cursors);
-    const std::string value = shortened(whole, (right - left) * 0.5F);
+    const std::string value =
+        lane.is_states ? cutInMiddle(whole, (right - left) / 2, drawnWidth) : whole;
     const ImU32 color = lane.is_states ? stateColor(whole) : curveColor(plotted.curve->color);
     list->AddRectFilled(ImVec2(left, y + px(4)), ImVec2(left + px(9), y + px(12)), color);
-    const float value_left = right - ImGui::CalcTextSize(value.c_str()).x;
-    list->AddText(ImVec2(value_left, y), fadedInk(over ? 1 : 0.85F), value.c_str());
-    const std::string name = plotted.curve->key.text();
-    const float name_room = value_left - left - px(20);
-    // Names of signals begin alike.
-    list->AddText(
-        ImVec2(left + px(14), y), fadedInk(over ? 1 : 0.85F),
-        (lane.is_states ? endOfName(name, name_room) : shortened(name, name_room)).c_str());
+    const float value_left = right - drawnWidth(value);
+    const ImU32 ink = panelColor(over ? PanelColor::text : PanelColor::dim_text);
+    list->AddText(ImVec2(value_left, y), ink, value.c_str());
+    const float name_room = value_left - left - px(kLegendGaps);
+    list->AddText(ImVec2(left + px(14), y), ink,
+                  cutInMiddle(plotted.name, name_room, drawnWidth).c_str());
     if (over) {
-      std::string tip = name;
+      std::string tip = plotted.curve->key.text();
       if (lane.is_states) tip += "\n" + whole;
       if (plotted.columns != nullptr && plotted.columns->empty() && !lane.is_states) {
         tip += "\nno packet of this log states it";
@@ -108,7 +132,7 @@ void drawUnknown(const StudyPicture& picture, const TimeAxis& axis, float top, f
     if (until < axis.from || from > axis.until) continue;
     list->AddRectFilled(ImVec2(axis.xOf(std::max(from, axis.from)), top),
                         ImVec2(axis.xOf(std::min(until, axis.until)) + 1, bottom),
-                        IM_COL32(255, 60, 60, 60));
+                        panelColor(PanelColor::damage, 0.24F));
   }
 }
 
@@ -128,7 +152,8 @@ void drawCursorLines(const TimeAxis& axis, const Cursors& cursors, LogTime origi
   const float left = std::min(*cursors.mouse_x + px(5), axis.left + axis.width - wide - px(2));
   list->AddRectFilled(ImVec2(left - px(3), top), ImVec2(left + wide + px(3), top + text_px + px(2)),
                       ImGui::GetColorU32(ImGuiCol_PopupBg));
-  list->AddText(ImGui::GetFont(), text_px, ImVec2(left, top), fadedInk(0.9F), label.c_str());
+  list->AddText(ImGui::GetFont(), text_px, ImVec2(left, top), panelColor(PanelColor::text),
+                label.c_str());
 }
 
 /// The upper edge, by which the plots are made higher.
@@ -157,7 +182,8 @@ void drawTools(ViewModel& model, const TimeAxis& axis, float room) {
     const ImVec2 at(right - size.x, y);
     ImGui::SetCursorScreenPos(at);
     const bool pressed = ImGui::InvisibleButton(text, size);
-    ImGui::GetWindowDrawList()->AddText(at, fadedInk(ImGui::IsItemHovered() ? 1 : 0.6F), text);
+    ImGui::GetWindowDrawList()->AddText(
+        at, panelColor(ImGui::IsItemHovered() ? PanelColor::text : PanelColor::dim_text), text);
     explain(tip);
     return pressed;
   };
@@ -196,8 +222,9 @@ void drawPlotDrag(ViewModel& model, float top) {
     return;
   }
   ImDrawList* const list = ImGui::GetForegroundDrawList();
-  list->AddRectFilled(low, end, IM_COL32(255, 168, 64, inside ? 52 : 22), px(4));
-  list->AddRect(low, end, IM_COL32(255, 168, 64, inside ? 255 : 140), px(4), 0, px(1.5F));
+  list->AddRectFilled(low, end, panelColor(PanelColor::drop_place, inside ? 0.2F : 0.086F), px(4));
+  list->AddRect(low, end, panelColor(PanelColor::drop_place, inside ? 1 : 0.55F), px(4), 0,
+                px(1.5F));
   std::string text;
   for (const SeriesKey& key : plots.dragged) text += (text.empty() ? "" : "\n") + key.text();
   if (plots.curves().size() >= PlotBoard::kMaxCurves)
@@ -228,6 +255,7 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
     return;
   }
   placeLanes(lanes, top, lanes_height);
+  nameCurves(model, lanes, room);
 
   ImGui::SetCursorScreenPos(ImVec2(axis.left, top));
   ImGui::InvisibleButton("curves", ImVec2(axis.width, lanes_height),
@@ -253,7 +281,7 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
     drawUnknown(*model.viewer.picture, axis, top, top + lanes_height);
   drawCursorLines(axis, cursors, model.origin(), top, top + lanes_height);
   if (model.viewer.picture != nullptr && !model.viewer.picture->fault.empty()) {
-    list->AddText(ImVec2(axis.left + px(6), top + px(4)), IM_COL32(255, 150, 100, 255),
+    list->AddText(ImVec2(axis.left + px(6), top + px(4)), panelColor(PanelColor::fault),
                   model.viewer.picture->fault.c_str());
   }
   if (removed) model.viewer.plots.remove(*removed);

@@ -9,22 +9,6 @@
 namespace rocinante {
 namespace {
 
-struct Rgb {
-  int red, green, blue;
-};
-
-/// Told apart on a dark and on a light ground; the second ten are the first, darker.
-constexpr std::array<Rgb, 10> kCurveColors{{{86, 180, 255},
-                                            {255, 168, 64},
-                                            {96, 205, 120},
-                                            {255, 105, 105},
-                                            {196, 145, 255},
-                                            {228, 205, 70},
-                                            {70, 210, 205},
-                                            {255, 130, 195},
-                                            {165, 190, 120},
-                                            {205, 165, 130}}};
-
 /// Of states: seen on a dark and on a light ground, and under their texts.
 constexpr std::size_t kHues = 360;
 struct Tone {
@@ -34,16 +18,13 @@ constexpr std::array<Tone, 3> kStateTones{{{0.55F, 0.95F}, {0.75F, 0.68F}, {0.32
 
 }  // namespace
 
-ImU32 curveColor(std::size_t number, int alpha) {
-  const Rgb& base = kCurveColors[number % kCurveColors.size()];
-  const int percent = number / kCurveColors.size() % 2 == 0 ? 100 : 66;
-  return IM_COL32(base.red * percent / 100, base.green * percent / 100, base.blue * percent / 100,
-                  alpha);
+ImU32 curveColor(std::size_t number, float opacity) {
+  return panelColor(curveColorOf(number), opacity);
 }
 
 ImU32 stateColor(std::string_view text) {
   if (text == "true") return curveColor(2);
-  if (text == "false") return IM_COL32(128, 136, 146, 255);
+  if (text == "false") return panelColor(PanelColor::state_false);
   const std::size_t number = colorOfState(text, kHues * kStateTones.size());
   const auto& [saturation, value] = kStateTones[number / kHues];
   float red = 0, green = 0, blue = 0;
@@ -53,10 +34,9 @@ ImU32 stateColor(std::string_view text) {
 }
 
 ImU32 inkOn(ImU32 ground) {
-  const auto part = [ground](int shift) { return static_cast<int>((ground >> shift) & 0xFFU); };
-  const int light =
-      299 * part(IM_COL32_R_SHIFT) + 587 * part(IM_COL32_G_SHIFT) + 114 * part(IM_COL32_B_SHIFT);
-  return light > 115'000 ? IM_COL32(12, 16, 20, 255) : IM_COL32(255, 255, 255, 255);
+  const auto part = [ground](int shift) { return ground >> shift & 0xFFU; };
+  return drawnColor(blackOrWhiteOn(part(IM_COL32_R_SHIFT) << 24U | part(IM_COL32_G_SHIFT) << 16U |
+                                   part(IM_COL32_B_SHIFT) << 8U | 0xFFU));
 }
 
 ImU32 fadedInk(float part) {
@@ -95,7 +75,7 @@ void drawDraggable(ViewModel& model, const char* id, const std::string& text, Im
 
 void drawPlotButton(ViewModel& model, const char* id, const std::vector<SeriesKey>& keys) {
   if (model.session() == nullptr || keys.empty()) return;
-  const float side = px(11);
+  const float side = px(kPlotButtonSide);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
   const bool pressed = ImGui::InvisibleButton(id, ImVec2(side, height));

@@ -31,7 +31,8 @@ void drawVisibility(ViewModel& model, const std::string& path, ShownPart shown, 
   if (ImGui::Checkbox(label, &visible)) model.setVisible(path, visible || is_mixed);
   ImGui::PopItemFlag();
   if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("cell and packets: %s\nyour choice: %s", by_default ? "shown" : "hidden",
+    ImGui::SetTooltip("now: %s\ncell and packets: %s\nyour choice: %s", nameOf(shown),
+                      by_default ? "shown" : "hidden",
                       !chosen   ? "none"
                       : *chosen ? "shown"
                                 : "hidden");
@@ -109,8 +110,19 @@ void drawLayers(ViewModel& model) {
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const CellLayer& layer = model.cell().layers[i];
     ImGui::PushID(layer.name.c_str());
+    // What its box alone does not say.
+    const bool says = shown[i] == ShownPart::some || shown[i] == ShownPart::nothing;
+    const float word = says ? drawnWidth(nameOf(shown[i])) : 0;
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - word;
+    const float room = ImGui::GetContentRegionAvail().x - word - ImGui::GetFrameHeight() - px(16);
+    const std::string name = cutInMiddle(layer.name, room, drawnWidth);
     drawVisibility(model, "layer/" + encodeName(layer.name), shown[i],
-                   model.layerVisibleByDefault(layer), layer.name.c_str());
+                   model.layerVisibleByDefault(layer), (name + "###visible").c_str());
+    if (says) {
+      ImGui::SameLine();
+      ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right));
+      ImGui::TextDisabled("%s", nameOf(shown[i]));
+    }
     ImGui::PopID();
   }
 }
@@ -119,6 +131,7 @@ void drawLayers(ViewModel& model) {
 struct DeviceRow {
   const PosedDevice* device = nullptr;
   std::optional<std::size_t> link;
+  const std::string* name = nullptr;  ///< as there is room for it
 };
 
 bool isJointed(const PosedDevice& device) {
@@ -129,30 +142,64 @@ std::vector<DeviceRow> deviceRows(const ViewModel& model) {
   std::vector<DeviceRow> rows;
   for (const PosedDevice& device : model.scene().devices) {
     if (!containsWord(device.name, model.viewer.panels.device_filter.data())) continue;
-    rows.push_back({&device, {}});
+    rows.push_back({&device, {}, &device.name});
     if (!isJointed(device) || !model.viewer.panels.open_devices.contains(device.name)) continue;
     for (std::size_t i = 0; i < device.model->links.size(); ++i) {
-      if (!device.model->links[i].visuals.empty()) rows.push_back({&device, i});
+      if (!device.model->links[i].visuals.empty()) {
+        rows.push_back({&device, i, &device.model->links[i].name});
+      }
     }
   }
   return rows;
 }
 
-void drawLinkRow(ViewModel& model, const PosedDevice& device, std::size_t number) {
+/// The names of links stand right of those of devices, by as much as a box is wider than an arrow.
+float linkIndent() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x; }
+
+/// Gives the rows the names that a panel of that width has room for: those of devices together,
+/// those of each device's links together.
+void nameRows(ViewModel& model, std::vector<DeviceRow>& rows, float width) {
+  const auto cut = [&](const std::string& list, std::vector<DeviceRow*>& some, float room) {
+    std::vector<std::string> names;
+    for (const DeviceRow* row : some) names.push_back(*row->name);
+    const std::vector<std::string>& shown =
+        model.viewer.panels.short_names.of(list, std::move(names), room, drawnWidth);
+    for (std::size_t i = 0; i < some.size(); ++i) some[i]->name = &shown[i];
+    some.clear();
+  };
+  const float beside_box = width - linkIndent();
+  std::vector<DeviceRow*> devices, links;
+  for (DeviceRow& row : rows) {
+    if (!links.empty() && (!row.link || links.front()->device != row.device)) {
+      cut("links of " + links.front()->device->name, links, beside_box - linkIndent());
+    }
+    (row.link ? links : devices).push_back(&row);
+  }
+  if (!links.empty()) {
+    cut("links of " + links.front()->device->name, links, beside_box - linkIndent());
+  }
+  cut("devices", devices, beside_box - ImGui::GetTreeNodeToLabelSpacing());
+}
+
+void drawLinkRow(ViewModel& model, const PosedDevice& device, std::size_t number,
+                 const std::string& name) {
   const Link& link = device.model->links[number];
   const Selection here{device.name, link.name};
-  ImGui::Indent();
+  ImGui::Indent(linkIndent());
   drawVisibility(model, here.path(), shownLink(device, number, model.choice()),
                  device.link_visible[number], "##visible");
   ImGui::SameLine();
   const bool selected = model.selected == here;
-  if (ImGui::Selectable(link.name.c_str(), selected)) {
+  // A choice of the user's has its own button in front of the name.
+  const std::string shown = cutInMiddle(name, ImGui::GetContentRegionAvail().x, drawnWidth);
+  if (ImGui::Selectable((shown + "###link").c_str(), selected)) {
     model.selected = selected ? Selection{device.name, ""} : here;
   }
-  ImGui::Unindent();
+  explainCut(shown, link.name);
+  ImGui::Unindent(linkIndent());
 }
 
-void drawDeviceRow(ViewModel& model, const PosedDevice& device) {
+void drawDeviceRow(ViewModel& model, const PosedDevice& device, const std::string& name) {
   const Selection here{device.name, ""};
   drawVisibility(model, here.path(), shownDevice(device, model.choice()), device.visible,
                  "##visible");
@@ -162,7 +209,9 @@ void drawDeviceRow(ViewModel& model, const PosedDevice& device) {
   if (model.selected == here) flags |= ImGuiTreeNodeFlags_Selected;
   if (!isJointed(device)) flags |= ImGuiTreeNodeFlags_Leaf;
   ImGui::SetNextItemOpen(model.viewer.panels.open_devices.contains(device.name));
-  const bool open = ImGui::TreeNodeEx("device", flags, "%s", device.name.c_str());
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing();
+  const std::string shown = cutInMiddle(name, room, drawnWidth);
+  const bool open = ImGui::TreeNodeEx("device", flags, "%s", shown.c_str());
   if (ImGui::IsItemToggledOpen()) {
     if (open) {
       model.viewer.panels.open_devices.insert(device.name);
@@ -172,6 +221,7 @@ void drawDeviceRow(ViewModel& model, const PosedDevice& device) {
   } else if (ImGui::IsItemClicked()) {
     model.selected = model.selected == here ? Selection{} : here;
   }
+  explainCut(shown, device.name);
 }
 
 /// The row of the selected device or link; a link without a row has that of its device.
@@ -211,11 +261,12 @@ void drawDevices(ViewModel& model, float bottom) {
                              model.viewer.panels.device_filter.size());
   }
   const bool moves = showSelected(model);
-  const std::vector<DeviceRow> rows = deviceRows(model);
+  std::vector<DeviceRow> rows = deviceRows(model);
   const float pitch = ImGui::GetFrameHeightWithSpacing();
   const float room = bottom - ImGui::GetCursorScreenPos().y - ImGui::GetStyle().WindowPadding.y;
   const float height = listHeight(rows.size(), pitch, room);
   ImGui::BeginChild("devices", ImVec2(0, height));
+  nameRows(model, rows, ImGui::GetContentRegionAvail().x);
   if (const auto row = rowOf(rows, model.selected); moves && row) {
     ImGui::SetScrollY(
         scrollToShow(ImGui::GetScrollY(), static_cast<float>(*row) * pitch, pitch, height));
@@ -229,10 +280,10 @@ void drawDevices(ViewModel& model, float bottom) {
       ImGui::PushID(row.device->name.c_str());
       if (row.link) {
         ImGui::PushID(static_cast<int>(*row.link));
-        drawLinkRow(model, *row.device, *row.link);
+        drawLinkRow(model, *row.device, *row.link, *row.name);
         ImGui::PopID();
       } else {
-        drawDeviceRow(model, *row.device);
+        drawDeviceRow(model, *row.device, *row.name);
       }
       ImGui::PopID();
     }

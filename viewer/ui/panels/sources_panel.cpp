@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/figure_text.h"
 #include "viewer/ui/live/source_rows.h"
@@ -11,7 +13,6 @@
 namespace rocinante {
 namespace {
 
-const ImVec4 kAmiss{1, 0.6F, 0.4F, 1};
 constexpr std::size_t kMaxWithoutSearch = 12;
 constexpr std::size_t kMaxRowsShown = 16;
 constexpr std::uint64_t kManyRestarts = 10;
@@ -43,8 +44,8 @@ void explainRow(const SourceRow& row) {
     text += "\nthe cell expects it, and nothing has come from it";
   } else {
     const LiveSource& live = *row.live;
-    text += fmt::format("\n{}, {} lost before they came here", countText(live.packets, "packet"),
-                        live.lost);
+    text +=
+        fmt::format("\n{}, {} lost on the way here", countText(live.packets, "packet"), live.lost);
     if (live.late > 0) text += fmt::format("\n{} late or twice", live.late);
     if (live.restarts > 0) text += "\nbegan anew " + countText(live.restarts, "time");
     if (live.restarts > kManyRestarts) text += ": do two senders use this name?";
@@ -62,7 +63,8 @@ void explainRow(const SourceRow& row) {
   ImGui::SetTooltip("%s", text.c_str());
 }
 
-void drawSourceRow(const SourceRow& row) {
+/// `name`: as there is room for it.
+void drawSourceRow(const SourceRow& row, const std::string& name) {
   const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
   const ImVec4 dim = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
   ImGui::TableNextRow();
@@ -71,23 +73,24 @@ void drawSourceRow(const SourceRow& row) {
       row.live != nullptr &&
       (row.live->faulty_lines > 0 || row.live->restarts > kManyRestarts || row.live->is_mixed);
   ImGui::PushStyleColor(ImGuiCol_Text, row.is_silent ? dim : plain);
-  ImGui::Selectable(row.name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
+  ImGui::Selectable((name + "###source").c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
   ImGui::PopStyleColor();
   explainRow(row);
   if (faulty) {
     ImGui::SameLine();
-    ImGui::TextColored(ink(kAmiss), "!");
+    ImGui::TextColored(panelInk(PanelColor::fault), "!");
   }
   ImGui::TableNextColumn();
-  if (row.live != nullptr) drawRight(rateText(*row.live), row.off_rate ? ink(kAmiss) : plain);
+  if (row.live != nullptr)
+    drawRight(rateText(*row.live), row.off_rate ? panelInk(PanelColor::fault) : plain);
   ImGui::TableNextColumn();
   if (row.live != nullptr) {
     drawRight(shortCount(static_cast<double>(row.live->lost)),
-              row.live->lost > 0 ? ink(kAmiss) : plain);
+              row.live->lost > 0 ? panelInk(PanelColor::fault) : plain);
   }
   ImGui::TableNextColumn();
   drawRight(row.live == nullptr ? "never" : ageText(row.silent),
-            row.is_silent ? ink(kAmiss) : plain);
+            row.is_silent ? panelInk(PanelColor::fault) : plain);
 }
 
 }  // namespace
@@ -109,6 +112,10 @@ void drawSourcesTab(ViewModel& model, SteadyTime now) {
   }
   const float pitch = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const auto shown = static_cast<float>(std::clamp<std::size_t>(rows.size(), 1, kMaxRowsShown));
+  // What the columns of numbers leave, and a sign behind it.
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float name_room = ImGui::GetContentRegionAvail().x - px(44 + 44 + 50 + 12) -
+                          8 * style.CellPadding.x - style.ScrollbarSize;
   if (!ImGui::BeginTable("sources", 4, ImGuiTableFlags_ScrollY,
                          ImVec2(0, (shown + 1) * pitch + px(4)))) {
     return;
@@ -119,12 +126,17 @@ void drawSourcesTab(ViewModel& model, SteadyTime now) {
   ImGui::TableSetupColumn("lost", ImGuiTableColumnFlags_WidthFixed, px(44));
   ImGui::TableSetupColumn("heard", ImGuiTableColumnFlags_WidthFixed, px(50));
   ImGui::TableHeadersRow();
+  std::vector<std::string> names;
+  for (const SourceRow& row : rows) names.push_back(row.name);
+  const std::vector<std::string>& shown_names =
+      model.viewer.panels.short_names.of("sources", std::move(names), name_room, drawnWidth);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(rows.size()), pitch);
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       ImGui::PushID(i);
-      drawSourceRow(rows[static_cast<std::size_t>(i)]);
+      const auto place = static_cast<std::size_t>(i);
+      drawSourceRow(rows[place], shown_names[place]);
       ImGui::PopID();
     }
   }

@@ -20,8 +20,10 @@ constexpr std::int64_t kMinute = 60 * kSecond;
 constexpr std::int64_t kHour = 60 * kMinute;
 constexpr std::int64_t kDay = 24 * kHour;
 
-constexpr float kScaleRoom = 62;    // for the numbers of a plot's vertical axis
-constexpr float kLegendRoom = 210;  // for names and values of curves
+constexpr float kScaleRoom = 62;  // for the numbers of a plot's vertical axis
+// For names and values of curves: what names need, within these and a part of the window.
+constexpr float kLegendRoom = 210, kWidestLegend = 360;
+constexpr float kLegendBeside = 108;  // a name: its mark, its value, margins
 
 /// A picture is as wide as pixels are; a hidden one needs no columns.
 std::size_t columnsOf(float width) { return static_cast<std::size_t>(std::max(width, 1.0F)); }
@@ -78,7 +80,13 @@ LogTime TimeAxis::momentAt(float x) const {
 
 float legendWidth(const ViewModel& model, float room) {
   if (!model.viewer.plots.shown()) return 0;
-  return std::min(px(kLegendRoom), room * 0.35F);
+  float names = 0;
+  for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
+    names = std::max(names, drawnWidth(curve.key.text()));
+  }
+  const float wanted = std::clamp(names + px(kLegendBeside), px(kLegendRoom), px(kWidestLegend));
+  const float most = std::min(std::max(px(kLegendRoom), room * 0.25F), room * 0.35F);
+  return std::min(wanted, most);
 }
 
 TimeAxis timeAxis(const ViewModel& model, float room) {

@@ -205,7 +205,7 @@ void drawVerdict(ViewModel& model) {
   const FindingsStudy* const judged = model.findings();
   if (judged == nullptr) return;
   std::string text;
-  ImU32 color = fadedInk(0.6F);
+  ImU32 color = panelColor(PanelColor::dim_text);
   const float room = ImGui::GetContentRegionAvail().x - 2 * px(4);
   if (const CheckReport* const report = judged->report()) {
     const bool any_error = report->countOf(Severity::error) > 0;

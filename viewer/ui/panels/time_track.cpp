@@ -23,9 +23,6 @@ constexpr float kRulerText = 11;
 constexpr std::size_t kMaxStrips = 6;
 constexpr float kReach = 5;  // of the mouse
 
-/// The tone of clear ghosts.
-constexpr ImU32 kBesideColor = IM_COL32(120, 190, 255, 255);
-
 /// What the left button holds.
 enum class Grab : int { none, moment, part_start, part_end, finding };
 
@@ -39,7 +36,7 @@ void drawRuler(const TimeAxis& axis, float top, LogTime origin, bool by_day) {
   const LogTime zero = by_day ? LogTime{} : origin;
   Nanoseconds at = (axis.from - zero) / step * step;
   if (at < axis.from - zero) at += step;
-  const ImU32 ink = fadedInk(0.62F);
+  const ImU32 ink = panelColor(PanelColor::dim_text);
   const float text_px = px(kRulerText);
   for (; zero + at <= axis.until; at += step) {
     const float x = axis.xOf(zero + at);
@@ -96,16 +93,17 @@ void drawStrips(const StudyPicture& picture, const TimeAxis& axis, float top) {
     const float wide = (last - first) / static_cast<float>(strip.rates.size());
     const float bottom = top + pitch * static_cast<float>(i + 1);
     const float height = std::max(1.0F, pitch - 1);
-    drawColumns(strip.rates, strip.most, first, wide, bottom, height, IM_COL32(104, 140, 172, 150));
+    drawColumns(strip.rates, strip.most, first, wide, bottom, height,
+                panelColor(PanelColor::packets));
     std::vector<float> lost = strip.lost;
     for (float& rate : lost) rate = rate > 0 ? 1.0F : 0.0F;
-    drawColumns(lost, 1, first, std::max(wide, 1.0F), bottom, height, IM_COL32(255, 80, 60, 230));
+    drawColumns(lost, 1, first, std::max(wide, 1.0F), bottom, height, panelColor(PanelColor::loss));
   }
   for (const auto& [from, until] : picture.damaged) {
     if (until < axis.from || from > axis.until) continue;
     list->AddRectFilled(ImVec2(axis.xOf(std::max(from, axis.from)), top),
                         ImVec2(axis.xOf(std::min(until, axis.until)) + 1, top + px(kStripHeight)),
-                        IM_COL32(255, 60, 60, 110));
+                        panelColor(PanelColor::damage, 0.43F));
   }
   list->PopClipRect();
 }
@@ -117,7 +115,8 @@ void drawPartings(const PartingStudy& study, const TimeAxis& axis, float middle)
     if (parting.until < axis.from || parting.from > axis.until) continue;
     const float left = axis.xOf(std::max(parting.from, axis.from));
     const float right = std::max(axis.xOf(std::min(parting.until, axis.until)), left + px(1));
-    list->AddRectFilled(ImVec2(left, middle - px(6)), ImVec2(right, middle - px(3)), kBesideColor);
+    list->AddRectFilled(ImVec2(left, middle - px(6)), ImVec2(right, middle - px(3)),
+                        panelColor(PanelColor::beside));
   }
 }
 
@@ -126,7 +125,7 @@ void drawTicks(const TimeAxis& axis, float middle, const std::vector<Event>& eve
   ImDrawList* const list = ImGui::GetWindowDrawList();
   // A user's mark has no source.
   for (const bool marks : {false, true}) {
-    const ImU32 color = marks ? IM_COL32(150, 230, 140, 255) : IM_COL32(120, 200, 255, 255);
+    const ImU32 color = panelColor(marks ? PanelColor::mark_tick : PanelColor::event_tick);
     float free_from = -1e6F;
     const auto first = std::ranges::lower_bound(events, axis.from, {}, &Event::time);
     for (auto event = first; event != events.end() && event->time <= axis.until; ++event) {
@@ -176,9 +175,9 @@ void drawPart(const TimelineCursor& cursor, const TimeAxis& axis, float top, flo
   const float from = axis.xOf(cursor.partStart()), until = axis.xOf(cursor.partEnd());
   const float left = std::clamp(from, axis.left, right_end);
   const float right = std::clamp(until, axis.left, right_end);
-  const ImU32 color = IM_COL32(255, 205, 110, 255);
+  const ImU32 color = panelColor(PanelColor::repeated_part);
   list->AddRectFilled(ImVec2(left, top), ImVec2(right, middle + px(6)),
-                      IM_COL32(255, 205, 110, 34));
+                      panelColor(PanelColor::repeated_part, 0.13F));
   const auto handle = [&](float x, float towards, const char* name) {
     if (x < axis.left - 1 || x > right_end + 1) return;
     list->AddRectFilled(ImVec2(x - px(1), top), ImVec2(x + px(1), middle + px(8)), color);
@@ -186,7 +185,7 @@ void drawPart(const TimelineCursor& cursor, const TimeAxis& axis, float top, flo
     list->AddRectFilled(ImVec2(std::min(x, other), top), ImVec2(std::max(x, other), top + px(11)),
                         color);
     list->AddText(ImGui::GetFont(), px(10), ImVec2(std::min(x, other) + px(1.5F), top + px(0.5F)),
-                  IM_COL32(30, 26, 16, 255), name);
+                  panelColor(PanelColor::repeated_part_text), name);
   };
   handle(from, 1, "A");
   handle(until, -1, "B");
@@ -317,13 +316,13 @@ void applyTrackMouse(ViewModel& model, TimelineCursor& cursor, const TimeAxis& a
 ImU32 severityColor(Severity severity) {
   switch (severity) {
     case Severity::error:
-      return IM_COL32(255, 92, 76, 255);
+      return panelColor(PanelColor::error);
     case Severity::warning:
-      return IM_COL32(255, 190, 70, 255);
+      return panelColor(PanelColor::warning);
     case Severity::note:
       break;
   }
-  return IM_COL32(170, 180, 190, 255);
+  return panelColor(PanelColor::note);
 }
 
 void drawTrack(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, float top,
@@ -351,7 +350,7 @@ void drawTrack(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
                       fadedInk(0.22F), half);
   list->AddRectFilled(ImVec2(axis.left, middle - half),
                       ImVec2(std::clamp(at, axis.left, right), middle + half),
-                      IM_COL32(255, 168, 64, 255), half);
+                      panelColor(PanelColor::played), half);
   drawPart(cursor, axis, top, middle);
   if (const PartingStudy* const partings = model.beside_shown ? model.partings() : nullptr) {
     drawPartings(*partings, axis, middle);
@@ -359,7 +358,7 @@ void drawTrack(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
   drawTicks(axis, middle, model.events());
   if (report != nullptr) drawFindings(*report, axis, middle, model.viewer.finding_shown);
   if (axis.shows(shown)) {
-    list->AddCircleFilled(ImVec2(at, middle), px(7), IM_COL32(255, 255, 255, 255), 20);
+    list->AddCircleFilled(ImVec2(at, middle), px(7), panelColor(PanelColor::playhead), 20);
   }
   drawRuler(axis, middle + px(5), model.origin(), showsClock(model));
   if (hovered && !ImGui::IsItemActive()) {

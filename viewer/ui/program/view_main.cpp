@@ -167,8 +167,8 @@ int viewMain(int argc, char** argv) {
   app.addOption("LOG", content.log, "a recorded session: a log, or a bag, capture or table");
   const cli::Option beside =
       app.addOption("--beside", content.beside,
-                    "another log of the cell: its devices as clear ghosts, where they "
-                    "are elsewhere, and its curves")
+                    "another log of the cell: its devices as ghosts where they stand at "
+                    "another place, and its curves")
           .valueName("LOG");
   addAlignOption(app, beside, content.align);
   const cli::Option live =

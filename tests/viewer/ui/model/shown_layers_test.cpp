@@ -84,5 +84,12 @@ TEST_F(ShownLayers, AreKnownHoweverTheirNamesWereWritten) {
   EXPECT_FALSE(model.setVisible("", false));
 }
 
+TEST(ShownPartName, TellsWhatABoxAloneDoesNot) {
+  EXPECT_STREQ(nameOf(ShownPart::nothing), "nothing to show");
+  EXPECT_STREQ(nameOf(ShownPart::hidden), "hidden");
+  EXPECT_STREQ(nameOf(ShownPart::some), "partly shown");
+  EXPECT_STREQ(nameOf(ShownPart::all), "shown");
+}
+
 }  // namespace
 }  // namespace rocinante
