@@ -89,8 +89,9 @@ struct PanelState {
   /// The left panel with that tab: "Scene", "Look", "Sources", "Events", "Check" or "Frame".
   void openTab(std::string name) {
     shown = true;
-    if (const auto place = places.places.find("Scene"); place != places.places.end()) {
-      place->second.collapsed = false;
+    for (const char* folded : {"Scene", "left"}) {
+      const auto place = places.places.find(folded);
+      if (place != places.places.end()) place->second.collapsed = false;
     }
     wanted_tab = std::move(name);
   }

@@ -8,7 +8,6 @@
 
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
-#include "viewer/ui/panels/plot_parts.h"
 
 namespace rocinante {
 namespace {
@@ -107,13 +106,15 @@ void drawStrip(PanelPlaces& places, DockEdge edge, const DockedSide& side, const
   drawBareButton(title, side.strip, [&](ImDrawList& list, bool pressed) {
     if (pressed) open(places, edge, side.peeked);
     const bool hovered = ImGui::IsItemHovered();
-    if (hovered) list.AddRectFilled(cornerOf(side.strip), farCornerOf(side.strip), fadedInk(0.12F));
+    if (hovered)
+      list.AddRectFilled(cornerOf(side.strip), farCornerOf(side.strip),
+                         panelColor(PanelColor::row_hovered));
     const float inwards = edge == DockEdge::left ? 1.0F : -1.0F;
     const float middle = side.strip.x + side.strip.width / 2;
     addArrow(list, {middle, side.strip.y + px(14)}, {side.peeked ? -inwards : inwards, 0},
-             fadedInk(hovered ? 1 : 0.8F));
+             panelColor(hovered ? PanelColor::text : PanelColor::dim_text));
     addTurnedText(list, {middle + ImGui::GetFontSize() / 2, side.strip.y + px(28)},
-                  fadedInk(hovered ? 1 : 0.85F), title);
+                  panelColor(hovered ? PanelColor::text : PanelColor::dim_text), title);
     explain(side.peeked ? "a click closes it" : "a click opens it");
   });
 }
@@ -128,8 +129,9 @@ void drawGutter(PanelPlaces& places, DockEdge edge, const DockedSide& side) {
     const bool over_handle = std::abs(ImGui::GetIO().MousePos.y - middle.y) < px(18);
     const float outwards = edge == DockEdge::left ? -1.0F : 1.0F;
     list.AddRectFilled(cornerOf(side.gutter), farCornerOf(side.gutter),
-                       ImGui::GetColorU32(used ? ImGuiCol_SeparatorHovered : ImGuiCol_WindowBg));
-    addArrow(list, middle, {outwards, 0}, fadedInk(used && over_handle ? 1 : 0.75F));
+                       panelColor(used ? PanelColor::row_hovered : PanelColor::panel));
+    addArrow(list, middle, {outwards, 0},
+             panelColor(used && over_handle ? PanelColor::text : PanelColor::dim_text));
     const ImGuiIO& io = ImGui::GetIO();
     const bool dragged = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= px(4) * px(4);
     const bool folds = ImGui::IsItemHovered() &&
@@ -157,11 +159,13 @@ bool drawBand(const char* title, const PanelRectangle& band) {
   drawBareButton(title, band, [&](ImDrawList& list, bool pressed) {
     clicked = pressed;
     const bool hovered = ImGui::IsItemHovered();
-    if (hovered) list.AddRectFilled(cornerOf(band), farCornerOf(band), fadedInk(0.12F));
+    if (hovered)
+      list.AddRectFilled(cornerOf(band), farCornerOf(band), panelColor(PanelColor::row_hovered));
     const float middle = band.y + band.height / 2;
-    addArrow(list, {band.x + px(14), middle}, {0, -1}, fadedInk(hovered ? 1 : 0.8F));
+    addArrow(list, {band.x + px(14), middle}, {0, -1},
+             panelColor(hovered ? PanelColor::text : PanelColor::dim_text));
     list.AddText({band.x + px(28), middle - ImGui::GetFontSize() / 2},
-                 fadedInk(hovered ? 1 : 0.85F), title);
+                 panelColor(hovered ? PanelColor::text : PanelColor::dim_text), title);
     explain("a click opens it");
   });
   return clicked;
@@ -170,10 +174,8 @@ bool drawBand(const char* title, const PanelRectangle& band) {
 /// Opaque: text stands on it whatever the picture shows.
 void drawBehind(const PanelRectangle& place) {
   if (place.width <= 0 || place.height <= 0) return;
-  ImVec4 color = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
-  color.w = 1;
   ImDrawList* const list = ImGui::GetBackgroundDrawList();
-  list->AddRectFilled(cornerOf(place), farCornerOf(place), ImGui::ColorConvertFloat4ToU32(color));
+  list->AddRectFilled(cornerOf(place), farCornerOf(place), panelColor(PanelColor::panel));
 }
 
 }  // namespace

@@ -12,6 +12,15 @@
 namespace rocinante {
 namespace {
 
+/// At the right end of the row of tabs, which begins where the cursor is.
+void drawHelpBesideTabs(ViewModel& model) {
+  const ImVec2 begin = ImGui::GetCursorPos();
+  const float size = ImGui::GetTextLineHeight() + px(4);
+  ImGui::SetCursorPosX(begin.x + ImGui::GetContentRegionAvail().x - size);
+  drawHelpButton(model);
+  ImGui::SetCursorPos(begin);
+}
+
 void drawScenePanel(ViewModel& model, const ViewerStatus& status, const PanelRectangle& room,
                     SteadyTime now, ViewerRequests& requests) {
   PlacedPanel placed(model.viewer.panels.places, "Scene", {DockEdge::left, room},
@@ -19,7 +28,7 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, const PanelRec
   if (!placed.begin()) return;
   if (placed.collapsed()) {
     drawCollapsed("Scene");
-  } else if (ImGui::BeginTabBar("tabs")) {
+  } else if (drawHelpBesideTabs(model); ImGui::BeginTabBar("tabs")) {
     const auto begin = [tab = std::exchange(model.viewer.panels.wanted_tab, {})](const char* name) {
       return ImGui::BeginTabItem(name, nullptr, tab == name ? ImGuiTabItemFlags_SetSelected : 0);
     };
@@ -47,9 +56,6 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, const PanelRec
       drawFrameTab(status, requests);
       ImGui::EndTabItem();
     }
-    if (ImGui::TabItemButton("?", ImGuiTabItemFlags_Trailing))
-      model.viewer.panels.help_shown = !model.viewer.panels.help_shown;
-    explain("mouse and keyboard (F1)");
     ImGui::EndTabBar();
   }
   placed.end();
@@ -90,7 +96,12 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
                           ViewerRequests& requests) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   model.viewer.hover.wanted.reset();
-  const DockLayout layout = dockLayoutOf(model, size.x, size.y, px(1));
+  DockLayout layout = dockLayoutOf(model, size.x, size.y, px(1));
+  PanelState& panels = model.viewer.panels;
+  if (!panels.wanted_tab.empty() && layout.left.strip.width > 0 && !layout.left.peeked) {
+    panels.places.peeked = nameOf(DockEdge::left);
+    layout = dockLayoutOf(model, size.x, size.y, px(1));
+  }
   const PixelRectangle part = model.viewer.picture_part = picturePart(layout);
   if (model.viewer.is_empty) drawWelcome(model, status.loading.has_value(), requests);
   if (model.viewer.panels.shown && !model.viewer.is_empty) {

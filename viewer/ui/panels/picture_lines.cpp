@@ -128,7 +128,8 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
     lines.back().stays = true;
   }
   if (const OthersBanner others = othersBanner(model); !others.what.empty()) {
-    add("others", others.what, others.hint, others.is_fault ? PanelColor::fault : PanelColor::others);
+    add("others", others.what, others.hint,
+        others.is_fault ? PanelColor::fault : PanelColor::others);
     lines.back().stays = true;
   }
   if (model.viewer.picking.active()) {
@@ -139,7 +140,8 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
     lines.back().stays = true;
   }
   const auto addSaid = [&](const std::string& kind, const std::string& text, bool is_fault) {
-    if (!text.empty()) add(kind + " " + text, text, "", is_fault ? PanelColor::fault : PanelColor::done);
+    if (!text.empty())
+      add(kind + " " + text, text, "", is_fault ? PanelColor::fault : PanelColor::done);
   };
   addSaid("kept", model.keepingTrouble(), true);
   addSaid("complaint", model.viewer.panels.complaint, true);

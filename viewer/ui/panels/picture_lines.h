@@ -16,10 +16,10 @@ namespace rocinante {
 struct PictureLine {
   std::string key;  ///< as NoticeKey has it
   std::string what;
-  std::string hint{};    ///< below it, dimmed; may be empty
+  std::string hint{};                   ///< below it, dimmed; may be empty
   PanelColor color = PanelColor::text;  ///< of `what`
-  bool stays = false;    ///< as NoticeKey has it
-  bool central = false;  ///< nothing is shown that it would hide
+  bool stays = false;                   ///< as NoticeKey has it
+  bool central = false;                 ///< nothing is shown that it would hide
 };
 
 /// What the window has to say now, the most important first.

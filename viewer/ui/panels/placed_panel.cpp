@@ -150,9 +150,8 @@ void PlacedPanel::move(PanelRectangle now) {
   place.collapsed = before.collapsed;
   if (!isOverHome()) return;
   const float edge = home_.edge == DockEdge::left ? 0 : io.DisplaySize.x - px(kHomeReach);
-  ImGui::GetForegroundDrawList()->AddRectFilled({edge, 0},
-                                                {edge + px(kHomeReach), io.DisplaySize.y},
-                                                ImGui::GetColorU32(ImGuiCol_DragDropTarget));
+  ImGui::GetForegroundDrawList()->AddRectFilled(
+      {edge, 0}, {edge + px(kHomeReach), io.DisplaySize.y}, panelColor(PanelColor::drop_place));
 }
 
 bool PlacedPanel::isOverHome() const {
