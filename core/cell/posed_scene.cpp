@@ -52,8 +52,8 @@ class ScenePoser {
       scene_.device_by_name.clear();
       standAll();
       for (const Standing& standing : standing_) {
-        const std::string& carrier = standing.carrier;
-        if (stateOf(carrier) != nullptr || cell_.findDevice(carrier)) devices.insert(carrier);
+        // Also one that is not there yet: it moves what it carries as it comes.
+        if (!standing.carrier.empty()) devices.insert(standing.carrier);
       }
     }
     placeAll();

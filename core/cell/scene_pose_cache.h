@@ -18,8 +18,8 @@ class ScenePoseCache {
  public:
   explicit ScenePoseCache(const Cell& cell) : cell_(&cell), layers_(cell) {}
   PosedScene pose(const SessionState& state);
-  /// Only these devices and those that carry them, which are added to `devices`, with the same
-  /// bits; without looks, drawings and cameras.
+  /// Only these devices and those that carry them, which are added to `devices` whether they are
+  /// there or not, with the same bits; without looks, drawings and cameras.
   PosedScene places(const SessionState& state, std::set<std::string, std::less<>>& devices);
   /// Devices that the last pose() moved, including new ones.
   std::size_t moved() const { return moved_; }

@@ -10,6 +10,9 @@
 namespace rocinante {
 namespace {
 
+/// Names that a hostile session gives its carriers are forgotten beyond this.
+constexpr std::size_t kMostCarriers = 1024;
+
 /// The device is there, in a model with that link; an empty link is that of the device itself.
 Status checkPlace(const Cell& cell, const PosedScene& scene, const std::string& device,
                   const std::string& link) {
@@ -52,13 +55,17 @@ void PlacedLinks::choose(const std::string& device) {
   }
 }
 
+void PlacedLinks::chooseFor(const SeriesKey& link) {
+  choose(link.name);
+  if (!link.frame.empty()) choose(link.frame);
+}
+
 std::size_t PlacedLinks::add(const SeriesKey& key) {
   SeriesKey link = key;
   link.part.clear();
   const auto found = std::ranges::find(links_, link);
   if (found != links_.end()) return static_cast<std::size_t>(found - links_.begin());
-  choose(link.name);
-  if (!link.frame.empty()) choose(link.frame);
+  chooseFor(link);
   links_.push_back(std::move(link));
   placed_.emplace_back();
   return links_.size() - 1;
@@ -69,6 +76,10 @@ bool PlacedLinks::isMovedBy(const Statement& statement) const {
 }
 
 void PlacedLinks::place(const SessionState& state) {
+  if (devices_.size() > kMostCarriers + 4 * links_.size()) {
+    devices_.clear();
+    for (const SeriesKey& link : links_) chooseFor(link);
+  }
   const PosedScene scene = poses_.places(state, devices_);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const SeriesKey& key = links_[i];

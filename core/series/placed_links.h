@@ -29,7 +29,8 @@ class PlacedLinks {
   std::size_t add(const SeriesKey& key);
   /// Whether the statement may move one of them. A restatement may also, by what it leaves out.
   bool isMovedBy(const Statement& statement) const;
-  /// The devices that move them, as far as place() has met them.
+  /// The devices that move them, as far as place() has met them: also carriers that are not there
+  /// yet, of which a few that carry nothing any more.
   const std::set<std::string, std::less<>>& devices() const { return devices_; }
 
   void place(const SessionState& state);
@@ -38,6 +39,7 @@ class PlacedLinks {
 
  private:
   void choose(const std::string& device);
+  void chooseFor(const SeriesKey& link);
 
   const Cell& cell_;
   ScenePoseCache poses_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace rocinante {
 namespace {
@@ -44,12 +45,8 @@ Result<LinkColumns> LinkColumns::of(const Cell& cell, const std::vector<std::str
 }
 
 bool LinkColumns::wereMoved(const SessionState& state, LogTime moment) {
-  // Placing finds the carriers. Another one comes with a row, for what it carries says so, or as a
-  // device that was not there before.
-  if (stated_ != state.devices().size()) {
-    placed_.place(state);
-    stated_ = state.devices().size();
-  }
+  // Placing finds the carriers. Another one comes with a row, for what it carries says so.
+  if (!std::exchange(knows_carriers_, true)) placed_.place(state);
   return std::ranges::any_of(placed_.devices(), [&](const std::string& name) {
     const DeviceState* const device = state.findDevice(name);
     return device != nullptr && device->last_write == moment;

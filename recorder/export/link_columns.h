@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,7 +32,7 @@ class LinkColumns {
 
   PlacedLinks placed_;
   std::vector<std::string> columns_;
-  std::optional<std::size_t> stated_;  ///< devices of the state in which carriers were looked for
+  bool knows_carriers_ = false;
 };
 
 }  // namespace rocinante

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/atomic_file.h"
 #include "core/cell/posed_scene.h"
 #include "core/math/transform.h"
 #include "core/series/series_scan.h"
@@ -139,6 +140,62 @@ TEST_F(PlacedLinksTest, AreFunctionsOfTime) {
   const auto rows = writeSeriesTable(table, SessionState(), again, folder / "t.csv");
   ASSERT_TRUE(rows.ok());
   EXPECT_EQ(*rows, 2U) << "before anything is stated, and as it moves";
+}
+
+TEST_F(PlacedLinksTest, ACarrierThatComesLaterMovesWhatItCarries) {
+  const test::TemporaryFolder folder;
+  const auto logAt = [&] {
+    auto reader = LogReader::open(folder / "s.mcap");
+    EXPECT_TRUE(reader.ok());
+    return *std::move(reader);
+  };
+  test::writeSpoken(folder / "s.mcap", {{0, "RK1 s 0 -\npose tool 0 0 1 0 0 0 1 in cart/foot"},
+                                        {200, "RK1 s 1 -\nadd cart arm.urdf"},
+                                        {400, "RK1 s 2 -\npose cart 3 0 0 0 0 0 1"},
+                                        {600, "RK1 s 3 -\npose cart 5 0 0 0 0 0 1"}});
+  const SeriesKey key = *parseSeriesKey("tool/tip:x");
+  SeriesScan::Options options;
+  options.from = spokenTime(0);
+  options.until = spokenTime(1000);
+  options.cell = &cell_;
+  options.only = {{key}};
+  SeriesScan scan(std::move(options));
+  LogReader log = logAt();
+  for (auto message = log.next(); message.ok() && *message; message = log.next()) {
+    scan.add(**message);
+  }
+  ASSERT_NE(scan.values(key), nullptr);
+  const auto columns = scan.values(key)->columns(spokenTime(0), spokenTime(1000), 10);
+  EXPECT_EQ(columns[1].held, 0.0F) << "in the world, while nobody carries it";
+  EXPECT_EQ(columns[4].held, 3.0F);
+  EXPECT_EQ(columns[6].held, 5.0F);
+
+  SeriesTable table;
+  table.keys = {key};
+  table.from = spokenTime(-1);
+  table.until = spokenTime(1000);
+  table.cell = &cell_;
+  LogReader again = logAt();
+  const auto rows = writeSeriesTable(table, SessionState(), again, folder / "t.csv");
+  ASSERT_TRUE(rows.ok()) << rows.error().text();
+  const std::string text = *readFile(folder / "t.csv");
+  EXPECT_NE(text.find("\n0.4,3\n0.6,5\n"), std::string::npos) << text;
+}
+
+TEST_F(PlacedLinksTest, ForgetCarriersThatAreNamedWithoutEnd) {
+  PlacedLinks links(cell_);
+  links.add(*parseSeriesKey("tool/tip:x"));
+  SessionState state;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string text = "RK1 s " + std::to_string(i) + " -\npose tool 0 0 1 0 0 0 1 in c" +
+                             std::to_string(i) + "/foot";
+    PacketTextDecoder decoder;
+    state.apply(spokenTime(i), *decoder.decode(bytesOf(text)));
+    links.place(state);
+  }
+  EXPECT_LT(links.devices().size(), 2000U);
+  EXPECT_TRUE(links.devices().contains("tool"));
+  EXPECT_TRUE(links.devices().contains("c2999"));
 }
 
 }  // namespace

@@ -128,6 +128,22 @@ TEST_F(LogTable, ALinkMovesWithWhatCarriesItsDevice) {
   EXPECT_THAT(made.csv, HasSubstr("gripper/c:z"));
 }
 
+TEST_F(LogTable, ALinkMovesWithACarrierThatComesLater) {
+  const Cell cell = armCell();
+  const std::vector<Said> all = {{0, "RK1 s 0 0\npose arm 0 0 0 0 0 0 1 in cart/a\n"},
+                                 {10, "RK1 s 1 0\nadd cart arm\n"},
+                                 {20, "RK1 s 2 0\npose cart 3 0 0 0 0 0 1\n"}};
+  test::writeSession(folder_ / "s.mcap", all);
+  auto session = MomentWalk::open(folder_ / "s.mcap");
+  ASSERT_TRUE(session.ok());
+  auto links = LinkColumns::of(cell, {"arm/a"}, "", *session, LogTime::max());
+  ASSERT_TRUE(links.ok()) << links.error().text();
+  TableOptions options;
+  options.links = &*links;
+  const Made made = tableOf(folder_ / "s.mcap", options, &cell, {"nobody"});
+  EXPECT_THAT(made.csv, HasSubstr("\n0.00000002,3,0,0,")) << made.csv;
+}
+
 TEST_F(LogTable, AGridHoldsTheLastValue) {
   TableOptions grid;
   grid.rows = TableOptions::Rows::grid;
