@@ -1,5 +1,7 @@
 #include "core/series/derived_value.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -70,6 +72,12 @@ struct DerivedValue::Node {
       if (its && (!first || *its < *first)) first = its;
     }
     return first;
+  }
+
+  /// What changes without samples does so at `time`, too.
+  void fallDue(LogTime time) {
+    if (due && *due > time) due = time;
+    for (Node& each : of) each.fallDue(time);
   }
 
   /// `sampled`: with what was stated; else of a moment between samples.
@@ -278,6 +286,49 @@ std::optional<SeriesKey> parseDerivedKey(std::string_view text) {
   return SeriesKey{SeriesKey::Kind::derived, std::string(text)};
 }
 
+namespace {
+
+std::string_view firstWord(std::string_view text) { return text.substr(0, text.find(' ')); }
+
+std::string faultOf(std::string_view text, int depth) {
+  const std::string_view word = firstWord(text);
+  if (word != "d/dt" && word != "mean") return {};
+  if (depth == kMostDerivations) {
+    return fmt::format("a value is derived at most {} times", kMostDerivations);
+  }
+  if (read(text, depth)) return {};
+  const bool is_mean = word == "mean";
+  auto of = after(text, is_mean ? "mean " : "d/dt ");
+  if (!of || of->empty()) return is_mean ? "`mean` needs SECONDS VALUE" : "`d/dt` needs a VALUE";
+  if (is_mean) {
+    const std::string_view number = firstWord(*of);
+    if (number.size() == of->size()) return "`mean` needs SECONDS VALUE";
+    if (!takeSeconds(*of)) {
+      return fmt::format("`{}` is no number of SECONDS from 1e-9 to {}: mean SECONDS VALUE", number,
+                         std::chrono::duration_cast<std::chrono::seconds>(kMostMean).count());
+    }
+  }
+  if (std::string deeper = faultOf(*of, depth + 1); !deeper.empty()) return deeper;
+  return fmt::format("`{}` is no joint, pose, link or signal that has a {}", *of,
+                     is_mean ? "mean" : "derivative");
+}
+
+}  // namespace
+
+std::string derivationFault(std::string_view text) { return faultOf(text, 0); }
+
+std::string noNumberOf(const SeriesKey& derived, const SeriesKey& text) {
+  const auto derivation = derivationOf(derived);
+  if (!derivation) return {};
+  for (const SeriesKey& of : derivation->of) {
+    if (of != text && std::ranges::count(statedOf(of), text) > 0) return noNumberOf(of, text);
+  }
+  const char* const lacks = derivation->how == Derivation::How::rate   ? "derivative"
+                            : derivation->how == Derivation::How::mean ? "mean"
+                                                                       : "difference";
+  return fmt::format("`{}` is a text, and a text has no {}", text.text(), lacks);
+}
+
 std::optional<Derivation> derivationOf(const SeriesKey& key) {
   if (key.kind != SeriesKey::Kind::derived) return std::nullopt;
   return read(key.name, 0);
@@ -319,6 +370,11 @@ void DerivedValue::take(std::size_t stated, std::optional<double> value) {
 
 std::optional<std::optional<double>> DerivedValue::at(LogTime time) {
   return root_->at(time, true);
+}
+
+std::optional<std::optional<double>> DerivedValue::asOf(LogTime time) {
+  root_->fallDue(time);
+  return root_->at(time, false);
 }
 
 std::optional<DerivedValue::Between> DerivedValue::nextBefore(LogTime time) {

@@ -30,6 +30,13 @@ inline constexpr Nanoseconds kMostMean = std::chrono::hours(1);
 /// Reads one that is derived; empty for anything else. The key has the text for its name.
 std::optional<SeriesKey> parseDerivedKey(std::string_view text);
 
+/// Why a text that begins as a derived one does (`d/dt`, `mean`) is none; one sentence. Empty when
+/// it is one, and for a text that begins otherwise.
+std::string derivationFault(std::string_view text);
+
+/// Why nothing is derived of a stated value that is a text; one sentence. The key is made of it.
+std::string noNumberOf(const SeriesKey& derived, const SeriesKey& text);
+
 /// Empty for a key that is not derived.
 std::optional<Derivation> derivationOf(const SeriesKey& key);
 
@@ -63,6 +70,9 @@ class DerivedValue {
     std::optional<double> value;  ///< empty: a gap
   };
   std::optional<Between> nextBefore(LogTime time);
+  /// What it is at a moment between samples, where it has changed since: behind at(), and behind
+  /// what nextBefore() told until then.
+  std::optional<std::optional<double>> asOf(LogTime time);
 
  private:
   struct Node;

@@ -64,6 +64,18 @@ class SeriesScan {
   /// What the recorder could not keep; counts in all(), as it ends.
   void addLoss(const LossSpan& span);
 
+  /// What a derived value of `only` was last, in double precision; empty: nothing, or a gap.
+  std::optional<double> newest(const SeriesKey& derived) const { return store_.newest(derived); }
+  /// Derived values are taken on to `time`, at or after the last message: a mean also changes
+  /// between samples.
+  void settle(LogTime time) { store_.settle(time, true); }
+  /// How often samples have come of which any derived value is made.
+  std::uint64_t derivedSamples() const { return store_.derivedSamples(); }
+
+  /// Packets stated it as texts alone.
+  bool isText(const SeriesKey& key) const {
+    return values(key) == nullptr && states(key) != nullptr;
+  }
   /// Null when no packet stated it, or none as a number.
   const ValueBins* values(const SeriesKey& key) const { return store_.values(key); }
   /// Null when no packet stated it as a boolean or a text.

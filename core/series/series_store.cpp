@@ -74,7 +74,7 @@ SeriesStore::Id SeriesStore::idOf(const SeriesKey& key) {
 }
 
 void SeriesStore::derive(const SeriesKey& key) {
-  Derived derived{idOf(key), DerivedValue(key)};
+  Derived derived{idOf(key), DerivedValue(key), {}};
   if (derived.id == kUnwanted) return;
   const std::vector<SeriesKey>& stated = derived.value.stated();
   for (std::size_t i = 0; i < stated.size(); ++i) {
@@ -93,23 +93,37 @@ void SeriesStore::tell(Id id, std::optional<double> value) {
   }
 }
 
-void SeriesStore::settle(LogTime time) {
-  const auto take = [this](Id id, LogTime at, const std::optional<double>& said) {
-    if (said && std::isfinite(*said)) {
-      record(id, at, *said);
+void SeriesStore::settle(LogTime time, bool exactly) {
+  const auto take = [this](Derived& derived, LogTime at, const std::optional<double>& said) {
+    derived.newest = said && std::isfinite(*said) ? said : std::nullopt;
+    if (derived.newest) {
+      record(derived.id, at, *said);
     } else {
-      end(id, at);
+      end(derived.id, at);
     }
   };
   for (Derived& derived : derived_) {
     while (const auto between = derived.value.nextBefore(time)) {
-      take(derived.id, between->time, between->value);
+      take(derived, between->time, between->value);
     }
   }
-  if (!std::exchange(told_, false)) return;
-  for (Derived& derived : derived_) {
-    if (const auto said = derived.value.at(time)) take(derived.id, time, *said);
+  if (std::exchange(told_, false)) {
+    ++derived_samples_;
+    for (Derived& derived : derived_) {
+      if (const auto said = derived.value.at(time)) take(derived, time, *said);
+    }
   }
+  for (Derived& derived : derived_) {
+    if (!exactly) break;
+    if (const auto said = derived.value.asOf(time)) take(derived, time, *said);
+  }
+}
+
+std::optional<double> SeriesStore::newest(const SeriesKey& derived) const {
+  const auto id = ids_.find(derived);
+  if (id == ids_.end()) return std::nullopt;
+  const auto found = std::ranges::find(derived_, id->second, &Derived::id);
+  return found == derived_.end() ? std::nullopt : found->newest;
 }
 
 StateSeries* SeriesStore::statesOf(const SeriesKey& key) {

@@ -46,8 +46,9 @@ class SeriesStore {
   /// A derived value, which follows those that it is made of from now on.
   void derive(const SeriesKey& key);
   /// Derived values take what was recorded since the last call, at this time (min(): not known),
-  /// and what they were until then.
-  void settle(LogTime time);
+  /// and what they were until then. `exactly`: they are what they are at this time, also those
+  /// that change between samples.
+  void settle(LogTime time, bool exactly = false);
   /// Made when it is not there; null: it is unwanted. Valid as long as the store.
   StateSeries* statesOf(const SeriesKey& key);
   /// A state of one that statesOf() returned.
@@ -65,6 +66,11 @@ class SeriesStore {
     if (id < followers_.size()) tell(id, std::nullopt);
   }
 
+  /// What a derived value was last, in double precision; empty: nothing, or a gap.
+  std::optional<double> newest(const SeriesKey& derived) const;
+  /// How often samples have come of which any derived value is made.
+  std::uint64_t derivedSamples() const { return derived_samples_; }
+
   /// Null without a value.
   const ValueBins* values(const SeriesKey& key) const;
   const StateSeries* states(const SeriesKey& key) const;
@@ -76,6 +82,7 @@ class SeriesStore {
   struct Derived {
     Id id = kUnwanted;
     DerivedValue value;
+    std::optional<double> newest{};
   };
   /// Which derived value a stated one is part of, and as which of its values.
   struct Follower {
@@ -95,6 +102,7 @@ class SeriesStore {
   std::vector<Derived> derived_;
   std::vector<std::vector<Follower>> followers_;  ///< by the stated value
   bool told_ = false;                             ///< since they were settled
+  std::uint64_t derived_samples_ = 0;
 };
 
 /// So that `bins` of them cover the time.

@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
+#include <set>
+#include <utility>
 
 #include "core/base/atomic_file.h"
 #include "core/base/bytes.h"
 #include "core/base/duration_text.h"
+#include "core/series/derived_value.h"
 #include "core/series/placed_links.h"
 
 namespace rocinante {
@@ -52,15 +56,17 @@ class Rows {
     });
   }
 
-  /// Adds a row, unless no value is stated.
-  void add(const SessionState& state, Nanoseconds since_origin) {
+  /// Adds a row, unless no value is stated. `derived`: null when no column is.
+  void add(const SessionState& state, const SeriesScan* derived, Nanoseconds since_origin) {
     const std::size_t begin = text_.size();
     text_ += secondsText(since_origin);
     if (links_) links_->place(state);
     bool any = false;
     for (std::size_t i = 0; i < table_.keys.size(); ++i) {
       text_ += ',';
-      if (const auto value = valueOf(state, i)) {
+      const bool is_derived = table_.keys[i].kind == SeriesKey::Kind::derived;
+      const auto value = is_derived ? derived->newest(table_.keys[i]) : valueOf(state, i);
+      if (value) {
         fmt::format_to(std::back_inserter(text_), "{}", *value);
         any = true;
       }
@@ -106,12 +112,44 @@ class Rows {
   std::uint64_t count_ = 0;
 };
 
+std::set<SeriesKey> derivedOf(const SeriesTable& table) {
+  std::set<SeriesKey> derived;
+  for (const SeriesKey& key : table.keys) {
+    if (key.kind == SeriesKey::Kind::derived) derived.insert(key);
+  }
+  return derived;
+}
+
+/// What is derived as the table's rows are made, which begins where the log is read from; null:
+/// nothing.
+std::unique_ptr<SeriesScan> derivedScan(const SeriesTable& table) {
+  std::set<SeriesKey> keys = derivedOf(table);
+  if (keys.empty()) return nullptr;
+  SeriesScan::Options options;
+  options.from = table.lead ? table.lead->first : table.from;
+  options.until = table.until;
+  options.names = table.names;
+  options.cell = table.cell;
+  options.max_bins = 64;  // only the newest counts
+  options.only = std::move(keys);
+  options.states = false;
+  auto scan = std::make_unique<SeriesScan>(std::move(options));
+  if (table.lead) scan->beginWith(table.lead->second, table.lead->first);
+  return scan;
+}
+
 }  // namespace
+
+std::optional<LogTime> leadOf(const SeriesTable& table, LogTime start) {
+  const Nanoseconds reach = reachOf(derivedOf(table));
+  if (reach.count() == 0 || table.from <= start || table.from - start <= reach) return std::nullopt;
+  return table.from - reach;
+}
 
 Result<std::uint64_t> writeSeriesTable(const SeriesTable& table, SessionState before,
                                        LogReader& log, const std::filesystem::path& path) {
   for (const SeriesKey& key : table.keys) {
-    if (!key.isValue() || key.kind == SeriesKey::Kind::derived) {
+    if (!key.isValue()) {
       return Error{ErrorKind::bad_argument, "a table has joints, poses and signals only",
                    key.text()};
     }
@@ -120,19 +158,34 @@ Result<std::uint64_t> writeSeriesTable(const SeriesTable& table, SessionState be
     return Error{ErrorKind::bad_argument, "a table needs a value that is a number", ""};
   }
   if (Status may = mayWriteFile(path, true); !may) return may.error();
-  if (Status there = log.seek(table.from + Nanoseconds(1)); !there) return there.error();
+  const std::unique_ptr<SeriesScan> derived = derivedScan(table);
+  const LogTime begin = table.lead ? table.lead->first : table.from;
+  const bool reads_all = derived != nullptr && !table.lead;
+  const Status there = reads_all ? log.rewind() : log.seek(begin + Nanoseconds(1));
+  if (!there) return there.error();
   const LogTime origin = log.summary().origin;
   Rows rows(table);
-  rows.add(before, table.from - origin);
   SessionState state = std::move(before);
   MessageFolder folder;
+  bool has_begun = false;
+  const auto beginRows = [&] {
+    if (std::exchange(has_begun, true)) return;
+    if (derived != nullptr) derived->settle(table.from);
+    rows.add(state, derived.get(), table.from - origin);
+  };
   for (std::uint64_t messages = 1;; ++messages) {
     const auto message = log.next();
     if (!message) return message.error();
     if (!*message || (*message)->log_time > table.until) break;
-    const MessageFolder::Folded folded = folder.fold(state, **message);
-    if (folded.applied && rows.isAbout(*folded.packet)) {
-      rows.add(state, (*message)->log_time - origin);
+    if ((*message)->log_time > table.from) beginRows();
+    const std::uint64_t samples = derived == nullptr ? 0 : derived->derivedSamples();
+    if (derived != nullptr) derived->add(**message);
+    const bool is_sampled = derived != nullptr && derived->derivedSamples() != samples;
+    const MessageFolder::Folded folded =
+        has_begun ? folder.fold(state, **message) : MessageFolder::Folded();
+    if (folded.applied && (is_sampled || rows.isAbout(*folded.packet))) {
+      if (derived != nullptr) derived->settle((*message)->log_time);
+      rows.add(state, derived.get(), (*message)->log_time - origin);
     }
     if (rows.text().size() > kMaxTableBytes) {
       return Error{ErrorKind::bad_argument,
@@ -145,6 +198,7 @@ Result<std::uint64_t> writeSeriesTable(const SeriesTable& table, SessionState be
       return Error{ErrorKind::refused, "stopped before the table was whole", path.string()};
     }
   }
+  beginRows();
   if (rows.count() == 0) {
     return Error{ErrorKind::bad_argument, "no packet states any of these values there",
                  path.string()};

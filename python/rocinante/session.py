@@ -161,11 +161,12 @@ class Session:
                       each["log_time_ns"]) for each in self._event_list]
 
     def table(self, device: str | None = None, *, signals: bool = False, links: Sequence[str] = (),
-              frame: str | None = None, every: Time | None = None, start: Time | None = None,
-              end: Time | None = None) -> dict[str, NDArray[Any]]:
+              frame: str | None = None, derive: Sequence[str] = (), every: Time | None = None,
+              start: Time | None = None, end: Time | None = None) -> dict[str, NDArray[Any]]:
         """The columns of `rocinante log table`, by name: `t`, `t_ns`, `DEVICE.JOINT`, `DEVICE:x` ...;
         with `signals` also `signal PATH NAME`, numbers, and booleans as 1 and 0; with `links` also
-        `DEVICE/LINK:x` ..., or `DEVICE/LINK:x in FRAME` ... in the frame of a device or link.
+        `DEVICE/LINK:x` ..., or `DEVICE/LINK:x in FRAME` ... in the frame of a device or link; with
+        `derive` also what is derived, by its own words: `d/dt arm.joint1`, `mean 0.5 arm:x`, `arm.a - arm.b`.
 
         One row for each moment that writes a value, or one at each multiple of `every`; from `start`
         until before `end`.
@@ -173,7 +174,7 @@ class Session:
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "table.npz")
             run("log", "table", self.log, "-o", table, *(["--signals"] if signals else []),
-                *(f"--link={link}" for link in links), *options({
+                *(f"--link={link}" for link in links), *(f"--derive={value}" for value in derive), *options({
                 "device": device, "cell": self.cell, "in": frame,
                 "every": None if every is None else time_word(every),
                 "from": None if start is None else time_word(start),

@@ -18,6 +18,7 @@
 #include "core/report/account.h"
 #include "core/session/moment_walk.h"
 #include "recorder/export/clearance_columns.h"
+#include "recorder/export/derived_columns.h"
 #include "recorder/export/link_columns.h"
 #include "recorder/export/timed_notes.h"
 
@@ -36,6 +37,7 @@ struct TableOptions {
   LogTime from{}, until{};
   ExportProgress progress;                 ///< may be empty
   LinkColumns* links = nullptr;            ///< behind the table's own columns; borrowed
+  DerivedColumns* derived = nullptr;       ///< behind those; borrowed
   ClearanceColumns* clearances = nullptr;  ///< behind the other columns; borrowed
   bool signals = false;                    ///< the table has them: for what is left out
 };

@@ -107,6 +107,7 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
   const LogSummary& log = session.log().summary();
   ClearanceColumns* const clearances = options.clearances;
   LinkColumns* const links = options.links;
+  DerivedColumns* const derived = options.derived;
   const bool is_grid = options.rows == TableOptions::Rows::grid;
   if (is_grid || options.from > log.start) {
     // What was said before the first row holds there.
@@ -114,6 +115,11 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     if (!first) return first.error();
     table.noticeAll(**first);
     if (clearances != nullptr) clearances->notice(**first);
+  }
+  if (derived != nullptr) {
+    const Result<const SessionState*> first = session.stateAt(std::max(options.from, log.start));
+    if (!first) return first.error();
+    derived->notice(**first);
   }
   PassProgress finding(options, log, 0);
   const auto notice = [&](LogTime moment, const SessionState& state) -> Status {
@@ -126,13 +132,17 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
   const auto count = [&](const LogMessage& message, const Packet* packet) -> Status {
     census.take(message, packet);
     if (options.signals && packet != nullptr) units.take(message.log_time, *packet);
+    if (derived != nullptr) derived->notice(message);
     return {};
   };
   if (Status found = session.visit(options.from, options.until, {count, notice}); !found) {
     return found.error();
   }
   table.layOut();
-  if (table.columns().empty() && links == nullptr) {
+  if (derived != nullptr) {
+    if (Status known = derived->layOut(table.columns()); !known) return known.error();
+  }
+  if (table.columns().empty() && links == nullptr && derived == nullptr) {
     return Error{ErrorKind::not_found,
                  std::string(options.signals ? "no chosen device has joints, a pose or numbers"
                                              : "no chosen device has joints or a pose") +
@@ -145,6 +155,7 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     report.columns.insert(report.columns.end(), more.begin(), more.end());
   };
   if (links != nullptr) addColumns(links->columns());
+  if (derived != nullptr) addColumns(derived->columns());
   if (clearances != nullptr) {
     clearances->layOut();
     addColumns(clearances->columns());
@@ -152,14 +163,19 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
   if (Status begun = writer.begin(report.columns); !begun) return begun.error();
   const std::size_t of_table = table.columns().size();
   const std::size_t of_links = links == nullptr ? 0 : links->columns().size();
+  const std::size_t of_derived = derived == nullptr ? 0 : derived->columns().size();
   std::vector<double> values(report.columns.size());
   std::vector<double> former;
+  if (derived != nullptr) {
+    if (Status begun = derived->begin(session, options.from); !begun) return begun.error();
+  }
   PassProgress writing(options, log, 0.5);
   const auto write = [&](LogTime moment, const SessionState& state) -> Status {
     table.fill(state, std::span(values).first(of_table));
     const std::span behind = std::span(values).subspan(of_table);
     if (links != nullptr) links->fill(state, behind.first(of_links));
-    if (clearances != nullptr) clearances->fill(state, behind.subspan(of_links));
+    if (derived != nullptr) derived->fill(behind.subspan(of_links, of_derived));
+    if (clearances != nullptr) clearances->fill(state, behind.subspan(of_links + of_derived));
     if (options.rows == TableOptions::Rows::changed) {
       if (report.rows > 0 && sameBits(values, former)) return {};
       former = values;
@@ -171,7 +187,8 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     for (LogTime moment = options.from; moment < options.until; moment += options.every) {
       const Result<const SessionState*> state = session.stateAt(moment);
       if (!state) return state.error();
-      Status written = write(moment, **state);
+      Status written = derived == nullptr ? Status() : derived->moveTo(moment);
+      if (written) written = write(moment, **state);
       if (written) written = writing.at(moment);
       if (!written) return written.error();
       if (options.until - moment <= options.every) break;
@@ -180,7 +197,11 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     const auto row = [&](LogTime moment, const SessionState& state) -> Status {
       // The table remembers what it was asked about last: it is asked in any case.
       const bool is_written = table.wasWritten(state, moment);
-      if (is_written || (links != nullptr && links->wereMoved(state, moment))) {
+      if (derived != nullptr) {
+        if (Status moved = derived->moveTo(moment); !moved) return moved;
+      }
+      if (is_written || (derived != nullptr && derived->wereSampled()) ||
+          (links != nullptr && links->wereMoved(state, moment))) {
         if (Status written = write(moment, state); !written) return written;
       }
       return writing.at(moment);

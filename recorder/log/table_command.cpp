@@ -32,6 +32,7 @@ struct TableArguments {
   bool clearance = false;
   std::vector<std::string> links;
   std::string frame;
+  std::vector<std::string> derived;
   ExportCellArguments cell;
   std::string output;
   bool force = false;
@@ -138,6 +139,16 @@ Result<std::optional<LinkColumns>> linksOf(const TableArguments& my, const Cell*
   return columns;
 }
 
+Result<std::optional<DerivedColumns>> derivedOf(const TableArguments& my, const Cell* cell,
+                                                MomentWalk& session) {
+  std::optional<DerivedColumns> columns;
+  if (my.derived.empty()) return columns;
+  Result<DerivedColumns> made = DerivedColumns::of(cell, my.derived, my.log, session);
+  if (!made) return made.error();
+  columns.emplace(*std::move(made));
+  return columns;
+}
+
 Result<cli::Exit> runTable(TableArguments my) {
   const Result<TableForm> form = formOf(my.output);
   if (!form) return form.error();
@@ -165,6 +176,9 @@ Result<cli::Exit> runTable(TableArguments my) {
       linksOf(my, cell->get(), *session, session->log().summary().end);
   if (!links) return links.error();
   if (*links) options->links = &**links;
+  Result<std::optional<DerivedColumns>> derived = derivedOf(my, cell->get(), *session);
+  if (!derived) return derived.error();
+  if (*derived) options->derived = &**derived;
   cli::catchStopSignals();
   options->progress = stoppableProgress("reading " + my.log);
   const cli::StopDeadline deadline(kStopped);
@@ -213,6 +227,11 @@ cli::Subcommand addTableCommand(cli::CommandLine program) {
                 "those poses in the frame of this device or link; by default in the world")
       .valueName("PATH")
       .needs(link);
+  app.addOption(
+         "--derive", my->derived,
+         "what is derived too: d/dt VALUE, mean SECONDS VALUE, VALUE - VALUE; may be repeated")
+      .valueName("VALUE")
+      .oneEach();
   app.addFlag("--clearance", my->clearance,
               "the distances of the cell's clearances too, in metres, a column for each pair");
   app.addOption("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")

@@ -112,6 +112,17 @@ def test_a_link_is_where_the_forward_kinematics_have_it(demo):
         session.link("arm/hnad")
 
 
+def test_what_is_derived_is_a_column(demo):
+    cell, log = demo
+    session = rocinante.Session(log, cell)
+    apart = "arm/tip:x - arm/tip:y"
+    table = session.table("arm", links=["arm/tip"], derive=["d/dt arm/tip:z", apart])
+    assert np.allclose(table[apart], table["arm/tip:x"] - table["arm/tip:y"], equal_nan=True)
+    assert np.isfinite(table["d/dt arm/tip:z"]).any()
+    with pytest.raises(rocinante.Error, match="`nan` is no number of SECONDS"):
+        session.table(derive=["mean nan arm/tip:z"])
+
+
 def test_names_that_look_like_patterns_are_names(tmp_path, demo):
     log = tmp_path / "odd.mcap"
     with rocinante.record(log, "127.0.0.1:0") as recorder:

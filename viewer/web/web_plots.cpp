@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "core/report/json_text.h"
+#include "core/series/positional_names.h"
 #include "viewer/shown/joint_rows.h"
 #include "viewer/shown/plot_scale.h"
 #include "viewer/shown/plot_shape.h"
-#include "viewer/shown/positional_names.h"
 
 namespace rocinante {
 namespace {

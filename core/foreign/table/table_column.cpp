@@ -79,7 +79,30 @@ bool isSignalColumn(std::string_view name) {
   return has_two || name.find_first_of(".:") == name.npos;
 }
 
+bool isDerivedColumn(std::string_view name) {
+  const auto isStated = [](std::string_view text) {
+    if (text.starts_with("signal ")) return std::ranges::count(text, ' ') == 2;
+    const std::size_t point = text.find('.');
+    return isLinkColumn(text) || (point != text.npos && point > 0 && point + 1 < text.size()) ||
+           std::ranges::any_of(kPoseEndings,
+                               [&](std::string_view ending) { return text.ends_with(ending); });
+  };
+  if (name.starts_with("d/dt ")) return true;
+  if (name.starts_with("mean ")) {
+    const std::size_t blank = name.find(' ', 5);
+    return blank != name.npos && tableSeconds(name.substr(5, blank - 5));
+  }
+  constexpr std::string_view kMinus = " - ";
+  for (std::size_t at = name.find(kMinus); at != name.npos; at = name.find(kMinus, at + 1)) {
+    if (at > 0 && isStated(name.substr(0, at)) && isStated(name.substr(at + kMinus.size()))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::optional<TableColumn> tableColumn(std::string_view name) {
+  if (isDerivedColumn(name)) return std::nullopt;
   if (isSignalColumn(name) || isLinkColumn(name)) return std::nullopt;
   for (std::size_t part = 0; part < kPoseEndings.size(); ++part) {
     const std::string_view ending = kPoseEndings[part];
@@ -116,6 +139,7 @@ std::optional<std::size_t> plainPosePart(std::string_view name) {
 std::string_view notAValue(std::string_view name) {
   if (timeUnitOf(name)) return "another time";
   if (name.starts_with(kClearanceColumn)) return "a distance";
+  if (isDerivedColumn(name)) return "derived of others";
   if (isLinkColumn(name)) return "the pose of a link";
   return {};
 }

@@ -23,6 +23,10 @@ bool isSignalColumn(std::string_view name);
 /// Whether the column is of a link's pose, `DEVICE/LINK:x` or `DEVICE/LINK:x in PATH`.
 bool isLinkColumn(std::string_view name);
 
+/// Whether the column is of what is derived of others: `d/dt VALUE`, `mean SECONDS VALUE`,
+/// `VALUE - VALUE`, as `log table --derive` names them.
+bool isDerivedColumn(std::string_view name);
+
 /// A column that names its device, or the ROS topic that it comes from. Borrowed from the name.
 struct TableColumn {
   std::string_view device;               ///< empty: `topic` tells

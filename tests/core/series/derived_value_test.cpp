@@ -215,5 +215,76 @@ TEST(DerivedValue, AMeanIsGatheredBetweenItsSamples) {
   EXPECT_NEAR(*columns[6].held, 10, 1e-4) << "0.2 s behind the only change";
 }
 
+TEST(DerivedValue, AMeanIsKnownAtAnyMoment) {
+  DerivedValue mean(*parseSeriesKey("mean 1 arm.a"));
+  const auto say = [&](double seconds, double value) {
+    mean.take(0, value);
+    return mean.at(afterSeconds(seconds));
+  };
+  say(0, 0);
+  say(1, 10);
+  for (const double seconds : {1.01, 1.3, 1.77, 1.999}) {
+    while (mean.nextBefore(afterSeconds(seconds))) {
+    }
+    const auto said = mean.asOf(afterSeconds(seconds));
+    ASSERT_TRUE(said && *said) << seconds;
+    EXPECT_NEAR(**said, (seconds - 1) * 10, 1e-6);
+  }
+  while (mean.nextBefore(afterSeconds(5))) {
+  }
+  EXPECT_FALSE(mean.asOf(afterSeconds(5)).has_value()) << "nothing changes any more";
+  DerivedValue rate(*parseSeriesKey("d/dt arm.a"));
+  rate.take(0, 1.0);
+  rate.at(afterSeconds(0));
+  EXPECT_FALSE(rate.asOf(afterSeconds(1)).has_value());
+}
+
+TEST(DerivedValue, WhatIsNoneSaysWhy) {
+  EXPECT_EQ(derivationFault("mean nan arm.a"),
+            "`nan` is no number of SECONDS from 1e-9 to 3600: mean SECONDS VALUE");
+  for (const char* wrong : {"inf", "0", "-1", "3601", "1e-10", "1e308", "arm.a", "0x1", "1s"}) {
+    const std::string fault = derivationFault("mean " + std::string(wrong) + " arm.a");
+    EXPECT_TRUE(fault.starts_with("`" + std::string(wrong) + "` is no number of SECONDS")) << fault;
+  }
+  EXPECT_EQ(derivationFault("d/dt mean nan arm.a"), derivationFault("mean nan arm.a"));
+  EXPECT_EQ(derivationFault("mean"), "`mean` needs SECONDS VALUE");
+  EXPECT_EQ(derivationFault("mean 0.5"), "`mean` needs SECONDS VALUE");
+  EXPECT_EQ(derivationFault("d/dt"), "`d/dt` needs a VALUE");
+  EXPECT_EQ(derivationFault("d/dt rate"),
+            "`rate` is no joint, pose, link or signal that has a derivative");
+  EXPECT_EQ(derivationFault("mean 1 arm"),
+            "`arm` is no joint, pose, link or signal that has a mean");
+  EXPECT_EQ(derivationFault("d/dt d/dt d/dt d/dt d/dt arm.a"),
+            "a value is derived at most 4 times");
+  for (const char* fine : {"arm.a", "d/dt arm.a", "mean 0.5 d/dt arm.a", "arm.a - arm.b", "meaning",
+                           "signal arm mean", ""}) {
+    EXPECT_EQ(derivationFault(fine), "") << fine;
+  }
+}
+
+TEST(DerivedValue, OfATextThereIsNone) {
+  const SeriesKey mode = *parseSeriesKey("signal arm mode");
+  const auto said = [&](const char* text) { return noNumberOf(*parseSeriesKey(text), mode); };
+  EXPECT_EQ(said("d/dt signal arm mode"),
+            "`signal arm mode` is a text, and a text has no derivative");
+  EXPECT_EQ(said("mean 1 signal arm mode"), "`signal arm mode` is a text, and a text has no mean");
+  EXPECT_EQ(said("mean 1 d/dt signal arm mode"), said("d/dt signal arm mode"));
+  EXPECT_EQ(said("d/dt arm.a - signal arm mode"),
+            "`signal arm mode` is a text, and a text has no difference");
+}
+
+RC_GTEST_PROP(DerivedValue, AnyTextIsReadOrSaysWhyInOneLine, ()) {
+  const auto word = rc::gen::element<std::string>("d/dt", "mean", "0.5", "nan", "-", "arm.a",
+                                                  "arm:x", "signal", "in", "", "1e308", "a/b:x");
+  std::string text;
+  for (const std::string& each : *rc::gen::container<std::vector<std::string>>(word)) {
+    text += (text.empty() ? "" : " ") + each;
+  }
+  const auto key = parseSeriesKey(text);
+  const std::string fault = derivationFault(text);
+  RC_ASSERT(fault.find('\n') == std::string::npos);
+  if (key && key->kind == SeriesKey::Kind::derived) RC_ASSERT(fault.empty());
+}
+
 }  // namespace
 }  // namespace rocinante

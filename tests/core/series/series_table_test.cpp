@@ -69,5 +69,47 @@ TEST_F(Table, RefusesRatesNothingAndAFolder) {
   EXPECT_FALSE(write(table).ok());
 }
 
+TEST_F(Table, HasWhatIsDerivedAlone) {
+  SeriesTable table;
+  table.keys = {*parseSeriesKey("d/dt arm.j1")};
+  table.from = spokenTime(0) - Nanoseconds(1);
+  table.until = spokenTime(1000);
+  const auto rows = write(table);
+  ASSERT_TRUE(rows.ok()) << rows.error().text();
+  EXPECT_EQ(*readFile(folder_ / "t.csv"), "t,\"d/dt arm.j1\"\n0.1,2.0000000000000004\n");
+  table.from = spokenTime(0);
+  EXPECT_EQ(*write(table), 1U) << "the first sample has its time";
+}
+
+TEST_F(Table, KnowsWhatIsDerivedWhereItBegins) {
+  SeriesTable table;
+  table.keys = {*parseSeriesKey("d/dt arm.j1"), *parseSeriesKey("mean 0.1 tray:x"),
+                *parseSeriesKey("other.j - arm.j1")};
+  table.from = spokenTime(150);
+  table.until = spokenTime(350);
+  EXPECT_FALSE(leadOf(table, spokenTime(0)).has_value());
+  const std::string expected =
+      "t,\"d/dt arm.j1\",\"mean 0.1 tray:x\",\"other.j - arm.j1\"\n"
+      "0.15,2.0000000000000004,,0.7\n"
+      "0.2,2.0000000000000004,,1.7\n"
+      "0.3,2.0000000000000004,1,1.7\n";
+  ASSERT_TRUE(write(table).ok());
+  EXPECT_EQ(*readFile(folder_ / "t.csv"), expected);
+}
+
+TEST_F(Table, ReadsNoFurtherBackThanDerivedValuesReach) {
+  SeriesTable table;
+  table.keys = {*parseSeriesKey("arm.j1")};
+  table.from = spokenTime(100'000);
+  EXPECT_FALSE(leadOf(table, spokenTime(0)).has_value());
+  table.keys.push_back(*parseSeriesKey("mean 2 d/dt arm.j1"));
+  const auto lead = leadOf(table, spokenTime(0));
+  ASSERT_TRUE(lead.has_value());
+  EXPECT_LT(*lead, spokenTime(98'000));
+  EXPECT_GT(*lead, spokenTime(50'000));
+  table.keys.push_back(*parseSeriesKey("mean 3600 arm.j1"));
+  EXPECT_FALSE(leadOf(table, spokenTime(0)).has_value());
+}
+
 }  // namespace
 }  // namespace rocinante

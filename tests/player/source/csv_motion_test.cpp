@@ -68,6 +68,17 @@ TEST(CsvMotion, ColumnsOfSignalsAreNamedOrHaveNoNumbers) {
   const auto tip = readCell("t,arm.j1,signal arm/tool0 tip:x,arm/tool0:x\n0,1,2,3\n").value();
   EXPECT_EQ(signalsOf(tip), "signal arm/tool0 tip:x: 0 2\n");
   EXPECT_EQ(accountSentence(tip.left_out), "left out: 1 column `arm/tool0:x` (the pose of a link)");
+  // What is derived of other columns says nothing of its own.
+  const auto derived = readCell(
+                           "t,arm.j1,d/dt arm.j1,mean 0.5 d/dt arm/tool0:x,arm.j1 - arm.j2,"
+                           "signal - a - signal - b\n0,1,2,3,4,5\n")
+                           .value();
+  EXPECT_EQ(signalsOf(derived), "");
+  EXPECT_EQ(derived.devices.size(), 1U);
+  EXPECT_EQ(accountSentence(derived.left_out),
+            "left out: 1 column `d/dt arm.j1` (derived of others), 1 column `mean 0.5 d/dt "
+            "arm/tool0:x` (derived of others), 1 column `arm.j1 - arm.j2` (derived of others), 1 "
+            "column `signal - a - signal - b` (derived of others)");
   // Only signals are a table, too.
   EXPECT_EQ(signalsOf(readCell("t,signal - x\n0,2\n").value()), "signal - x: 0 2\n");
 }

@@ -63,6 +63,17 @@ class LogTable : public testing::Test {
     return made;
   }
 
+  /// The table with what is derived, or why there is none.
+  std::string derivedOf(const std::vector<std::string>& texts, TableOptions options = {},
+                        std::vector<std::string> devices = {}, const Cell* cell = nullptr) {
+    auto session = MomentWalk::open(folder_ / "s.mcap");
+    EXPECT_TRUE(session.ok());
+    auto derived = DerivedColumns::of(cell, texts, folder_ / "s.mcap", *session);
+    if (!derived.ok()) return derived.error().what;
+    options.derived = &*derived;
+    return tableOf(folder_ / "s.mcap", options, cell, std::move(devices)).csv;
+  }
+
   Cell armCell() {
     EXPECT_TRUE(writeFileWhole(folder_ / "arm.urdf", bytesOf(kArm), true).ok());
     auto cell = loadCell(folder_ / "arm.urdf", {});
@@ -142,6 +153,54 @@ TEST_F(LogTable, ALinkMovesWithACarrierThatComesLater) {
   options.links = &*links;
   const Made made = tableOf(folder_ / "s.mcap", options, &cell, {"nobody"});
   EXPECT_THAT(made.csv, HasSubstr("\n0.00000002,3,0,0,")) << made.csv;
+}
+
+TEST_F(LogTable, HasWhatIsDerivedInTheWordsOfThePlots) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  const std::vector<Said> all = {{0, "RK1 s 0 0\njoint arm a=1 b=4\nsignal arm mode \"x\"\n"},
+                                 {kSecond / 2, "RK1 s 1 0\njoint arm a=2\n"},
+                                 {kSecond, "RK1 s 2 0\njoint arm a=4\n"},
+                                 {kSecond + 1, "RK1 s 3 0\njoint leg j=1\n"},
+                                 {2 * kSecond, "RK1 s 4 0\nremove arm\n"}};
+  test::writeSession(folder_ / "s.mcap", all);
+  const std::vector<std::string> both = {"d/dt arm.a", "arm.b - arm.a", "d/dt arm.a"};
+  EXPECT_EQ(derivedOf(both, {}, {"arm"}),
+            "t,arm.a,arm.b,d/dt arm.a,arm.b - arm.a\n"
+            "0,1,4,,3\n0.5,2,4,2,2\n1,4,4,4,0\n2,,,,\n");
+  EXPECT_EQ(derivedOf({"d/dt arm.a"}, {}, {"nobody"}), "t,d/dt arm.a\n0,\n0.5,2\n1,4\n2,\n")
+      << "a row for each sample of which it is made";
+  TableOptions changes;
+  changes.rows = TableOptions::Rows::changed;
+  EXPECT_EQ(derivedOf({"d/dt arm.a"}, changes, {"nobody"}), "t,d/dt arm.a\n0,\n0.5,2\n1,4\n2,\n");
+  TableOptions grid;
+  grid.rows = TableOptions::Rows::grid;
+  grid.every = std::chrono::milliseconds(250);
+  grid.from = LogTime(Nanoseconds(test::kWrittenOrigin + kSecond * 3 / 4));
+  grid.until = LogTime(Nanoseconds(test::kWrittenOrigin + kSecond * 5 / 4 + 1));
+  EXPECT_EQ(derivedOf({"d/dt arm.a", "mean 0.5 arm.a"}, grid, {"arm"}),
+            "t,arm.a,arm.b,d/dt arm.a,mean 0.5 arm.a\n"
+            "0.75,2,4,2,1.5\n1,4,4,4,2\n1.25,4,4,4,3\n")
+      << "with what was said before, and a mean also between samples";
+  EXPECT_EQ(derivedOf({"d/dt signal arm mode"}),
+            "`signal arm mode` is a text, and a text has no derivative");
+  EXPECT_EQ(derivedOf({"d/dt arm.c"}), "no packet states `arm.c`: did you mean `arm.a`?");
+  EXPECT_EQ(derivedOf({"mean 0 arm.a"}),
+            "`0` is no number of SECONDS from 1e-9 to 3600: mean SECONDS VALUE");
+  EXPECT_EQ(derivedOf({"arm.a"}), "`arm.a` is not d/dt VALUE, mean SECONDS VALUE or VALUE - VALUE");
+  EXPECT_EQ(derivedOf({"d/dt arm/a:x"}), "needs a cell: the log carries none, --cell CELL");
+}
+
+TEST_F(LogTable, DerivesOfLinksAndOfJointsByTheirPlaces) {
+  const Cell cell = armCell();
+  const std::vector<Said> all = {{0, "RK1 s 0 0\njoints arm 0 0\n"},
+                                 {1'000'000'000, "RK1 s 1 0\njoints arm 0 0.5\n"}};
+  test::writeSession(folder_ / "s.mcap", all);
+  EXPECT_THAT(derivedOf({"d/dt arm/c:z", "d/dt arm.j2"}, {}, {"nobody"}, &cell),
+              HasSubstr("\n1,0.5,0.5\n"));
+  EXPECT_EQ(derivedOf({"d/dt arm/d:z"}, {}, {}, &cell), "`arm` has no link `d`: there are a, b, c");
+  EXPECT_THAT(derivedOf({"d/dt arm.2"}),
+              HasSubstr("t,arm.1,arm.2,d/dt arm.2\n0,0,0,\n1,0,0.5,0.5\n"))
+      << "named as the columns are";
 }
 
 TEST_F(LogTable, AGridHoldsTheLastValue) {

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "core/log/log_reader.h"
+#include "core/series/positional_names.h"
 #include "core/series/series_table.h"
 #include "core/session/timeline.h"
-#include "viewer/shown/positional_names.h"
 #include "viewer/ui/study/log_scan.h"
 #include "viewer/ui/study/source_strips.h"
 #include "viewer/ui/study/study_thread.h"

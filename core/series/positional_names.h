@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/cell/cell.h"
-#include "core/series/series_scan.h"
+#include "core/series/said_values.h"
 
 namespace rocinante {
 

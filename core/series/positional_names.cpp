@@ -1,4 +1,4 @@
-#include "viewer/shown/positional_names.h"
+#include "core/series/positional_names.h"
 
 #include "core/kinematics/joint_values.h"
 
