@@ -20,7 +20,8 @@ PositionalNames tableNames(const Cell* cell) {
   return [cell](std::string_view device, const DeviceState& said) {
     std::vector<std::string> names;
     if (cell != nullptr) names = positionalNames(*cell)(device, said);
-    for (std::size_t i = 0; names.size() == i && said.joints && i < said.joints->value.size(); ++i) {
+    for (std::size_t i = 0; names.size() == i && said.joints && i < said.joints->value.size();
+         ++i) {
       names.push_back(std::to_string(i + 1));
     }
     return names;
@@ -30,18 +31,18 @@ PositionalNames tableNames(const Cell* cell) {
 Result<SeriesKey> derivedKey(const std::string& text) {
   if (auto key = parseDerivedKey(text)) return *std::move(key);
   const std::string fault = derivationFault(text);
-  return Error{ErrorKind::bad_argument,
-               !fault.empty()
-                   ? fault
-                   : fmt::format("`{}` is not d/dt VALUE, mean SECONDS VALUE or VALUE - VALUE", text),
-               kOption};
+  return Error{
+      ErrorKind::bad_argument,
+      !fault.empty()
+          ? fault
+          : fmt::format("`{}` is not d/dt VALUE, mean SECONDS VALUE or VALUE - VALUE", text),
+      kOption};
 }
 
 }  // namespace
 
 Result<DerivedColumns> DerivedColumns::of(const Cell* cell, const std::vector<std::string>& texts,
-                                          const std::filesystem::path& log,
-                                          MomentWalk& session) {
+                                          const std::filesystem::path& log, MomentWalk& session) {
   DerivedColumns columns(cell, log);
   for (const std::string& text : texts) {
     auto key = derivedKey(text);

@@ -61,11 +61,23 @@ SCRIPT
 show() {
   with_display rocinante view cell.toml s.mcap --size 1000x640 --samples 1 --profile reproducible --script "$1"
 }
+cat >paths.script <<'SCRIPT'
+plot arm.bend over arm/hand:qy
+plot d/dt arm.bend over signal arm load
+seek 6s
+frame 2
+screenshot paths.png
+plot signal arm load
+frame 2
+screenshot both.png
+SCRIPT
 show plots.script
-for other in none light derived; do
+show paths.script
+for other in none light derived paths both; do
   rocinante golden compare dark.png $other.png --quiet >/dev/null || echo "plots are not as in $other.png"
 done
-for wrong in 'signal arm mood' 'signal amr mode' 'arm.bent' 'arm/hnad:z' 'd/dt arm.bent'; do
+for wrong in 'signal arm mood' 'signal amr mode' 'arm.bent' 'arm/hnad:z' 'd/dt arm.bent' \
+  'mean nan arm.bend' 'd/dt signal arm mode' 'rate over arm.bend' 'signal arm mode over arm.bend'; do
   echo "plot $wrong" >wrong.script
   show wrong.script || echo "exit $?"
 done

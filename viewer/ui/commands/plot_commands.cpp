@@ -54,6 +54,10 @@ Status checkDerived(const SeriesKey& key, ViewModel& model) {
       return badWord(
           fmt::format("`{}` follows `{}`: derive from that", stated.text(), series.text()));
     }
+    const auto picture = pictureOfAll(model);
+    if (picture != nullptr && picture->texts->contains(stated)) {
+      return badWord(noNumberOf(key, stated));
+    }
   }
   return {};
 }
@@ -93,19 +97,66 @@ Status checkKey(const SeriesKey& key, ViewModel& model) {
                              whatThereIs(key.part, {names.begin(), names.end()})));
 }
 
-Result<SeriesKey> seriesKeyOf(CommandWords words) {
-  const std::string word = fmt::format("{}", fmt::join(words, " "));
+std::string oneText(CommandWords words) { return fmt::format("{}", fmt::join(words, " ")); }
+
+/// Whether a key that is not derived may be of a device whose name begins as one that is.
+bool isNamedSo(const SeriesKey& key, const ViewModel& model) {
+  return model.scene().findDevice(key.name) != nullptr ||
+         model.state().findDevice(key.name) != nullptr || model.viewer.plots.find(key) != nullptr;
+}
+
+Result<SeriesKey> seriesKeyOf(const std::string& word, const ViewModel& model) {
   auto key = parseSeriesKey(word);
+  const std::string fault = derivationFault(word);
+  if (!fault.empty() && !(key && isNamedSo(*key, model))) return badWord(fault);
   if (key) return std::move(*key);
   return badWord(fmt::format(
       "`{}` is not DEVICE.JOINT, DEVICE:x (or y z qx qy qz qw), DEVICE/LINK:x [in PATH], "
-      "signal PATH NAME, d/dt VALUE, mean SECONDS VALUE, VALUE - VALUE, rate, loss, "
-      "rate/SOURCE or loss/SOURCE",
+      "signal PATH NAME, d/dt VALUE, mean SECONDS VALUE, VALUE - VALUE, "
+      "VALUE over VALUE, rate, loss, rate/SOURCE or loss/SOURCE",
       word));
 }
 
+/// The two of `VALUE over VALUE`, y and x; nothing for anything else.
+Result<std::optional<std::pair<SeriesKey, SeriesKey>>> pathKeysOf(const std::string& word,
+                                                                  const ViewModel& model) {
+  const auto texts = parsePath(word);
+  if (!texts) return std::optional<std::pair<SeriesKey, SeriesKey>>();
+  auto y = seriesKeyOf(texts->first, model);
+  if (!y) return y.error();
+  auto x = seriesKeyOf(texts->second, model);
+  if (!x) return x.error();
+  return std::optional(std::pair(*std::move(y), *std::move(x)));
+}
+
+/// Refuses what no x-y plot can have.
+Status checkPathKey(const SeriesKey& key, ViewModel& model) {
+  if (!key.isValue()) {
+    return badWord(
+        fmt::format("`{}` counts packets: one value is plotted over another, such as "
+                    "joints, poses, links and signals",
+                    key.text()));
+  }
+  if (Status known = checkKey(key, model); !known) return known;
+  const auto picture = pictureOfAll(model);
+  if (picture == nullptr || !picture->texts->contains(key)) return {};
+  return badWord(fmt::format("`{}` is a text, and has no place on an axis", key.text()));
+}
+
+Status plotPath(const SeriesKey& y, const SeriesKey& x, ViewModel& model) {
+  for (const SeriesKey& key : {y, x}) {
+    if (Status may = checkPathKey(key, model); !may) return may;
+  }
+  if (model.viewer.plots.addPath(y, x)) return {};
+  return badWord(fmt::format("{} values are plotted over others, and there is no room for more",
+                             PlotBoard::kMaxPaths));
+}
+
 Status plotValueOf(CommandWords words, const CommandStage& stage) {
-  const auto key = seriesKeyOf(words);
+  const auto path = pathKeysOf(oneText(words), stage.model);
+  if (!path.ok()) return path.error();
+  if (*path) return plotPath((*path)->first, (*path)->second, stage.model);
+  const auto key = seriesKeyOf(oneText(words), stage.model);
   if (!key) return key.error();
   if (Status known = checkKey(*key, stage.model); !known) return known;
   if (stage.model.viewer.plots.add(*key)) return {};
@@ -119,7 +170,13 @@ Status unplotValue(CommandWords words, const CommandStage& stage) {
     plots.clear();
     return {};
   }
-  const auto key = seriesKeyOf(words);
+  const auto path = pathKeysOf(oneText(words), stage.model);
+  if (!path.ok()) return path.error();
+  if (*path) {
+    if (plots.removePath((*path)->first, (*path)->second)) return {};
+    return badWord(fmt::format("`{}` is not plotted", oneText(words)));
+  }
+  const auto key = seriesKeyOf(oneText(words), stage.model);
   if (!key) return key.error();
   if (plots.find(*key) == nullptr) return badWord(fmt::format("`{}` is not plotted", key->text()));
   plots.remove(*key);
@@ -225,7 +282,8 @@ std::vector<Command> plotCommands() {
       {.name = "plot",
        .arguments = "VALUE...",
        .means = "a curve: DEVICE.JOINT, DEVICE:x, DEVICE/LINK:x [in PATH], signal PATH NAME, "
-                "d/dt VALUE, mean SECONDS VALUE, VALUE - VALUE, rate, loss, rate/SOURCE",
+                "d/dt VALUE, mean SECONDS VALUE, VALUE - VALUE, rate, loss, rate/SOURCE; "
+                "VALUE over VALUE: x-y",
        .run = plotValueOf},
       {.name = "unplot",
        .arguments = "all|VALUE...",

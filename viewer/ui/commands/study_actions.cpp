@@ -10,10 +10,14 @@ namespace rocinante {
 Status writePlotted(ViewModel& model, const std::filesystem::path& path) {
   std::set<SeriesKey> seen;
   std::vector<SeriesKey> keys;
-  for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) {
-    if (!curve.key.isValue() || curve.key.kind == SeriesKey::Kind::derived) continue;
-    SeriesKey series = plotValue(curve.key, model.scene()).series;
-    if (seen.insert(series).second) keys.push_back(std::move(series));
+  const auto add = [&](const SeriesKey& key) {
+    SeriesKey series = plotValue(key, model.scene()).series;
+    if (key.isValue() && seen.insert(series).second) keys.push_back(std::move(series));
+  };
+  for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) add(curve.key);
+  for (const PlotBoard::Path& both : model.viewer.plots.paths()) {
+    add(both.x);
+    add(both.y);
   }
   LogStudy* const study = model.study();
   if (study == nullptr || keys.empty()) {

@@ -14,10 +14,37 @@ bool PlotBoard::add(SeriesKey key) {
   hidden = false;
   if (find(key) != nullptr) return true;
   if (curves_.size() >= kMaxCurves) return false;
-  std::size_t color = 0;
-  while (std::ranges::find(curves_, color, &Curve::color) != curves_.end()) ++color;
-  curves_.push_back({std::move(key), color});
+  curves_.push_back({std::move(key), freeColor()});
   return true;
+}
+
+std::size_t PlotBoard::freeColor() const {
+  std::size_t color = 0;
+  while (std::ranges::find(curves_, color, &Curve::color) != curves_.end() ||
+         std::ranges::find(paths_, color, &Path::color) != paths_.end()) {
+    ++color;
+  }
+  return color;
+}
+
+bool PlotBoard::addPath(SeriesKey y, SeriesKey x) {
+  hidden = false;
+  const bool is_there =
+      std::ranges::any_of(paths_, [&](const Path& path) { return path.y == y && path.x == x; });
+  if (is_there) return true;
+  if (paths_.size() >= kMaxPaths) return false;
+  height = std::max(height, kPathHeight);
+  paths_.push_back({std::move(y), std::move(x), freeColor()});
+  return true;
+}
+
+bool PlotBoard::removePath(const SeriesKey& y, const SeriesKey& x) {
+  return std::erase_if(paths_, [&](const Path& path) { return path.y == y && path.x == x; }) > 0;
+}
+
+void PlotBoard::clear() {
+  curves_.clear();
+  paths_.clear();
 }
 
 void PlotBoard::remove(const SeriesKey& key) {
@@ -28,6 +55,15 @@ bool PlotBoard::toggle(const SeriesKey& key) {
   if (find(key) == nullptr) return add(key);
   remove(key);
   return true;
+}
+
+std::optional<std::pair<std::string, std::string>> parsePath(std::string_view text) {
+  constexpr std::string_view kOver = " over ";
+  for (std::size_t at = text.find(kOver); at != text.npos; at = text.find(kOver, at + 1)) {
+    const std::string_view y = text.substr(0, at), x = text.substr(at + kOver.size());
+    if (parseSeriesKey(y) && parseSeriesKey(x)) return std::pair(std::string(y), std::string(x));
+  }
+  return std::nullopt;
 }
 
 }  // namespace rocinante

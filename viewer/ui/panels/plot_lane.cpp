@@ -70,8 +70,8 @@ bool isOfSignals(const SeriesKey& key) {
   });
 }
 
-/// Of the signal now, or of those that a value is derived of, if they have one; empty for anything
-/// else.
+}  // namespace
+
 std::string signalUnit(const ViewModel& model, const SeriesKey& key) {
   if (!isOfSignals(key)) return {};
   std::optional<std::string> unit;
@@ -83,8 +83,6 @@ std::string signalUnit(const ViewModel& model, const SeriesKey& key) {
   }
   return unit.value_or("");
 }
-
-}  // namespace
 
 std::vector<PlotLane> plotLanes(const ViewModel& model) {
   std::map<std::tuple<PlotUnit, int, std::string>, PlotLane> by_unit;

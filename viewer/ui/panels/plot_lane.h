@@ -60,6 +60,10 @@ const std::string* stateAt(const PlottedCurve& plotted, const StudyPicture& pict
 std::optional<double> valueAt(const PlottedCurve& plotted, const StudyPicture& picture,
                               const TimeAxis& axis, float x);
 
+/// The unit of the signal at the shown moment, or of those that a value is derived of, if they have
+/// one; empty for anything else.
+std::string signalUnit(const ViewModel& model, const SeriesKey& key);
+
 /// The value of the shown moment itself, which is exact.
 std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plotted);
 

@@ -13,6 +13,7 @@
 #include "viewer/ui/panels/plot_drawing.h"
 #include "viewer/ui/panels/plot_lane.h"
 #include "viewer/ui/panels/plot_parts.h"
+#include "viewer/ui/panels/plot_paths.h"
 #include "viewer/ui/panels/time_axis.h"
 
 namespace rocinante {
@@ -248,12 +249,16 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
   drawSplitter(model, place.width, display.y);
   drawTools(model, axis, room);
   const float top = place.y + px(22);
-  const float lanes_height = std::max(px(20), place.height - px(22 + 10));
-  std::vector<PlotLane> lanes = plotLanes(model);
-  if (lanes.empty()) {  // cleared just now
+  const float whole_height = std::max(px(20), place.height - px(22 + 10));
+  const float paths_height = pathsHeight(model, whole_height);
+  const float paths_top = top + whole_height - paths_height;
+  if (model.viewer.plots.curves().empty()) {  // or everything was cleared just now
+    drawPaths(model, axis, {paths_top, paths_height}, cursor.position(now), std::nullopt, room);
     ImGui::End();
     return;
   }
+  const float lanes_height = std::max(px(20), whole_height - paths_height - px(6));
+  std::vector<PlotLane> lanes = plotLanes(model);
   placeLanes(lanes, top, lanes_height);
   nameCurves(model, lanes, room);
 
@@ -284,6 +289,9 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
     list->AddText(ImVec2(axis.left + px(6), top + px(4)), panelColor(PanelColor::fault),
                   model.viewer.picture->fault.c_str());
   }
+  const auto moment =
+      cursors.mouse_x ? std::optional(axis.momentAt(*cursors.mouse_x)) : std::nullopt;
+  drawPaths(model, axis, {paths_top, paths_height}, cursor.position(now), moment, room);
   if (removed) model.viewer.plots.remove(*removed);
   ImGui::End();
 }

@@ -113,6 +113,10 @@ void askStudy(ViewModel& model, const TimeAxis& axis) {
           curve.key.isOfDevice() ? model.scene().findDevice(curve.key.name) : nullptr;
       wish.keys.push_back(plotValue(curve.key, device == nullptr ? nullptr : device->model).series);
     }
+    for (const PlotBoard::Path& path : model.viewer.plots.paths()) {
+      wish.paths.emplace_back(plotValue(path.x, model.scene()).series,
+                              plotValue(path.y, model.scene()).series);
+    }
   }
   model.viewer.picture = study->show(wish);
   LogStudy* const study_beside = model.beside_shown ? model.studyBeside() : nullptr;

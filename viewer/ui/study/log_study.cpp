@@ -1,7 +1,5 @@
 #include "viewer/ui/study/log_study.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <functional>
@@ -11,9 +9,9 @@
 
 #include "core/log/log_reader.h"
 #include "core/series/positional_names.h"
-#include "core/series/series_table.h"
 #include "core/session/timeline.h"
 #include "viewer/ui/study/log_scan.h"
+#include "viewer/ui/study/plotted_table.h"
 #include "viewer/ui/study/source_strips.h"
 #include "viewer/ui/study/study_thread.h"
 
@@ -27,12 +25,6 @@ constexpr std::size_t kMaxColumns = 8192;
 constexpr Nanoseconds kShowEvery = 100ms;
 /// How often a growing log is looked at.
 constexpr Nanoseconds kLookEvery = 150ms;
-
-struct TableWish {
-  std::vector<SeriesKey> keys;
-  LogTime from{}, until{};
-  std::filesystem::path path;
-};
 
 }  // namespace
 
@@ -74,6 +66,7 @@ struct LogStudy::Impl {
   SteadyTime looked{};              ///< whether the log has grown
   std::set<SeriesKey> part_keys;
   std::shared_ptr<const std::vector<SeriesKey>> stated;  ///< null: not all is read
+  std::shared_ptr<const std::set<SeriesKey>> texts;      ///< of them
 
   std::mutex mutex;
   std::condition_variable_any asked, answered;
@@ -204,7 +197,7 @@ Result<SessionState> LogStudy::Impl::stateAt(LogTime moment) {
 
 /// A bin that is known is no wider than a pixel.
 bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
-  return std::ranges::all_of(wish.keys, [&](const SeriesKey& key) {
+  return std::ranges::all_of(wish.values(), [&](const SeriesKey& key) {
     const LogScan* const scan = key.isValue() ? scanOf(key) : nullptr;
     return scan == nullptr || scan->isFine(key, wish.pixel());
   });
@@ -214,7 +207,7 @@ bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
 Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop) {
   const Nanoseconds span = wish.until - wish.from;
   const Nanoseconds pixel = wish.pixel();
-  std::set<SeriesKey> keys(wish.keys.begin(), wish.keys.end());
+  std::set<SeriesKey> keys = wish.values();
   const bool known = part && part->ended() && part->from() <= wish.from &&
                      part->until() >= wish.until &&
                      (part->until() - part->from()) / 16384 <= pixel && part_keys == keys;
@@ -225,14 +218,17 @@ Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop
     const LogTime until = wish.until + std::min(beside, std::max(Nanoseconds(0), end - wish.until));
     // What is derived begins with what lies before.
     const LogTime first = from - std::min(reachOf(keys), from - start);
-    auto before = stateAt(first);
+    // At the log's start even the first sample has its time, which `before` does not know.
+    const bool begins = first == start;
+    auto before = begins ? SessionState() : stateAt(first);
     if (!before.ok()) return before.error();
     auto reader = LogReader::open(log);
     if (!reader.ok()) return reader.error();
-    if (Status there = reader->seek(first + Nanoseconds(1)); !there) return there;
+    const Status there = begins ? reader->rewind() : reader->seek(first + Nanoseconds(1));
+    if (!there) return there;
     auto scan =
         std::make_unique<LogScan>(std::move(*reader), optionsFor(from, until, keys), from, until);
-    scan->series().beginWith(std::move(*before), first);
+    if (!begins) scan->series().beginWith(std::move(*before), first);
     while (!scan->ended()) {
       if (Status read = scan->step(); !read) return read;
       if (stop.stop_requested() || !(wished() == wish)) return {};
@@ -273,10 +269,22 @@ void LogStudy::Impl::publish(const StudyWish& wish, const LogScan* refined, bool
       states = statesUntil(scan->series().states(key), wish, reachedBy(*scan));
     }
   }
+  StudyWish finer = wish;
+  finer.columns = StudyWish::kPathColumns;
+  const auto finely = [&](const SeriesKey& key) {
+    const LogScan* const scan = refined != nullptr ? refined : scanOf(key);
+    const ValueBins* const values = scan == nullptr ? nullptr : scan->series().values(key);
+    return columnsUntil(values, finer, scan == nullptr ? LogTime() : reachedBy(*scan));
+  };
+  for (const auto& [x, y] : wish.paths) made->paths.push_back({finely(x), finely(y)});
   made->damaged = all->damaged();
   if (all->ended() && !all->grows()) {
-    if (!stated) stated = std::make_shared<std::vector<SeriesKey>>(all->series().keys());
+    if (!stated) {
+      stated = std::make_shared<std::vector<SeriesKey>>(all->series().keys());
+      texts = std::make_shared<std::set<SeriesKey>>(textsOf(all->series()));
+    }
     made->stated = stated;
+    made->texts = texts;
   }
   const std::lock_guard lock(mutex);
   made->fault = fault;
@@ -285,16 +293,9 @@ void LogStudy::Impl::publish(const StudyWish& wish, const LogScan* refined, bool
 }
 
 Result<std::string> LogStudy::Impl::tableOf(const TableWish& wish, const std::stop_token& stop) {
-  auto before = stateAt(wish.from);
-  if (!before.ok()) return before.error();
-  auto reader = LogReader::open(log);
-  if (!reader.ok()) return reader.error();
-  auto [keys, left_out] = tableKeys(wish.keys, all->series());
-  const SeriesTable table{std::move(keys), wish.from, wish.until,
-                          names,           &cell,     [&stop] { return !stop.stop_requested(); }};
-  const auto rows = writeSeriesTable(table, std::move(*before), *reader, wish.path);
-  if (!rows.ok()) return rows.error();
-  return fmt::format("{}: {} rows{}", wish.path.string(), *rows, left_out);
+  const auto state_at = [this](LogTime moment) { return stateAt(moment); };
+  const auto goes_on = [&stop] { return !stop.stop_requested(); };
+  return writePlottedTable(wish, {cell, names, log, start, all->series(), state_at, goes_on});
 }
 
 /// A log that grows is known as finely as it was gathered.

@@ -53,16 +53,25 @@ bool isChosen(const SeriesKey& key) {
 
 std::set<SeriesKey> chosenKeys(const StudyWish& wish) {
   std::set<SeriesKey> keys;
-  for (const SeriesKey& key : wish.keys) {
+  for (const SeriesKey& key : wish.values()) {
     if (isChosen(key)) keys.insert(key);
   }
   return keys;
 }
 
+std::set<SeriesKey> StudyWish::values() const {
+  std::set<SeriesKey> all(keys.begin(), keys.end());
+  for (const auto& [x, y] : paths) {
+    all.insert(x);
+    all.insert(y);
+  }
+  return all;
+}
+
 TableKeys tableKeys(const std::vector<SeriesKey>& keys, const SeriesScan& all) {
   TableKeys made;
   for (const SeriesKey& key : keys) {
-    if (all.values(key) != nullptr || all.states(key) == nullptr) {
+    if (!all.isText(key)) {
       made.keys.push_back(key);
       continue;
     }
@@ -70,6 +79,14 @@ TableKeys tableKeys(const std::vector<SeriesKey>& keys, const SeriesScan& all) {
     made.left_out += key.text();
   }
   return made;
+}
+
+std::set<SeriesKey> textsOf(const SeriesScan& all) {
+  std::set<SeriesKey> texts;
+  for (const SeriesKey& key : all.keys()) {
+    if (all.isText(key)) texts.insert(key);
+  }
+  return texts;
 }
 
 std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyWish& wish,
@@ -88,6 +105,8 @@ std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
   auto aligned = std::make_shared<StudyPicture>();
   aligned->wish = wish;
   aligned->wish.keys = beside.wish.keys;
+  aligned->wish.paths = beside.wish.paths;
+  aligned->paths = beside.paths;  // no axis of theirs is the time
   aligned->whole = beside.whole;
   const Mapping mapping{beside.wish, wish, alignment};
   for (const auto& curve : beside.curves) aligned->curves.push_back(mapping.of(curve));

@@ -11,6 +11,7 @@
 
 #include "core/series/series_scan.h"
 #include "core/session/event_alignment.h"
+#include "viewer/shown/xy_shape.h"
 
 namespace rocinante {
 
@@ -20,11 +21,16 @@ struct StudyWish {
   LogTime from{}, until{};
   std::size_t columns = 0;        ///< pixels from `from` to `until`, at most 8192
   std::size_t strip_columns = 0;  ///< of the sources' rates, at most 8192
-  /// How long a column is, at least 1 ns.
+  std::vector<std::pair<SeriesKey, SeriesKey>> paths{};  ///< one over another: of x and of y
+  /// Into how many parts paths cut the time.
+  static constexpr std::size_t kPathColumns = 4096;
+  /// How long a column is, at least 1 ns: the shortest that is asked for.
   Nanoseconds pixel() const {
-    const auto count = static_cast<std::int64_t>(columns > 0 ? columns : 1);
-    return std::max(Nanoseconds(1), (until - from) / count);
+    const std::size_t most = std::max<std::size_t>(columns, paths.empty() ? 1 : kPathColumns);
+    return std::max(Nanoseconds(1), (until - from) / static_cast<std::int64_t>(most));
   }
+  /// The values of curves and of paths.
+  std::set<SeriesKey> values() const;
   bool operator==(const StudyWish&) const = default;
 };
 
@@ -50,6 +56,9 @@ struct TableKeys {
 /// Without those that packets state as texts alone.
 TableKeys tableKeys(const std::vector<SeriesKey>& keys, const SeriesScan& all);
 
+/// What packets state as texts alone.
+std::set<SeriesKey> textsOf(const SeriesScan& all);
+
 /// The answer to a wish, ready to be drawn.
 struct StudyPicture {
   StudyWish wish;
@@ -57,10 +66,13 @@ struct StudyPicture {
   /// that no packet states.
   std::vector<std::vector<ValueColumn>> curves;
   std::vector<StateCurve> states;                    ///< by key
+  std::vector<XyColumns> paths;                      ///< of the wish's
   std::vector<SourceStrip> strips;                   ///< all, then by source
   std::vector<std::pair<LogTime, LogTime>> damaged;  ///< packets may be missing there
   /// Every value that packets state; null until all of the log is read, and while it grows.
   std::shared_ptr<const std::vector<SeriesKey>> stated;
+  /// Those of them that are texts alone; null as `stated` is.
+  std::shared_ptr<const std::set<SeriesKey>> texts;
   LogTime reached{};   ///< known until here
   bool whole = false;  ///< everything is known, as finely as pixels are
   std::string fault;   ///< why the log cannot be read; one sentence, or empty

@@ -168,5 +168,54 @@ TEST_F(TimeCommands, KeysOfTheTimeLine) {
   EXPECT_TRUE(model_->viewer.panels.asks_time);
 }
 
+TEST_F(TimeCommands, NothingIsDerivedOfATextOrOverNoTime) {
+  test::writeSession(folder_ / "t.mcap",
+                     {{0, "joints arm 0\nsignal arm mode \"auto\"\nsignal arm load 2 kg\n"},
+                      {1000, "joints arm 1\nsignal arm mode \"hold\"\nsignal arm load 3 kg\n"}});
+  show("t.mcap");
+  EXPECT_EQ(run("plot signal arm mode"), "");
+  EXPECT_EQ(run("plot d/dt signal arm load"), "");
+  EXPECT_EQ(run("plot d/dt signal arm mode"),
+            "`signal arm mode` is a text, and a text has no derivative");
+  EXPECT_EQ(run("plot signal arm load - signal arm mode"),
+            "`signal arm mode` is a text, and a text has no difference");
+  EXPECT_EQ(run("plot mean nan arm.turn"),
+            "`nan` is no number of SECONDS from 1e-9 to 3600: mean SECONDS VALUE");
+  EXPECT_EQ(run("plot mean 0.5 arm"), "`arm` is no joint, pose, link or signal that has a mean");
+  EXPECT_EQ(model_->viewer.plots.curves().size(), 2U);
+}
+
+TEST_F(TimeCommands, ATableHasDerivedCurvesAlone) {
+  model_->viewer.time_view.showAll();
+  EXPECT_EQ(run("plot d/dt arm.turn"), "");
+  const std::string file = (folder_ / "t.csv").string();
+  EXPECT_EQ(run("table " + file), "");
+  EXPECT_EQ(*readFile(file), "t,\"d/dt arm.turn\"\n1,1\n4,0.3333333333333333\n");
+}
+
+TEST_F(TimeCommands, PlotsOneValueOverAnother) {
+  EXPECT_EQ(run("plot arm/hand:y over arm/hand:x"), "");
+  EXPECT_EQ(run("plot d/dt arm.turn over arm.turn"), "");
+  EXPECT_TRUE(model_->viewer.plots.curves().empty());
+  ASSERT_EQ(model_->viewer.plots.paths().size(), 2U);
+  EXPECT_EQ(run("plot arm.turn over arm.bend"),
+            "`arm` has no joint value `bend`: there is only turn");
+  EXPECT_EQ(
+      run("plot rate over arm.turn"),
+      "`rate` counts packets: one value is plotted over another, such as joints, poses, links "
+      "and signals");
+  EXPECT_EQ(run("unplot arm.turn over arm/hand:x"), "`arm.turn over arm/hand:x` is not plotted");
+  EXPECT_EQ(run("unplot arm/hand:y over arm/hand:x"), "");
+  EXPECT_EQ(model_->viewer.plots.paths().size(), 1U);
+  EXPECT_TRUE(model_->viewer.plots.shown());
+  EXPECT_EQ(run("unplot all"), "");
+  EXPECT_FALSE(model_->viewer.plots.shown());
+  test::writeSession(folder_ / "t.mcap", {{0, "joints arm 0\nsignal arm mode \"auto\"\n"},
+                                          {1000, "joints arm 1\nsignal arm mode \"hold\"\n"}});
+  show("t.mcap");
+  EXPECT_EQ(run("plot arm.turn over signal arm mode"),
+            "`signal arm mode` is a text, and has no place on an axis");
+}
+
 }  // namespace
 }  // namespace rocinante

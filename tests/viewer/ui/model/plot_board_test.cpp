@@ -43,5 +43,40 @@ TEST(PlotBoard, AddingShowsItAgain) {
   EXPECT_FALSE(board.shown());
 }
 
+TEST(PlotBoard, HoldsValuesOverOneAnother) {
+  PlotBoard board;
+  EXPECT_TRUE(board.addPath(joint(1), joint(2)));
+  EXPECT_TRUE(board.shown());
+  EXPECT_GE(board.height, PlotBoard::kPathHeight);
+  EXPECT_TRUE(board.addPath(joint(1), joint(2)));
+  EXPECT_TRUE(board.addPath(joint(2), joint(1)));
+  ASSERT_EQ(board.paths().size(), 2U);
+  EXPECT_EQ(board.paths()[0].text(), "arm.j1 over arm.j2");
+  board.add(joint(3));
+  EXPECT_EQ(board.curves()[0].color, 2U) << "none has the colour of another";
+  for (int i = 3; i < 20; ++i) board.addPath(joint(i), joint(0));
+  EXPECT_EQ(board.paths().size(), PlotBoard::kMaxPaths);
+  EXPECT_TRUE(board.removePath(joint(1), joint(2)));
+  EXPECT_FALSE(board.removePath(joint(1), joint(2)));
+  board.clear();
+  EXPECT_FALSE(board.shown());
+}
+
+TEST(PlotBoard, APathIsReadByTheWordBetween) {
+  const auto read = [](const char* text) {
+    const auto path = parsePath(text);
+    return path ? path->first + "|" + path->second : std::string("-");
+  };
+  EXPECT_EQ(read("arm/tip:y over arm/tip:x"), "arm/tip:y|arm/tip:x");
+  EXPECT_EQ(read("d/dt arm.a - arm.b over mean 0.5 signal - load"),
+            "d/dt arm.a - arm.b|mean 0.5 signal - load");
+  EXPECT_EQ(read("arm/tip:y in the table over arm/tip:x in the table"),
+            "arm/tip:y in the table|arm/tip:x in the table");
+  EXPECT_EQ(read("signal arm over over arm.b"), "signal arm over|arm.b");
+  EXPECT_EQ(read("arm.a"), "-");
+  EXPECT_EQ(read("arm.a over"), "-");
+  EXPECT_EQ(read("arm over arm.b"), "-");
+}
+
 }  // namespace
 }  // namespace rocinante

@@ -99,6 +99,33 @@ TEST_F(StudiedLog, GathersWhatIsDerived) {
   EXPECT_NEAR(*close->curves[1][90].held, 0.5, 1e-3);
 }
 
+TEST_F(StudiedLog, GathersOneValueOverAnother) {
+  LogStudy study(cell_, folder_ / "s.mcap");
+  study.waits = true;
+  StudyWish asked = wish(0, 10'000);
+  asked.keys.clear();
+  const SeriesKey x = *parseSeriesKey("arm/hand:qw"), y = *parseSeriesKey("arm/hand:qz");
+  asked.paths = {{x, y}};
+  const auto picture = study.show(asked);
+  ASSERT_TRUE(picture->whole);
+  ASSERT_EQ(picture->paths.size(), 1U);
+  const XyColumns& path = picture->paths[0];
+  ASSERT_EQ(path.x.size(), StudyWish::kPathColumns);
+  ASSERT_EQ(path.y.size(), StudyWish::kPathColumns);
+  for (const double part : {0.1, 0.5, 0.9}) {
+    const auto pair = pairAt(path, part);
+    ASSERT_TRUE(pair.has_value());
+    EXPECT_NEAR(pair->first * pair->first + pair->second * pair->second, 1, 1e-5) << "on a circle";
+  }
+  // A part that is shown larger is read again for both.
+  asked.from = sessionTime(5000) - Nanoseconds(5000);
+  asked.until = sessionTime(5000) + Nanoseconds(5000);
+  const auto close = study.show(asked);
+  ASSERT_EQ(close->paths.size(), 1U);
+  EXPECT_NEAR(pairAt(close->paths[0], 0.1)->second, std::sin(49 * 0.05 / 2), 1e-5);
+  EXPECT_NEAR(pairAt(close->paths[0], 0.9)->second, std::sin(50 * 0.05 / 2), 1e-5);
+}
+
 TEST_F(StudiedLog, KeepsStatesWithTheirTexts) {
   test::writeSession(folder_ / "m.mcap", {{0, "signal arm mode \"auto\"\nsignal - estop false\n"},
                                           {5000, "signal arm mode \"fault\"\n"},
@@ -121,6 +148,8 @@ TEST_F(StudiedLog, KeepsStatesWithTheirTexts) {
   EXPECT_EQ(picture->curves[2].size(), 100U) << "a boolean is a number too";
   ASSERT_NE(picture->stated, nullptr);
   EXPECT_EQ(picture->stated->size(), 2U);
+  ASSERT_NE(picture->texts, nullptr);
+  EXPECT_EQ(*picture->texts, (std::set<SeriesKey>{*parseSeriesKey("signal arm mode")}));
 }
 
 TEST_F(StudiedLog, ReadsAPartAgainWhenPixelsAreFiner) {
