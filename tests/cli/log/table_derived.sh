@@ -14,7 +14,7 @@ make_pcap s.pcap \
   '0:whole:RK1 arm@a 0 -\njoint arm lift=0\nsignal arm load 5 kg\nsignal arm mode "auto"\n' \
   '500:whole:RK1 arm@a 1 -\njoint arm lift=1\n' \
   '1000:whole:RK1 arm@a 2 -\njoint arm lift=1\nsignal arm load 7 kg\n' \
-  '1500:whole:RK1 arm@a 3 -\nremove arm\n'
+  '1500:whole:RK1 arm@a 3 -\njoint arm lift=3\n'
 rocinante log import s.pcap -o s.mcap --cell cell.toml
 rocinante log table s.mcap --derive 'd/dt arm.lift' --derive 'mean 1 signal arm load' \
   --derive 'arm/tip:z - arm.lift' -o all.csv --json
