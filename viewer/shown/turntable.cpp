@@ -94,6 +94,23 @@ void Turntable::zoomAt(double steps, double right_px, double down_px, int height
   pan(-right_px * grown, -down_px * grown, height_px);
 }
 
+void Turntable::fly(double right_m, double forward_m, double up_m) {
+  const Vec3 forward = -direction();
+  const Vec3 right = glm::normalize(glm::cross(forward, Vec3(0, 0, 1)));
+  if (ortho_height_m_) {
+    target_ += right * right_m + glm::cross(right, forward) * forward_m;
+    ortho_height_m_ = std::clamp(*ortho_height_m_ + up_m, kMinDistance, kMaxDistance);
+    return;
+  }
+  target_ += right * right_m + forward * forward_m + Vec3(0, 0, up_m);
+}
+
+void Turntable::lookAround(double dx_px, double dy_px, int height_px) {
+  const Vec3 eye = target_ + direction() * distance_m_;
+  orbit(dx_px / 2, dy_px / 2, height_px);
+  target_ = eye - direction() * distance_m_;
+}
+
 void Turntable::fit(const std::vector<Vec3>& points, int width_px, int height_px) {
   if (points.empty()) return;
   Vec3 low = points.front();

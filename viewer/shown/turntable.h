@@ -30,6 +30,12 @@ class Turntable {
   void aimAt(const Vec3& point) { target_ = point; }
   /// Moves eye and target.
   void shift(const Vec3& by) { target_ += by; }
+  /// Moves eye and target, in metres: to the right, where the view looks, and upwards in the world.
+  /// An orthographic view moves up in the picture instead of forward, and its height grows upwards.
+  void fly(double right_m, double forward_m, double up_m);
+  /// The eye stays and looks elsewhere: with a drag to the right, to the right. A drag over the
+  /// whole height turns by pi / 2.
+  void lookAround(double dx_px, double dy_px, int height_px);
   /// Shows all `points` from the present direction. Does nothing without points.
   void fit(const std::vector<Vec3>& points, int width_px, int height_px);
 

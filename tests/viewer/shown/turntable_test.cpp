@@ -126,5 +126,34 @@ TEST(Turntable, ANarrowWindowStandsFartherOff) {
   EXPECT_GT(lengthOf(narrow.view().eye), lengthOf(wide.view().eye));
 }
 
+TEST(Turntable, FliesWhereItLooks) {
+  Turntable camera(viewFrom({0, -5, 1}, {0, 0, 1}));
+  camera.fly(1, 2, 3);
+  expectNear(camera.view().eye, {1, -3, 4});
+  expectNear(camera.view().target, {1, 2, 4});
+}
+
+TEST(Turntable, WithoutPerspectiveItFliesInThePicture) {
+  CameraView above = viewFrom({0, -0.01, 10}, {0, 0, 0});
+  above.ortho_height_m = 4;
+  Turntable camera(above);
+  camera.fly(1, 2, 3);
+  expectNear(camera.view().target, {1, 2, 0}, 0.01);
+  EXPECT_DOUBLE_EQ(*camera.view().ortho_height_m, 7);
+  camera.fly(0, 0, -100);
+  EXPECT_GT(*camera.view().ortho_height_m, 0);
+}
+
+TEST(Turntable, LookingAroundKeepsTheEye) {
+  Turntable camera(viewFrom({0, -5, 1}, {0, 0, 1}));
+  // To the right by a quarter turn, half the way of an orbit.
+  camera.lookAround(720, 0, 720);
+  expectNear(camera.view().eye, {0, -5, 1});
+  expectNear(camera.view().target, {5, -5, 1});
+  camera.lookAround(0, 100, 720);
+  expectNear(camera.view().eye, {0, -5, 1});
+  EXPECT_LT(camera.view().target.z, 1);
+}
+
 }  // namespace
 }  // namespace rocinante

@@ -180,7 +180,7 @@ std::vector<Command> inputCommands() {
        .run = inScript<pressHere>},
       {.name = "hold",
        .arguments = "KEY",
-       .means = "a key goes down: shift, ctrl, alt, or one that edits text",
+       .means = "a key goes down: shift, ctrl, alt, one that edits text or flies",
        .run = inScript<holdThisKey>},
       {.name = "release", .arguments = "KEY", .means = "it goes up", .run = inScript<releaseKey>},
       {.name = "type",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/cell/cell.h"
+#include "viewer/ui/model/fly_mode.h"
 #include "viewer/ui/model/inspection.h"
 #include "viewer/ui/model/packet_search.h"
 #include "viewer/ui/model/panel_state.h"
@@ -56,6 +57,7 @@ struct ViewerState {
   PixelRectangle picture_part;           ///< what the picture has of the window, in its pixels
   std::optional<InsetDrag> inset_drag;
   std::optional<int> made_width;  ///< of pictures made of the window, in pixels; empty: as seen
+  FlyMode fly;
   PanelState panels;
   TimeView time_view;  ///< what the time line shows
   MomentHover hover;

@@ -14,6 +14,7 @@ struct HelpLine {
 
 const std::vector<HelpLine> kMouse = {{"left drag", "turn about the target"},
                                       {"middle or right drag", "pan; so does Shift and left"},
+                                      {"right and WASD, QE", "fly; Shift: faster; wheel: speed"},
                                       {"wheel", "zoom at the mouse"},
                                       {"click", "select the object there"},
                                       {"double click", "turn about that point"}};

@@ -132,6 +132,10 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
         others.is_fault ? PanelColor::fault : PanelColor::others);
     lines.back().stays = true;
   }
+  if (model.viewer.fly.active()) {
+    add("flying", fmt::format("flying at {:.2g} m/s", model.viewer.fly.speed()),
+        "W A S D, Q and E; Shift: faster; the wheel changes the speed", kHint);
+  }
   if (model.viewer.picking.active()) {
     add("picking",
         model.viewer.picking.first() ? "click the second point"

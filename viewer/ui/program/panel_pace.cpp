@@ -6,6 +6,8 @@ namespace rocinante {
 
 Nanoseconds panelsChangeEvery(const ViewModel& model, const ProgramBusy& busy) {
   using namespace std::chrono_literals;
+  // One frame after the other.
+  if (model.viewer.fly.moving()) return Nanoseconds(0);
   if (model.viewer.packet.searching()) return 16ms;
   if (busy.loading) return 50ms;
   if (busy.notice || busy.typing) return 200ms;

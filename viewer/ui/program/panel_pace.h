@@ -13,7 +13,7 @@ struct ProgramBusy {
 };
 
 /// How often panels change by themselves: a notice goes, a caret blinks, and live figures tell how
-/// long ago something came. Nanoseconds::max(): never.
+/// long ago something came; zero: the view flies. Nanoseconds::max(): never.
 Nanoseconds panelsChangeEvery(const ViewModel& model, const ProgramBusy& busy);
 
 /// Nothing moves: when to look at mouse, network and background again, in seconds.

@@ -35,6 +35,10 @@ Status RequestDesk::look(const ViewerRequests& requests, const WindowSize& size,
   if (requests.point) {
     if (auto pointed = my_.picture.point(*requests.point); !pointed) return pointed;
   }
+  if (requests.measure_scene) {
+    const Bounds all = my_.picture.renderer().visibleBounds(my_.model.scene(), my_.model.choice());
+    my_.model.viewer.fly.setSceneSize(all.empty() ? 0 : lengthOf(all.max - all.min));
+  }
   if (requests.reset) my_.model.resetCamera();
   if (requests.fit || (requests.reset && my_.model.cameraName().empty())) {
     my_.model.fit(my_.picture.corners(false), size.width, size.height);

@@ -9,6 +9,7 @@
 
 #include "viewer/ui/commands/key_commands.h"
 #include "viewer/ui/model/view_insets.h"
+#include "viewer/ui/program/fly_input.h"
 #include "viewer/ui/window/interface_context.h"
 
 namespace rocinante {
@@ -97,7 +98,8 @@ std::optional<PicturePlace> mouseOnPicture(const ViewModel& model) {
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now,
                                            std::span<const KeyPress> presses,
                                            ViewerRequests& requests) {
-  const auto click = applyMouse(model);
+  const bool flies = applyFlying(model, now, model.viewer.picture_part.height, requests);
+  const auto click = flies ? std::nullopt : applyMouse(model);
   const ImGuiIO& io = ImGui::GetIO();
   // Whatever has the keyboard, Esc ends driving.
   const bool ended =
@@ -126,6 +128,7 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now,
       continue;
     }
     if (ended && press.key == GLFW_KEY_ESCAPE) continue;
+    if (flies && isFlyKey(press)) continue;
     tell(runKey(press, stage));
     if (!model.viewer.panels.palette.shown && !model.viewer.panels.open.shown) continue;
     // What follows is typed into it.

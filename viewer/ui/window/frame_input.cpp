@@ -43,6 +43,19 @@ constexpr std::array kOtherKeys {
       EditingKey{GLFW_KEY_V, ImGuiKey_V}, EditingKey{GLFW_KEY_X, ImGuiKey_X},
       EditingKey{GLFW_KEY_Y, ImGuiKey_Y}, EditingKey{GLFW_KEY_Z, ImGuiKey_Z},
 };
+/// Keys that it does not ask for: with A they fly while the right mouse button is held. Before
+/// Dear ImGui 1.87 they have no names there.
+constexpr std::array kFlyKeys {
+#if IMGUI_VERSION_NUM >= 18700
+  EditingKey{GLFW_KEY_W, ImGuiKey_W}, EditingKey{GLFW_KEY_S, ImGuiKey_S},
+      EditingKey{GLFW_KEY_D, ImGuiKey_D}, EditingKey{GLFW_KEY_Q, ImGuiKey_Q},
+      EditingKey{GLFW_KEY_E, ImGuiKey_E},
+#else
+  EditingKey{GLFW_KEY_W, ImGuiKey_COUNT}, EditingKey{GLFW_KEY_S, ImGuiKey_COUNT},
+      EditingKey{GLFW_KEY_D, ImGuiKey_COUNT}, EditingKey{GLFW_KEY_Q, ImGuiKey_COUNT},
+      EditingKey{GLFW_KEY_E, ImGuiKey_COUNT},
+#endif
+};
 
 /// Held keys that change what others and the mouse mean.
 struct ModifierKey {
@@ -113,6 +126,7 @@ FrameInput seenInput() {
   };
   std::ranges::for_each(kEditingKeys, take);
   std::ranges::for_each(kOtherKeys, take);
+  std::ranges::for_each(kFlyKeys, take);
   for (const ModifierKey& modifier : kModifiers) {
     if (io.*modifier.held) seen.held.push_back(modifier.glfw);
   }
@@ -143,6 +157,7 @@ void tellInput(ImGuiIO& io, const FrameInput& input) {
   const auto tell = [&](const EditingKey& key) { setDown(io, key, is_down(key.glfw)); };
   std::ranges::for_each(kEditingKeys, tell);
   std::ranges::for_each(kOtherKeys, tell);
+  std::ranges::for_each(kFlyKeys, tell);
   for (std::size_t i = 0; i < kModifiers.size(); ++i) {
     setModifier(io, i, is_down(kModifiers[i].glfw));
   }
@@ -193,8 +208,18 @@ bool isPasting(const KeyPress& press) {
          (press.key == GLFW_KEY_INSERT && press.shift && !press.control);
 }
 
+bool isKeyHeld(int glfw) {
+  const ImGuiIO& io = ImGui::GetIO();
+  for (const EditingKey* const key :
+       {findKey(kEditingKeys, glfw), findKey(kOtherKeys, glfw), findKey(kFlyKeys, glfw)}) {
+    if (key != nullptr) return isDown(io, *key);
+  }
+  return false;
+}
+
 bool isHeldKey(int glfw) {
   return findKey(kEditingKeys, glfw) != nullptr || findKey(kOtherKeys, glfw) != nullptr ||
+         findKey(kFlyKeys, glfw) != nullptr ||
          std::ranges::find(kModifiers, glfw, &ModifierKey::glfw) != kModifiers.end();
 }
 

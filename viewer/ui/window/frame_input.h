@@ -19,7 +19,8 @@ struct FrameInput {
   std::array<bool, 5> down{};  ///< mouse buttons; 0 is the left one
   double wheel = 0, wheel_across = 0;
   std::vector<KeyPress> presses;  ///< that came since the last frame, in order
-  /// Keys that are down, by GLFW's numbers, as far as lines of text and drags ask for them; sorted.
+  /// Keys that are down, by GLFW's numbers, as far as lines of text, drags and flying ask for them;
+  /// sorted.
   std::vector<int> held;
   std::string typed;  ///< UTF-8, since the last frame
   /// What a key of this frame pastes from other programs; UTF-8.
@@ -47,6 +48,8 @@ bool tellKey(ImGuiIO& io, int glfw, bool down);
 bool tellShortcut(ImGuiIO& io, int glfw, bool down, bool control);
 /// Whether the key pastes into a line of text.
 bool isPasting(const KeyPress& press);
+/// Whether this key, of those that seenInput() tells of, is down in this frame; modifiers never.
+bool isKeyHeld(int glfw);
 /// Whether seenInput() tells of this key.
 bool isHeldKey(int glfw);
 

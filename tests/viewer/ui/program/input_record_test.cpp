@@ -113,6 +113,30 @@ TEST(InputRecord, AKeyThatWentDownAndUpWithinAFrameIsNotHeld) {
   EXPECT_EQ(inputLines({}, down), "press enter\n");
 }
 
+TEST(InputRecord, HasTheKeysThatFlyWhileTheyAreHeld) {
+  const test::TemporaryFolder folder;
+  auto record = InputRecord::begin(folder / "r.txt");
+  ASSERT_TRUE(record.ok());
+  FrameInput flying;
+  flying.down[1] = true;
+  flying.held = {GLFW_KEY_W};
+  flying.presses = {{GLFW_KEY_W, false, false, false}};
+  record->add(flying, SteadyTime{});
+  flying.endFrame();
+  record->add(flying, SteadyTime{} + std::chrono::milliseconds(10));
+  flying.held.clear();
+  record->add(flying, SteadyTime{} + std::chrono::milliseconds(20));
+  std::ifstream file(folder / "r.txt");
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  EXPECT_NE(text.find("button right down\npress W\nframe-at 0.000000000s\n"
+                      "hold W\nframe-at 0.010000000s\nrelease W\nframe-at 0.020000000s\n"),
+            std::string::npos)
+      << text;
+  FrameInput again;
+  ASSERT_TRUE(doAgain("hold E\nhold W\nhold Q\nrelease E\n", again));
+  EXPECT_EQ(again.held, (std::vector<int>{GLFW_KEY_Q, GLFW_KEY_W}));
+}
+
 TEST(InputRecord, SaysWhenTheDiskIsFull) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
   const auto record = InputRecord::begin("/dev/full");
