@@ -111,6 +111,13 @@ void Turntable::lookAround(double dx_px, double dy_px, int height_px) {
   target_ = eye - direction() * distance_m_;
 }
 
+void Turntable::lookFrom(const Vec3& direction) {
+  const double level = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+  const bool is_level = level > 1e-9 * std::abs(direction.z);
+  azimuth_rad_ = is_level ? arcTangent2(direction.y, direction.x) : -kPi / 2;
+  elevation_rad_ = std::clamp(arcTangent2(direction.z, level), -kMaxElevation, kMaxElevation);
+}
+
 void Turntable::fit(const std::vector<Vec3>& points, int width_px, int height_px) {
   if (points.empty()) return;
   Vec3 low = points.front();

@@ -36,6 +36,9 @@ class Turntable {
   /// The eye stays and looks elsewhere: with a drag to the right, to the right. A drag over the
   /// whole height turns by pi / 2.
   void lookAround(double dx_px, double dy_px, int height_px);
+  /// Looks at the target from that direction, of any length. From straight above or below x is to
+  /// the right.
+  void lookFrom(const Vec3& direction);
   /// Shows all `points` from the present direction. Does nothing without points.
   void fit(const std::vector<Vec3>& points, int width_px, int height_px);
 

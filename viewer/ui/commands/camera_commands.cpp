@@ -1,9 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "viewer/render/fitted_cameras.h"
 #include "viewer/ui/commands/command_groups.h"
+#include "viewer/ui/model/view_cube.h"
 
 namespace rocinante {
 namespace {
@@ -64,6 +66,30 @@ Status panView(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status lookFromSide(CommandWords words, const CommandStage& stage) {
+  const auto side = viewSideOf(words);
+  if (!side) {
+    return badWord(
+        fmt::format("`{}` is no side: top or bottom, front or back, left or right, or "
+                    "isometric",
+                    fmt::join(words, " ")));
+  }
+  stage.model.holdCamera().lookFrom(directionFrom(*side));
+  return {};
+}
+
+Status showViewCube(CommandWords words, const CommandStage& stage) {
+  bool& shown = stage.model.viewer.panels.cube_shown;
+  const auto on = switched(words, shown);
+  if (!on.ok()) return on.error();
+  shown = *on;
+  return {};
+}
+
+std::vector<std::string> sideChoices(const ViewModel& /*model*/) {
+  return {"top", "bottom", "front", "back", "left", "right", "isometric"};
+}
+
 Status zoomView(CommandWords words, const CommandStage& stage) {
   const auto steps = numberOf(words[0]);
   if (!steps.ok()) return steps.error();
@@ -116,6 +142,12 @@ std::vector<Command> cameraCommands() {
        .means = "everything that can move, or the whole cell",
        .run = fitView,
        .shortcuts = {{"F", "", ""}, {"shift+F", "selection", "the selection, as large as fits"}}},
+      {.name = "look",
+       .arguments = "SIDE [SIDE] [SIDE]",
+       .means = "from the top, bottom, front, back, left, right, from two or three of them, or "
+                "isometric",
+       .run = lookFromSide,
+       .choices = sideChoices},
       {.name = "orbit",
        .arguments = "DX DY",
        .means = "turn about the target, as a drag by pixels",
@@ -125,6 +157,10 @@ std::vector<Command> cameraCommands() {
        .arguments = "NAME",
        .means = "append the view to the cell, as a camera",
        .run = saveCamera},
+      {.name = "view-cube",
+       .arguments = "[on|off]",
+       .means = "the cube whose sides turn the view",
+       .run = showViewCube},
       {.name = "zoom", .arguments = "STEPS", .means = "zoom, as the wheel", .run = zoomView},
   };
   for (Command& command : commands) command.group = CommandGroup::camera;

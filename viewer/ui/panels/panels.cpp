@@ -8,6 +8,7 @@
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/picture_lines.h"
 #include "viewer/ui/panels/placed_panel.h"
+#include "viewer/ui/panels/view_cube_panel.h"
 
 namespace rocinante {
 namespace {
@@ -109,6 +110,7 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
     drawScenePanel(model, status, layout.left.panel, now, requests);
     drawRightPanels(model, status, layout.right.panel, now);
     drawTimePanels(model, layout, now);
+    drawViewCube(model, layout.picture);
   }
   drawInsetTabs(model);
   drawInsetGrip(model);
