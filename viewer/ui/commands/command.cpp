@@ -39,7 +39,7 @@ const std::vector<Command>& allCommands() {
     std::vector<Command> all;
     for (std::vector<Command> group :
          {timeCommands(), liveCommands(), plotCommands(), cameraCommands(), pictureCommands(),
-          handCommands(), inspectCommands(), backdropCommands(), publishCommands(),
+          handCommands(), moveCommands(), inspectCommands(), backdropCommands(), publishCommands(),
           connectCommands(), programCommands(), scriptCommands(), inputCommands()}) {
       std::ranges::move(group, std::back_inserter(all));
     }

@@ -20,6 +20,8 @@ std::vector<Command> cameraCommands();
 std::vector<Command> pictureCommands();
 /// Joints moved by hand.
 std::vector<Command> handCommands();
+/// Devices moved by hand.
+std::vector<Command> moveCommands();
 /// Poses, distances and the packets behind values.
 std::vector<Command> inspectCommands();
 /// Pictures of a real camera.

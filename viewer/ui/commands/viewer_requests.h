@@ -16,6 +16,12 @@ struct PictureClick {
   bool twice = false;  ///< turn about the point there
 };
 
+/// Write where devices were moved by hand into the cell.
+struct PoseRequest {
+  std::string device;     ///< empty: all that were moved
+  bool included = false;  ///< also into a file that the cell includes
+};
+
 /// What panels and commands ask of the program in this frame: everything that needs the window, the
 /// renderer or another process.
 struct ViewerRequests {
@@ -36,6 +42,7 @@ struct ViewerRequests {
   bool to_live = false;              ///< show the live session that goes on behind what is shown
   std::optional<bool> disconnect;    ///< end a live session; true: though it has heard something
   std::optional<std::string> save_camera;  ///< the view as a camera of the cell, by this name
+  std::optional<PoseRequest> save_pose;
   bool close = false;
   bool save_live =
       false;  ///< the kept log of a live session, into a new file of the working folder

@@ -134,9 +134,14 @@ Result<bool> ViewModel::update(SteadyTime now) {
   if (feed_ && !shows_live) hand.stopDriving();
   hand.setSituation(shows_live, !shows_live && cursor_ && cursor_->playing());
   changed = hand.takeChanged() || changed;
+  changed = moves.takeChanged() || changed;
   changed = publishing.takeChanged() || changed;
   changed = std::exchange(scene_is_old_, false) || changed;
-  if (changed || !hand.drawn()) state_ = hand.over(*received_, moment);
+  if (!moves.poses().empty()) {
+    if (changed) state_ = moves.over(*hand.over(*received_, moment), *cell_, moment);
+  } else if (changed || !hand.drawn()) {
+    state_ = hand.over(*received_, moment);
+  }
   if (changed) {
     if (auto posed = pose(moment); !posed) return posed.error();
     follow();
@@ -238,6 +243,18 @@ Status ViewModel::setByHand(const std::string& device, std::span<const double> v
                             SteadyTime now) {
   return setByHand(
       device, [&](const PosedDevice& posed) { return hand.setAll(posed, values); }, now);
+}
+
+Result<Pose> ViewModel::movablePose(const std::string& device) const {
+  const auto refused = [&](std::string what) {
+    return Error{ErrorKind::bad_argument, std::move(what), device};
+  };
+  const PosedDevice* const posed = scene_.findDevice(device);
+  if (cell_->findDevice(device) == nullptr) return refused("the cell has no such device");
+  if (posed == nullptr) return refused("there is no such device now");
+  const DeviceState* const said = received_->findDevice(device);
+  if (said != nullptr && said->pose) return refused("packets say where the device is");
+  return posed->pose;
 }
 
 LogStudy* ViewModel::study() {

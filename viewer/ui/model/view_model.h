@@ -17,6 +17,7 @@
 #include "viewer/ui/live/live_reason.h"
 #include "viewer/ui/live/other_windows.h"
 #include "viewer/ui/live/source_rows.h"
+#include "viewer/ui/model/device_moves.h"
 #include "viewer/ui/model/hand_control.h"
 #include "viewer/ui/model/misfits.h"
 #include "viewer/ui/model/packet_search.h"
@@ -57,7 +58,7 @@ class ViewModel {
   const Cell& cell() const { return *cell_; }
   /// Checks PATHs and cameras' names.
   KnownNames& names() { return *names_; }
-  /// The drawn state: received(), or with joints set by hand.
+  /// The drawn state: received(), or with joints and devices moved by hand.
   const SessionState& state() const { return *state_; }
   const SessionState& received() const { return *received_; }
   const PosedScene& scene() const { return scene_; }
@@ -152,6 +153,10 @@ class ViewModel {
   /// The same by HandControl::setAll.
   Status setByHand(const std::string& device, std::span<const double> values, SteadyTime now);
 
+  /// The pose of a device that can be moved by hand, in the space that the cell says it in.
+  /// bad_argument: it is not of the cell, not there now, or packets say where it is.
+  Result<Pose> movablePose(const std::string& device) const;
+
   /// The picture's camera: a named one, until the mouse moves it.
   CameraView cameraView();
   const std::string& cameraName() const { return camera_name_; }  ///< empty: the turntable
@@ -212,6 +217,7 @@ class ViewModel {
   ViewerState viewer;
   Selection selected;
   HandControl hand;
+  DeviceMoves moves;
   Publishing publishing;
   std::optional<BackdropChoice> backdrop;  ///< empty: there is none
   bool beside_shown = true;                ///< the ghosts and curves of the session beside

@@ -1,6 +1,7 @@
 #include "viewer/ui/panels/picture_lines.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/figure_text.h"
 #include "viewer/ui/panels/hand_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
@@ -50,6 +52,20 @@ NoticeSize moreSize(const std::string& text) {
   const float width = ImGui::CalcTextSize(text.c_str()).x + 2 * style.WindowPadding.x;
   return {std::max(width, style.WindowMinSize.x),
           std::max(ImGui::GetTextLineHeight() + style.WindowPadding.y, style.WindowMinSize.y)};
+}
+
+/// Devices that are not where the opened cell has them, and whether its file has them there.
+std::string movedText(const DeviceMoves& moves) {
+  const std::vector<std::string> unsaved = moves.unsaved();
+  std::vector<std::string> names;
+  for (const auto& [device, pose] : moves.poses()) names.push_back(device);
+  if (unsaved.empty() && names.empty()) return {};
+  const bool is_saved = unsaved.empty();
+  if (!is_saved) names = unsaved;
+  const std::string who = names.size() <= 3 ? fmt::format("{}", fmt::join(names, ", "))
+                                            : countText(names.size(), "device");
+  return is_saved ? fmt::format("moved by hand, and saved in the cell: {}", who)
+                  : fmt::format("moved by hand, not as the cell has it: {}", who);
 }
 
 /// An opaque window there, below all others, one for each slot; true while the mouse is over it.
@@ -125,6 +141,11 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   }
   if (const HandBanner hand = handBanner(model); !hand.what.empty()) {
     add("hand", hand.what, hand.hint, hand.color);
+    lines.back().stays = true;
+  }
+  if (const std::string moved = movedText(model.moves); !moved.empty()) {
+    add("moved", moved,
+        "findings, plots and figures are of the cell as it was opened; put-back, undo", PanelColor::hint);
     lines.back().stays = true;
   }
   if (const OthersBanner others = othersBanner(model); !others.what.empty()) {

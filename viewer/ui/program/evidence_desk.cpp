@@ -75,6 +75,12 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
   }
   // The sample counts of llvmpipe, which draws it.
   request.samples = samples_ > 1 ? 4 : 1;
+  if (!model.moves.unsaved().empty()) {
+    return Error{ErrorKind::bad_argument,
+                 "the picture has devices moved by hand, which the cell has not: save-pose or "
+                 "put-back first",
+                 {}};
+  }
   if (model.hand.drawn()) {
     if (model.session() != nullptr) {
       return Error{ErrorKind::bad_argument,

@@ -7,6 +7,7 @@
 
 #include "core/cli/program.h"
 #include "viewer/ui/program/save_camera.h"
+#include "viewer/ui/program/save_pose.h"
 
 namespace rocinante {
 
@@ -57,6 +58,11 @@ Status RequestDesk::makeFiles(const ViewerRequests& requests, const WindowSize& 
   if (auto made = makeEvidence(requests, size, now); !made) return made;
   if (requests.save_camera) {
     if (auto added = addCamera(*requests.save_camera, now); !added) return added;
+  }
+  if (requests.save_pose) {
+    const auto saved = savePoses(my_.model, my_.shown.cell, *requests.save_pose);
+    if (scripted_ && !saved.ok()) return saved.error();
+    say(saved.ok() ? *saved : saved.error().text(), !saved.ok(), now);
   }
   if (requests.screenshot) screenshot_ = requests.screenshot;
   if (!requests.save_live && !requests.save_file) return {};
