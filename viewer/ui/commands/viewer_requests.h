@@ -30,7 +30,7 @@ struct ViewerRequests {
   std::optional<std::string> built_in_camera;  ///< "fit", "map" or "fit:DEVICE"
   bool reset = false;                          ///< back to the initial camera
   bool evidence = false;                       ///< into a new file of the working folder
-  bool measure_scene = false;  ///< for the speed of flying
+  bool measure_scene = false;                  ///< for the speed of flying
   std::optional<std::filesystem::path> evidence_file;
   /// Of the part between A and B; empty: a new file of the working folder.
   std::optional<std::filesystem::path> video;

@@ -67,7 +67,7 @@ struct PanelState {
   bool is_light = false;    ///< light panels instead of dark ones
   bool wall_clock = false;  ///< also the time of day, where the session has one
   std::string wanted_tab;   ///< of the left panel, to be opened by the next frame; empty: none
-  bool cube_shown = true;  ///< the cube whose sides turn the view
+  bool cube_shown = true;   ///< the cube whose sides turn the view
   PanelPlaces places;
   OpenState open;
   PaletteState palette;

@@ -198,7 +198,9 @@ DockLayout dockLayoutOf(const ViewModel& model, float width, float height, float
     wish.time = model.cursor() != nullptr ? kTimeBarHeight : 0;
     wish.time_folded = isFolded(places, DockEdge::bottom);
     const PlotBoard& plots = model.viewer.plots;
-    wish.plots = !plots.curves().empty() && model.session() != nullptr ? plots.height : 0;
+    wish.plots = (!plots.curves().empty() || !plots.paths().empty()) && model.session() != nullptr
+                     ? plots.height
+                     : 0;
     wish.plots_folded = plots.hidden;
   }
   const DockLayout units = dockLayout(wish, width / unit, height / unit);

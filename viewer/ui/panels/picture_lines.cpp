@@ -145,7 +145,8 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   }
   if (const std::string moved = movedText(model.moves); !moved.empty()) {
     add("moved", moved,
-        "findings, plots and figures are of the cell as it was opened; put-back, undo", PanelColor::hint);
+        "findings, plots and figures are of the cell as it was opened; put-back, undo",
+        PanelColor::hint);
     lines.back().stays = true;
   }
   if (const OthersBanner others = othersBanner(model); !others.what.empty()) {
