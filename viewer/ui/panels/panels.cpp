@@ -84,11 +84,31 @@ void drawTimePanels(ViewModel& model, const DockLayout& layout, SteadyTime now) 
   drawPlotDrag(model, layout.picture.y + layout.picture.height);
 }
 
-/// Where lines over the picture stand.
-PanelRectangle noticeRoom(const PanelRectangle& picture) {
+/// Where lines over the picture stand: between its upper insets, or below them where that is too
+/// narrow.
+PanelRectangle noticeRoom(const ViewModel& model, const PanelRectangle& picture) {
+  constexpr float kLeastWidth = 240;
   const float margin = px(kPanelMargin);
-  return {picture.x + margin, picture.y + margin, std::max(0.0F, picture.width - 2 * margin),
-          std::max(0.0F, picture.height - 2 * margin)};
+  float left = margin, right = picture.width - margin, below = margin;
+  for (const InsetPlace& inset : model.viewer.inset_places) {
+    const PixelRectangle& part = inset.part;
+    if (static_cast<float>(part.y) > picture.height / 2) continue;
+    const auto begin = static_cast<float>(part.x), end = begin + static_cast<float>(part.width);
+    if (begin + end < picture.width) {
+      left = std::max(left, end + margin);
+    } else {
+      right = std::min(right, begin - margin);
+    }
+    below = std::max(below, static_cast<float>(part.y + part.height) + margin);
+  }
+  float top = margin;
+  if (right - left < px(kLeastWidth)) {
+    left = margin;
+    right = picture.width - margin;
+    top = below;
+  }
+  return {picture.x + left, picture.y + top, std::max(0.0F, right - left),
+          std::max(0.0F, picture.height - top - margin)};
 }
 
 }  // namespace
@@ -115,7 +135,7 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
   drawInsetTabs(model);
   drawInsetGrip(model);
   if (status.loading) drawLoading(*status.loading, model.viewer.is_empty);
-  drawPictureLines(model, pictureLines(model, status, now), noticeRoom(layout.picture));
+  drawPictureLines(model, pictureLines(model, status, now), noticeRoom(model, layout.picture));
   drawDriveFrame(model);
   if (model.viewer.panels.asks_mark) drawMarkPrompt(model, requests);
   if (model.viewer.panels.help_shown) drawHelp(model);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "viewer/ui/model/view_cube.h"
+#include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {
@@ -38,9 +39,16 @@ ViewAxes axesOf(const CameraView& view) {
   return {camera.right(), camera.up(), camera.forward()};
 }
 
-std::optional<PixelRectangle> placeIn(const ViewModel& model, const PanelRectangle& room) {
+std::optional<PixelRectangle> placeIn(ViewModel& model, const PanelRectangle& room) {
   std::vector<PixelRectangle> insets;
-  for (const InsetPlace& inset : model.viewer.inset_places) insets.push_back(inset.part);
+  const PixelRectangle& picture = model.viewer.picture_part;
+  const auto add = [&](PixelRectangle part) {
+    part.x += picture.x;
+    part.y += picture.y;
+    insets.push_back(part);
+  };
+  for (const InsetPlace& inset : model.viewer.inset_places) add(inset.part);
+  for (const InsetTab& tab : insetTabs(model, picture.width, picture.height, px(1))) add(tab.place);
   const PixelRectangle whole{static_cast<int>(room.x), static_cast<int>(room.y),
                              static_cast<int>(room.width), static_cast<int>(room.height)};
   return placeViewCube(whole, insets, static_cast<int>(px(kSize)),
@@ -89,7 +97,7 @@ void drawCube(const ShownCube& cube, const std::optional<ViewSide>& marked) {
 void useMouse(ViewModel& model, const std::optional<ViewSide>& side) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool dragged = io.MouseDragMaxDistanceSqr[0] >= kClickReach * kClickReach;
-  const int height = static_cast<int>(io.DisplaySize.y);
+  const int height = model.viewer.picture_part.height;
   if (ImGui::IsItemActive() && dragged && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
     model.holdCamera().orbit(io.MouseDelta.x, io.MouseDelta.y, height);
   }
