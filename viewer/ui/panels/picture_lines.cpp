@@ -156,7 +156,8 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   }
   if (model.viewer.fly.active()) {
     add("flying", fmt::format("flying at {:.2g} m/s", model.viewer.fly.speed()),
-        "W A S D, Q and E; Shift: faster; the wheel changes the speed", kHint);
+        "W A S D, Q and E; Shift: faster; the wheel changes the speed", PanelColor::hint);
+    lines.back().stays = true;
   }
   if (model.viewer.picking.active()) {
     add("picking",

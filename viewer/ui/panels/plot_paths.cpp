@@ -214,12 +214,12 @@ std::optional<std::pair<double, double>> pairOf(const ViewModel& model, const Dr
 }
 
 void drawDot(const DrawnPath& path, const std::optional<std::pair<double, double>>& pair,
-             float radius, int alpha) {
+             float radius, float opacity) {
   if (!pair) return;
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const ImVec2 at = path.at(pair->first, pair->second);
-  list->AddCircleFilled(at, radius, curveColor(path.path->color, alpha));
-  list->AddCircle(at, radius, fadedInk(static_cast<float>(alpha) / 255), 0, px(1.2F));
+  list->AddCircleFilled(at, radius, curveColor(path.path->color, opacity));
+  list->AddCircle(at, radius, fadedInk(opacity), 0, px(1.2F));
 }
 
 }  // namespace
@@ -244,15 +244,15 @@ void drawPaths(ViewModel& model, const TimeAxis& axis, const PathRoom& room, Log
                        ImVec2(path.left + path.width, path.top + path.height), true);
     const std::size_t color = path.path->color;
     if (path.beside != nullptr) {
-      drawShape(path, *path.beside, curveColor(color, 110), curveColor(color, 14), px(3.5F));
+      drawShape(path, *path.beside, curveColor(color, 0.43F), curveColor(color, 0.055F), px(3.5F));
     }
     if (path.columns != nullptr) {
-      drawShape(path, *path.columns, curveColor(color), curveColor(color, 28), px(1.5F));
+      drawShape(path, *path.columns, curveColor(color), curveColor(color, 0.11F), px(1.5F));
     }
     const auto now = pairOf(model, path, shown, true);
     const auto at_mouse = mouse ? pairOf(model, path, *mouse, false) : std::nullopt;
-    drawDot(path, at_mouse, px(3), 150);
-    drawDot(path, now, px(4.5F), 255);
+    drawDot(path, at_mouse, px(3), 0.59F);
+    drawDot(path, now, px(4.5F), 1);
     list->PopClipRect();
     // Its name, and both values.
     const std::string name = path.path->text();
@@ -264,8 +264,8 @@ void drawPaths(ViewModel& model, const TimeAxis& axis, const PathRoom& room, Log
     const bool is_over = ImGui::IsItemHovered();
     list->AddRectFilled(ImVec2(left, y + px(4)), ImVec2(left + px(9), y + px(12)),
                         curveColor(color));
-    list->AddText(ImVec2(left + px(14), y), fadedInk(is_over ? 1 : 0.85F),
-                  shortened(name, right - left - px(14)).c_str());
+    list->AddText(ImVec2(left + px(14), y), panelColor(is_over ? PanelColor::text : PanelColor::dim_text),
+                  cutInMiddle(name, right - left - px(14), drawnWidth).c_str());
     const auto& said = mouse ? at_mouse : now;
     const auto text = [](const PathValue& of, double stated) {
       const std::string number = plotText(of.value.shown(stated), of.value.unit, of.scale);

@@ -221,7 +221,7 @@ void drawVerdict(ViewModel& model) {
   if (room < width) return;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  ImGui::PushStyleColor(ImGuiCol_Button, panelColor(PanelColor::panel));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(4), ImGui::GetStyle().FramePadding.y));
   const bool clicked = ImGui::Button((text + "##verdict").c_str());
   ImGui::PopStyleVar();

@@ -16,8 +16,6 @@ namespace {
 constexpr float kSize = 88;      ///< of the square around it
 constexpr float kHalfEdge = 24;  ///< a corner comes as far as the square's edge
 constexpr float kClickReach = 4;
-/// On what is marked, in either theme.
-const ImVec4 kMarkedInk(0.10F, 0.12F, 0.14F, 1);
 
 /// The cube's axes and its middle in the window.
 struct ShownCube {
@@ -57,9 +55,10 @@ std::optional<PixelRectangle> placeIn(ViewModel& model, const PanelRectangle& ro
 
 /// Opaque, and darker the more it is turned away.
 ImU32 faceColor(double facing) {
-  const ImVec4& color = ImGui::GetStyleColorVec4(ImGuiCol_FrameBg);
+  ImVec4 color = panelInk(PanelColor::field);
   const auto light = 0.72F + 0.28F * static_cast<float>(facing);
-  return ImGui::GetColorU32(ImVec4(color.x * light, color.y * light, color.z * light, 1));
+  for (float* const part : {&color.x, &color.y, &color.z}) *part *= light;
+  return ImGui::ColorConvertFloat4ToU32(color);
 }
 
 void drawCube(const ShownCube& cube, const std::optional<ViewSide>& marked) {
@@ -72,13 +71,13 @@ void drawCube(const ShownCube& cube, const std::optional<ViewSide>& marked) {
   if (marked) {
     for (const CubePatch& patch : visiblePatches(cube.axes, *marked)) {
       const auto corners = cube.corners(patch);
-      list.AddConvexPolyFilled(corners.data(), 4, ImGui::GetColorU32(ImGuiCol_CheckMark));
+      list.AddConvexPolyFilled(corners.data(), 4, panelColor(PanelColor::repeated_part));
     }
   }
   for (const CubePatch& face : faces) {
     const auto corners = cube.corners(face);
     list.AddQuad(corners[0], corners[1], corners[2], corners[3],
-                 ImGui::GetColorU32(ImGuiCol_TextDisabled), px(1));
+                 panelColor(PanelColor::dim_text), px(1));
     // A name that does not fit is said when the mouse is there.
     const std::string name = nameOf(face.face);
     const ImVec2 size = ImGui::CalcTextSize(name.c_str());
@@ -88,7 +87,7 @@ void drawCube(const ShownCube& cube, const std::optional<ViewSide>& marked) {
     const ImVec2 at = cube.at(middle);
     const bool on_marked = marked && *marked == face.face;
     list.AddText(ImVec2(std::floor(at.x - size.x / 2), std::floor(at.y - size.y / 2)),
-                 on_marked ? ImGui::GetColorU32(kMarkedInk) : ImGui::GetColorU32(ImGuiCol_Text),
+                 panelColor(on_marked ? PanelColor::repeated_part_text : PanelColor::text),
                  name.c_str());
   }
 }
