@@ -274,7 +274,7 @@ void drawPaths(ViewModel& model, const TimeAxis& axis, const PathRoom& room, Log
     const std::string values =
         said ? text(path.y, said->second) + " over " + text(path.x, said->first) : "-";
     list->AddText(ImVec2(left + px(14), y + plotRowHeight()), fadedInk(is_over ? 1 : 0.7F),
-                  shortened(values, right - left - px(14)).c_str());
+                  cutInMiddle(values, right - left - px(14), drawnWidth).c_str());
     if (is_over)
       ImGui::SetTooltip("%s\n%s\nclick: no longer plot it", name.c_str(), values.c_str());
     y += 2 * plotRowHeight() + px(2);
