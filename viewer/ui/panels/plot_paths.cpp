@@ -273,7 +273,7 @@ void drawPaths(ViewModel& model, const TimeAxis& axis, const PathRoom& room, Log
     };
     const std::string values =
         said ? text(path.y, said->second) + " over " + text(path.x, said->first) : "-";
-    list->AddText(ImVec2(left + px(14), y + plotRowHeight()), fadedInk(is_over ? 1 : 0.7F),
+    list->AddText(ImVec2(left + px(14), y + plotRowHeight()), panelColor(is_over ? PanelColor::text : PanelColor::dim_text),
                   cutInMiddle(values, right - left - px(14), drawnWidth).c_str());
     if (is_over)
       ImGui::SetTooltip("%s\n%s\nclick: no longer plot it", name.c_str(), values.c_str());

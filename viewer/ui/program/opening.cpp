@@ -25,6 +25,14 @@ std::string viewpointNow(ViewModel& model) {
   return is_of_cell ? name : viewpointText(model.cameraView());
 }
 
+/// Of the paths those that a live session of the cell may have: a log's own devices are not there.
+std::vector<std::string> pathsOfLive(const Cell& cell, std::vector<std::string> paths) {
+  KnownNames names(cell);
+  names.expectOthers();
+  std::erase_if(paths, [&](const std::string& path) { return !names.check({path}).ok(); });
+  return paths;
+}
+
 /// True when a port is held by this program itself.
 bool isOwnPort(const Error& error) {
   return error.what.find(fmt::format("(pid {})", ::getpid())) != std::string::npos;
@@ -79,8 +87,8 @@ Status Opening::connect(const std::vector<std::string>& endpoints) {
   if (back_) return {};
   ContentRequest request = connectionOf(endpoints, shown_);
   if (!model_.viewer.is_empty) {
-    request.hide = model_.hiddenPaths();
-    request.show = model_.shownPaths();
+    request.hide = pathsOfLive(model_.cell(), model_.hiddenPaths());
+    request.show = pathsOfLive(model_.cell(), model_.shownPaths());
     request.camera = viewpointNow(model_);
   }
   loader_.start(std::move(request));

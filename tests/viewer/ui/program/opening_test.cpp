@@ -88,8 +88,10 @@ class OpeningInAWindow : public testing::Test {
 TEST_F(OpeningInAWindow, ALiveSessionGoesOnBehindALogAndIsGoneBackTo) {
   const std::string endpoint = unusedAddress();
   EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_TRUE(model().setVisible("arm/hand", false));
   EXPECT_EQ(connect({endpoint}), "arm.urdf");
   ASSERT_TRUE(model().isLive());
+  EXPECT_EQ(model().hiddenPaths(), std::vector<std::string>{"arm/hand"}) << "as it was chosen";
   say(endpoint, "joints arm 0.5\n", [&] { return turn() == 0.5 && model().cursor() != nullptr; });
   const ViewModel* const live = &model();
   EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
