@@ -68,8 +68,9 @@ void drawBareButton(const char* name, const PanelRectangle& place, const Draw& d
 /// Draws a line of text from `at` downwards, turned by a right angle.
 void addTurnedText(ImDrawList& list, ImVec2 at, ImU32 color, const char* text) {
   const int first = list.VtxBuffer.Size;
-  // Before it is turned it would lie outside.
-  list.PushClipRectFullScreen();
+  // Before it is turned it would lie outside, perhaps of the window itself.
+  constexpr float kFar = 1e5F;
+  list.PushClipRect({-kFar, -kFar}, {kFar, kFar});
   list.AddText(at, color, text);
   list.PopClipRect();
   for (int i = first; i < list.VtxBuffer.Size; ++i) {

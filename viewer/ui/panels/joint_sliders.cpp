@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-constexpr float kLeastSlider = 64;
+constexpr float kLeastSlider = 44;
 constexpr float kValueWidth = 66;
 constexpr float kResetWidth = 14;
 

@@ -1,5 +1,7 @@
 #include "viewer/ui/panels/panels.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -13,13 +15,18 @@
 namespace rocinante {
 namespace {
 
-/// At the right end of the row of tabs, which begins where the cursor is.
-void drawHelpBesideTabs(ViewModel& model) {
+/// The row of tabs, which ends before the button for help.
+bool beginTabs(ViewModel& model) {
   const ImVec2 begin = ImGui::GetCursorPos();
   const float size = ImGui::GetTextLineHeight() + px(4);
   ImGui::SetCursorPosX(begin.x + ImGui::GetContentRegionAvail().x - size);
   drawHelpButton(model);
   ImGui::SetCursorPos(begin);
+  float& right = ImGui::GetCurrentWindow()->WorkRect.Max.x;
+  const float whole = std::exchange(right, right - size - px(6));
+  const bool open = ImGui::BeginTabBar("tabs");
+  right = whole;
+  return open;
 }
 
 void drawScenePanel(ViewModel& model, const ViewerStatus& status, const PanelRectangle& room,
@@ -29,7 +36,7 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, const PanelRec
   if (!placed.begin()) return;
   if (placed.collapsed()) {
     drawCollapsed("Scene");
-  } else if (drawHelpBesideTabs(model); ImGui::BeginTabBar("tabs")) {
+  } else if (beginTabs(model)) {
     const auto begin = [tab = std::exchange(model.viewer.panels.wanted_tab, {})](const char* name) {
       return ImGui::BeginTabItem(name, nullptr, tab == name ? ImGuiTabItemFlags_SetSelected : 0);
     };

@@ -25,6 +25,7 @@ class ViewCubePanel : public testing::Test {
     model_ = std::make_unique<ViewModel>(std::move(*model));
     ASSERT_TRUE(model_->update(SteadyTime{}).ok());
     ImGui::GetIO().Fonts->Build();
+    model_->viewer.picture_part = {0, 0, 800, 600};
     frame();
     frame();
   }
@@ -32,7 +33,7 @@ class ViewCubePanel : public testing::Test {
     interface_.beginFrame(800, 600, &input_);
     drawViewCube(*model_, {0, 0, 800, 600});
     ViewerRequests requests;
-    clicked_ = applyUserInput(*model_, SteadyTime{}, 800, 600, {}, requests).has_value();
+    clicked_ = applyUserInput(*model_, SteadyTime{}, {}, requests).has_value();
     ImGui::Render();
     input_.endFrame();
   }

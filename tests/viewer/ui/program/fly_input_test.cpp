@@ -30,6 +30,7 @@ class FlyInput : public testing::Test {
     ASSERT_TRUE(model_->update(SteadyTime{}).ok());
     ImGui::GetIO().Fonts->Build();
     model_->viewer.fly.setSceneSize(6);
+    model_->viewer.picture_part = {0, 0, 800, 600};
     input_.mouse = {400, 300};
     frame();
   }
@@ -37,7 +38,7 @@ class FlyInput : public testing::Test {
     now_ += 20ms;
     interface_.beginFrame(800, 600, &input_);
     ViewerRequests requests;
-    static_cast<void>(applyUserInput(*model_, now_, 800, 600, interface_.presses(), requests));
+    static_cast<void>(applyUserInput(*model_, now_, interface_.presses(), requests));
     ImGui::Render();
     input_.endFrame();
     return requests;
