@@ -76,6 +76,23 @@ Status saveMoved(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status showGizmo(CommandWords words, const CommandStage& stage) {
+  GizmoState& gizmo = stage.model.viewer.gizmo;
+  const auto on = switched(words, gizmo.shown);
+  if (!on.ok()) return on.error();
+  if (!*on) releaseGizmo(stage.model);
+  gizmo.shown = *on;
+  return {};
+}
+
+Status setSnapping(CommandWords words, const CommandStage& stage) {
+  bool& snaps = stage.model.viewer.gizmo.snaps;
+  const auto on = switched(words, snaps);
+  if (!on.ok()) return on.error();
+  snaps = *on;
+  return {};
+}
+
 std::vector<std::string> movedDevices(const ViewModel& model) {
   std::vector<std::string> names;
   for (const auto& [device, pose] : model.moves.poses()) names.push_back(device);
@@ -98,6 +115,15 @@ std::vector<Command> moveCommands() {
        .arguments = "DEVICE ROLL PITCH YAW",
        .means = "turn a device of the cell: 0.5, 30deg",
        .run = turnDevice},
+      {.name = "gizmo",
+       .arguments = "[on|off]",
+       .means = "handles that move and turn the selected device",
+       .run = showGizmo,
+       .shortcuts = {{"ctrl+G", "", ""}}},
+      {.name = "snap",
+       .arguments = "[on|off]",
+       .means = "the handles move and turn by whole steps",
+       .run = setSnapping},
       {.name = "undo",
        .means = "undo the last move of a device",
        .run = undoMove,

@@ -22,20 +22,20 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostCellBytes = 64U << 20U;
 
-const TomlNode* keyOf(const TomlNode& table, std::string_view key) {
+const TomlNode* valueOfKey(const TomlNode& table, std::string_view key) {
   const auto found = std::ranges::find(table.entries, key, &TomlNode::Entry::key);
   return found == table.entries.end() ? nullptr : &found->value;
 }
 
 /// Its name; without one, that of its model.
 std::string deviceNameOf(const TomlNode& device) {
-  if (const TomlNode* const name = keyOf(device, "name")) return name->text;
-  const TomlNode* const model = keyOf(device, "model");
+  if (const TomlNode* const name = valueOfKey(device, "name")) return name->text;
+  const TomlNode* const model = valueOfKey(device, "model");
   return model == nullptr ? std::string() : fs::path(model->text).stem().string();
 }
 
 const TomlNode* deviceOf(const TomlNode& document, std::string_view name) {
-  const TomlNode* const devices = keyOf(document, "device");
+  const TomlNode* const devices = valueOfKey(document, "device");
   if (devices == nullptr) return nullptr;
   const auto found = std::ranges::find(devices->items, name, deviceNameOf);
   return found == devices->items.end() ? nullptr : &*found;
@@ -44,7 +44,7 @@ const TomlNode* deviceOf(const TomlNode& document, std::string_view name) {
 Pose poseOfDevice(const TomlNode& device) {
   Findings findings;
   FaultList faults(findings, "");
-  const TomlNode* const pose = keyOf(device, "pose");
+  const TomlNode* const pose = valueOfKey(device, "pose");
   return pose == nullptr ? Pose() : TomlTable(*pose, "pose", faults).pose();
 }
 
@@ -127,10 +127,10 @@ PoseKey positionKey(const Vec3& position) { return {"xyz", {position.x, position
 PoseKey rotationKey(const TomlNode* pose, const Quat& turn) {
   constexpr double kNanos = 1e9;
   const Vec3 rpy = rpyOf(turn);
-  if (pose != nullptr && keyOf(*pose, "rpy") != nullptr) {
+  if (pose != nullptr && valueOfKey(*pose, "rpy") != nullptr) {
     return {"rpy", {rpy.x, rpy.y, rpy.z}, kNanos};
   }
-  if (pose != nullptr && keyOf(*pose, "quaternion") != nullptr) {
+  if (pose != nullptr && valueOfKey(*pose, "quaternion") != nullptr) {
     return {"quaternion", {turn.x, turn.y, turn.z, turn.w}, kNanos};
   }
   return {"rpy_deg", {degreesOf(rpy.x), degreesOf(rpy.y), degreesOf(rpy.z)}};
@@ -158,8 +158,8 @@ std::vector<Edit> waysToAdd(std::string_view text, const TomlNode& device, const
     const bool is_empty = pose->entries.empty();
     return {{at + 1, 0, " " + keys + (is_empty ? " " : ",")}};
   }
-  const TomlNode* const name =
-      keyOf(device, "name") != nullptr ? keyOf(device, "name") : keyOf(device, "model");
+  const TomlNode* const name = valueOfKey(device, "name") != nullptr ? valueOfKey(device, "name")
+                                                                     : valueOfKey(device, "model");
   const std::size_t at = offsetOf(text, name->place);
   const std::size_t line = text.rfind('\n', at) + 1;  // of none: 0
   const std::size_t indent = text.find_first_not_of(" \t", line) - line;
@@ -201,7 +201,7 @@ Result<std::string> withDevicePose(const std::string& cell, std::string_view dev
   if (!isNear(poseOfDevice(*node), before)) {
     return refused(fmt::format("the file has {} elsewhere than when it was opened", device));
   }
-  const TomlNode* const pose = keyOf(*node, "pose");
+  const TomlNode* const pose = valueOfKey(*node, "pose");
   std::vector<PoseKey> keys;
   if (after.position != before.position) keys.push_back(positionKey(after.position));
   if (after.orientation != before.orientation) {
@@ -211,7 +211,7 @@ Result<std::string> withDevicePose(const std::string& cell, std::string_view dev
   std::string added;
   bool sound = true;
   for (const PoseKey& key : keys) {
-    const TomlNode* const list = pose == nullptr ? nullptr : keyOf(*pose, key.name);
+    const TomlNode* const list = pose == nullptr ? nullptr : valueOfKey(*pose, key.name);
     if (list == nullptr) {
       added += (added.empty() ? "" : ", ") + key.text();
     } else {

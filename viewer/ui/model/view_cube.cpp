@@ -60,7 +60,7 @@ std::optional<CubePatch> patchOf(const ViewAxes& axes, int axis, int sign, const
   return patch;
 }
 
-Span spanOf(int part) {
+Span partSpan(int part) {
   if (part == 0) return {-kMiddle, kMiddle};
   return part > 0 ? Span(kMiddle, 1) : Span(-1, -kMiddle);
 }
@@ -107,8 +107,8 @@ std::vector<CubePatch> visiblePatches(const ViewAxes& axes, const ViewSide& side
   std::vector<CubePatch> patches;
   for (int axis = 0; axis < 3; ++axis) {
     if (side[axis] == 0) continue;
-    if (auto patch = patchOf(axes, axis, side[axis], spanOf(side[(axis + 1) % 3]),
-                             spanOf(side[(axis + 2) % 3]))) {
+    if (auto patch = patchOf(axes, axis, side[axis], partSpan(side[(axis + 1) % 3]),
+                             partSpan(side[(axis + 2) % 3]))) {
       patches.push_back(*patch);
     }
   }

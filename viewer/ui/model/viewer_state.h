@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/cell/cell.h"
+#include "viewer/ui/model/device_gizmo.h"
 #include "viewer/ui/model/fly_mode.h"
 #include "viewer/ui/model/inspection.h"
 #include "viewer/ui/model/packet_search.h"
@@ -58,6 +59,7 @@ struct ViewerState {
   std::optional<InsetDrag> inset_drag;
   std::optional<int> made_width;  ///< of pictures made of the window, in pixels; empty: as seen
   FlyMode fly;
+  GizmoState gizmo;
   PanelState panels;
   TimeView time_view;  ///< what the time line shows
   MomentHover hover;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viewer/ui/panels/docks.h"
+#include "viewer/ui/panels/gizmo_panel.h"
 #include "viewer/ui/panels/hand_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/picture_lines.h"
@@ -141,6 +142,7 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
   }
   drawInsetTabs(model);
   drawInsetGrip(model);
+  drawGizmo(model);
   if (status.loading) drawLoading(*status.loading, model.viewer.is_empty);
   drawPictureLines(model, pictureLines(model, status, now), noticeRoom(model, layout.picture));
   drawDriveFrame(model);

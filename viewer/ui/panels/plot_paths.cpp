@@ -264,7 +264,8 @@ void drawPaths(ViewModel& model, const TimeAxis& axis, const PathRoom& room, Log
     const bool is_over = ImGui::IsItemHovered();
     list->AddRectFilled(ImVec2(left, y + px(4)), ImVec2(left + px(9), y + px(12)),
                         curveColor(color));
-    list->AddText(ImVec2(left + px(14), y), panelColor(is_over ? PanelColor::text : PanelColor::dim_text),
+    list->AddText(ImVec2(left + px(14), y),
+                  panelColor(is_over ? PanelColor::text : PanelColor::dim_text),
                   cutInMiddle(name, right - left - px(14), drawnWidth).c_str());
     const auto& said = mouse ? at_mouse : now;
     const auto text = [](const PathValue& of, double stated) {
@@ -273,7 +274,8 @@ void drawPaths(ViewModel& model, const TimeAxis& axis, const PathRoom& room, Log
     };
     const std::string values =
         said ? text(path.y, said->second) + " over " + text(path.x, said->first) : "-";
-    list->AddText(ImVec2(left + px(14), y + plotRowHeight()), panelColor(is_over ? PanelColor::text : PanelColor::dim_text),
+    list->AddText(ImVec2(left + px(14), y + plotRowHeight()),
+                  panelColor(is_over ? PanelColor::text : PanelColor::dim_text),
                   cutInMiddle(values, right - left - px(14), drawnWidth).c_str());
     if (is_over)
       ImGui::SetTooltip("%s\n%s\nclick: no longer plot it", name.c_str(), values.c_str());

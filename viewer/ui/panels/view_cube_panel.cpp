@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kSize = 88;      ///< of the square around it
 constexpr float kHalfEdge = 24;  ///< a corner comes as far as the square's edge
-constexpr float kClickReach = 4;
+constexpr float kCubeClickReach = 4;
 
 /// The cube's axes and its middle in the window.
 struct ShownCube {
@@ -76,8 +76,8 @@ void drawCube(const ShownCube& cube, const std::optional<ViewSide>& marked) {
   }
   for (const CubePatch& face : faces) {
     const auto corners = cube.corners(face);
-    list.AddQuad(corners[0], corners[1], corners[2], corners[3],
-                 panelColor(PanelColor::dim_text), px(1));
+    list.AddQuad(corners[0], corners[1], corners[2], corners[3], panelColor(PanelColor::dim_text),
+                 px(1));
     // A name that does not fit is said when the mouse is there.
     const std::string name = nameOf(face.face);
     const ImVec2 size = ImGui::CalcTextSize(name.c_str());
@@ -95,7 +95,7 @@ void drawCube(const ShownCube& cube, const std::optional<ViewSide>& marked) {
 /// A drag turns the view, the wheel zooms, a click looks from `side`.
 void useMouse(ViewModel& model, const std::optional<ViewSide>& side) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool dragged = io.MouseDragMaxDistanceSqr[0] >= kClickReach * kClickReach;
+  const bool dragged = io.MouseDragMaxDistanceSqr[0] >= kCubeClickReach * kCubeClickReach;
   const int height = model.viewer.picture_part.height;
   if (ImGui::IsItemActive() && dragged && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
     model.holdCamera().orbit(io.MouseDelta.x, io.MouseDelta.y, height);

@@ -10,6 +10,7 @@
 #include "viewer/ui/commands/key_commands.h"
 #include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/program/fly_input.h"
+#include "viewer/ui/program/gizmo_input.h"
 #include "viewer/ui/window/interface_context.h"
 
 namespace rocinante {
@@ -99,7 +100,8 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now,
                                            std::span<const KeyPress> presses,
                                            ViewerRequests& requests) {
   const bool flies = applyFlying(model, now, model.viewer.picture_part.height, requests);
-  const auto click = flies ? std::nullopt : applyMouse(model);
+  const bool is_taken = flies || applyGizmo(model);
+  const auto click = is_taken ? std::nullopt : applyMouse(model);
   const ImGuiIO& io = ImGui::GetIO();
   // Whatever has the keyboard, Esc ends driving.
   const bool ended =

@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-Pose at(double x) { return {{x, 0, 0}, {1, 0, 0, 0}}; }
+Pose poseOn(double x) { return {{x, 0, 0}, {1, 0, 0, 0}}; }
 
 double placeOf(const DeviceMoves& moves, std::string_view device) {
   const Pose* const pose = moves.find(device);
@@ -19,9 +19,9 @@ double placeOf(const DeviceMoves& moves, std::string_view device) {
 TEST(DeviceMoves, AreUndoneAndDoneAgainOneByOne) {
   DeviceMoves moves;
   EXPECT_FALSE(moves.undo().has_value());
-  moves.put("a", at(1));
-  moves.put("b", at(5));
-  moves.put("a", at(2));
+  moves.put("a", poseOn(1));
+  moves.put("b", poseOn(5));
+  moves.put("a", poseOn(2));
   EXPECT_TRUE(moves.takeChanged());
   EXPECT_EQ(moves.undo(), "a");
   EXPECT_EQ(placeOf(moves, "a"), 1);
@@ -34,55 +34,55 @@ TEST(DeviceMoves, AreUndoneAndDoneAgainOneByOne) {
   EXPECT_EQ(moves.redo(), "b");
   EXPECT_EQ(placeOf(moves, "b"), 5);
   // Another move ends what could be done again.
-  moves.put("b", at(6));
+  moves.put("b", poseOn(6));
   EXPECT_FALSE(moves.canRedo());
   EXPECT_EQ(placeOf(moves, "a"), 1);
 }
 
 TEST(DeviceMoves, ADragIsOneStepAndNoneIfNothingMoved) {
   DeviceMoves moves;
-  moves.hold("a", at(1));
-  moves.hold("a", at(2));
+  moves.hold("a", poseOn(1));
+  moves.hold("a", poseOn(2));
   EXPECT_TRUE(moves.canUndo());
   moves.settle();
   moves.settle();
   EXPECT_EQ(moves.undo(), "a");
   EXPECT_TRUE(moves.poses().empty());
   EXPECT_FALSE(moves.canUndo());
-  moves.put("a", at(1));
-  moves.hold("a", at(3));
-  moves.hold("a", at(1));
+  moves.put("a", poseOn(1));
+  moves.hold("a", poseOn(3));
+  moves.hold("a", poseOn(1));
   moves.settle();
   EXPECT_EQ(moves.undo(), "a");
   EXPECT_FALSE(moves.undo().has_value());
   // Undone while the mouse holds it: where it was before.
-  moves.hold("a", at(4));
+  moves.hold("a", poseOn(4));
   EXPECT_EQ(moves.undo(), "a");
   EXPECT_TRUE(moves.poses().empty());
 }
 
 TEST(DeviceMoves, KnowWhatTheCellHasNot) {
   DeviceMoves moves;
-  moves.put("a", at(1));
-  moves.put("b", at(1));
-  moves.saved("a", at(1));
+  moves.put("a", poseOn(1));
+  moves.put("b", poseOn(1));
+  moves.saved("a", poseOn(1));
   EXPECT_EQ(moves.unsaved(), std::vector<std::string>{"b"});
-  moves.put("a", at(2));
+  moves.put("a", poseOn(2));
   EXPECT_EQ(moves.unsaved(), (std::vector<std::string>{"a", "b"}));
   moves.put("a", std::nullopt);
   EXPECT_EQ(moves.unsaved(), (std::vector<std::string>{"a", "b"}));
-  moves.put("a", at(1));
+  moves.put("a", poseOn(1));
   moves.put("b", std::nullopt);
   EXPECT_TRUE(moves.unsaved().empty());
   moves.put("a", std::nullopt);
-  moves.saved("a", at(0));
+  moves.saved("a", poseOn(0));
   EXPECT_TRUE(moves.unsaved().empty());
 }
 
 TEST(DeviceMoves, OnlyTheOldestStepsAreForgotten) {
   DeviceMoves moves;
   for (std::size_t i = 0; i < DeviceMoves::kMostSteps + 5; ++i) {
-    moves.put("a", at(static_cast<double>(i) + 1));
+    moves.put("a", poseOn(static_cast<double>(i) + 1));
   }
   std::size_t undone = 0;
   while (moves.undo()) ++undone;
@@ -105,10 +105,10 @@ TEST(DeviceMoves, AreDrawnWherePacketsSayNothing) {
   received.apply(LogTime{}, *decoder->decode(bytesOf(text)));
   DeviceMoves moves;
   EXPECT_EQ(moves.over(received, cell, LogTime{}), &received);
-  moves.put("said", at(7));
-  moves.put("gone", at(7));
+  moves.put("said", poseOn(7));
+  moves.put("gone", poseOn(7));
   EXPECT_EQ(moves.over(received, cell, LogTime{}), &received);
-  moves.put("still", at(8));
+  moves.put("still", poseOn(8));
   const SessionState* const shown = moves.over(received, cell, LogTime{});
   ASSERT_NE(shown, &received);
   EXPECT_EQ(shown->findDevice("said")->pose->value.pose.position, Vec3(1, 2, 3));
