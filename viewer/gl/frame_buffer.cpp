@@ -56,16 +56,21 @@ int storeSamples(const GlTable& gl, GlRenderbuffer& name, GLenum format, int wid
 
 }  // namespace
 
+int FrameBuffer::mostSamples(const GlTable& gl) {
+  GLint most = 0;
+  gl.GetIntegerv(GL_MAX_SAMPLES, &most);
+  return std::max(most, 1);
+}
+
 Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height, int samples) {
   GLint max_side = 0;
-  GLint max_samples = 0;
+  const int max_samples = mostSamples(gl);
   gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &max_side);
-  gl.GetIntegerv(GL_MAX_SAMPLES, &max_samples);
   if (width < 1 || height < 1 || width > max_side || height > max_side) {
     return badFrame(fmt::format("cannot draw a frame of {}x{}: each side must be 1 to {} here",
                                 width, height, max_side));
   }
-  if (samples < 1 || samples > std::max(max_samples, 1)) {
+  if (samples < 1 || samples > max_samples) {
     return badFrame(
         fmt::format("cannot draw {} samples: this renderer has 1 to {}", samples, max_samples));
   }

@@ -17,6 +17,9 @@ class FrameBuffer {
   /// when memory is insufficient.
   static Result<FrameBuffer> create(const GlTable& gl, int width, int height, int samples);
 
+  /// Samples per pixel that this renderer has, at least 1.
+  static int mostSamples(const GlTable& gl);
+
   /// The context's own, which something else made and keeps: one sample, perhaps no depth.
   static FrameBuffer ofContext(const GlTable& gl, int width, int height);
 

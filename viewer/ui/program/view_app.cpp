@@ -57,14 +57,14 @@ class ViewApp {
 
  private:
   ViewApp(ViewContent& content, Window& window, const ViewOptions& options, WindowSession& session,
-          Renderer renderer)
+          Renderer renderer, int samples)
       : shown_(content.request),
         model_(*content.model),
         options_(options),
         opening_(session.loader, session.left, model_, shown_),
         window_(&window),
         interface_(options.script.empty() ? window_ : nullptr),
-        picture_(model_, std::move(renderer), options.samples),
+        picture_(model_, std::move(renderer), samples),
         painter_(session.painter),
         detail_(options.detail, options.script.empty() && options.profile == Profile::fast,
                 options.target_fps),
@@ -150,8 +150,15 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
     cli::warn(shown);
     model.viewer.panels.notes.push_back({shown, false});
   }
+  int samples = options.samples;
+  const int most_samples = FrameBuffer::mostSamples(renderer->gl());
+  if (samples == ViewOptions().samples && samples > most_samples) {
+    samples = most_samples;
+    cli::warn(fmt::format("this driver draws {} of the usual {} samples: edges are less smooth",
+                          samples, options.samples));
+  }
   std::unique_ptr<ViewApp> app(
-      new ViewApp(content, window, options, session, std::move(*renderer)));
+      new ViewApp(content, window, options, session, std::move(*renderer), samples));
   if (session.painter) {
     session.painter->refreshFont();
   } else {
