@@ -217,6 +217,7 @@ void ViewApp::prepareView() {
   }
   detail_.setLooksByDefault(model_.hasLooksByDefault());
   detail_.tell(status_);
+  part_ = model_.viewer.picture_part = part();
 }
 
 /// Before the panels are drawn.
@@ -473,7 +474,6 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
   if (model_.cameraName().empty() && !model_.viewer.was_shown) {
     if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
     prepareView();
-    part_ = part();
     model_.fit(picture_.corners(false), part_.width, part_.height);
   }
   while (!window_->closeRequested() && !cli::stopRequested()) {
