@@ -54,6 +54,7 @@ wc -c > "${last#file:}"
 SH
 chmod +x bin/ffmpeg
 cat >script.txt <<'SCRIPT'
+panels off
 camera bench
 select arm
 nearest on

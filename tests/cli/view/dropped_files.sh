@@ -36,7 +36,7 @@ drop two.cell.toml
 xdotool search --sync --name '^Rocinante: .*two.cell.toml' >/dev/null
 echo "a cell is shown"
 # What is being made of this is written before another file is shown.
-xdotool key --window 0 s
+xdotool key --window 0 Tab key --window 0 s
 drop box.urdf
 xdotool search --sync --name '^Rocinante: .*box.urdf' >/dev/null
 ls evidence-*.png | wc -l

@@ -4,6 +4,7 @@ export ASAN_OPTIONS=detect_leaks=0
 cp -r "$SRC/examples/demo" demo && cd demo
 printf '\n[[inset]]\ncamera = "map"\n' >>demo.cell.toml
 cat >script.txt <<'SCRIPT'
+panels off
 seek 2s
 golden-case whole
 inset 1 bottom-left

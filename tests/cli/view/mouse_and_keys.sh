@@ -24,8 +24,8 @@ rocinante view two.cell.toml --size 640x480 --detail 0 --samples 1 2>view.txt &
 viewer=$!
 window=$(xdotool search --sync --onlyvisible --name '^Rocinante')
 # The picture's middle, then the list of cameras.
-xdotool mousemove --window "$window" 320 240 click 1 mousemove --window "$window" 150 58 click 1
-xdotool key --window 0 Escape key --window 0 h key --window 0 s
+xdotool mousemove --window "$window" 470 240 click 1 mousemove --window "$window" 140 48 click 1
+xdotool key --window 0 Escape key --window 0 h key --window 0 Tab key --window 0 s
 until ls evidence-*.png >/dev/null 2>&1; do
   kill -0 $viewer || { cat view.txt; exit 1; }
   sleep 0.1

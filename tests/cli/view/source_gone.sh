@@ -4,6 +4,7 @@ export ASAN_OPTIONS=detect_leaks=0 XDG_CACHE_HOME=$PWD/cache
 demo=$SRC/examples/demo
 port=$((20000 + ($$ + 13) % 20000))
 cat >script.txt <<'SCRIPT'
+panels off
 frame 1
 screenshot listens.png
 await-line nothing received for the last 2 s

@@ -25,13 +25,13 @@ PYTHON
 python3 make.py
 cat >script.txt <<'SCRIPT'
 frame 2
-mouse 145 30   # the tab Events, which must know that the mouse is over it (ImGui 1.92)
+mouse 135 20   # the tab Events, which must know that the mouse is over it (ImGui 1.92)
 frame 2
 button left down
 frame 1
 button left up
 frame 2
-mouse 150 58   # find an event
+mouse 140 48   # find an event
 frame 2
 button left down
 frame 1
@@ -39,12 +39,14 @@ button left up
 frame 1
 type 9876
 frame 2
-mouse 120 82   # the only one that is listed
+mouse 110 72   # the only one that is listed
 frame 2
 button left down
 frame 1
 button left up
 frame 2
+panels off
+frame 1
 evidence found.png
 event next
 frame 1

@@ -69,8 +69,8 @@ void drawBareButton(const char* name, const PanelRectangle& place, const Draw& d
 void addTurnedText(ImDrawList& list, ImVec2 at, ImU32 color, const char* text) {
   const int first = list.VtxBuffer.Size;
   // Before it is turned it would lie outside, perhaps of the window itself.
-  constexpr float kFar = 1e5F;
-  list.PushClipRect({-kFar, -kFar}, {kFar, kFar});
+  constexpr float kOutside = 1e5F;
+  list.PushClipRect({-kOutside, -kOutside}, {kOutside, kOutside});
   list.AddText(at, color, text);
   list.PopClipRect();
   for (int i = first; i < list.VtxBuffer.Size; ++i) {
