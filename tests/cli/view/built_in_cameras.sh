@@ -10,6 +10,7 @@ search = ["$demo"]
 camera = "map"
 TOML
 cat >script.txt <<'SCRIPT'
+panels off
 seek 7.88s
 camera map
 frame 1

@@ -25,7 +25,10 @@ bool beginTabs(ViewModel& model) {
   ImGui::SetCursorPos(begin);
   float& right = ImGui::GetCurrentWindow()->WorkRect.Max.x;
   const float whole = std::exchange(right, right - size - px(6));
+  // Six names stand beside each other in a narrow panel.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(px(2), px(4)));
   const bool open = ImGui::BeginTabBar("tabs");
+  ImGui::PopStyleVar();
   right = whole;
   return open;
 }

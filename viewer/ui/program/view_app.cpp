@@ -103,8 +103,11 @@ class ViewApp {
   void waitForNews();
   Result<std::unique_ptr<ViewContent>> takeOpened();
   bool showBackdrop();
-  /// Of the picture.
-  WindowSize size() const { return {part_.width, part_.height, interface_.scale()}; }
+  /// Of the picture, as the panels are now.
+  WindowSize size() const {
+    const PixelRectangle now = part();
+    return {now.width, now.height, interface_.scale()};
+  }
   PixelRectangle part() const;
 
   const ContentRequest& shown_;
