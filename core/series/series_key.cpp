@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/packet/item_text.h"
 #include "core/series/derived_value.h"
@@ -104,6 +105,15 @@ std::optional<SeriesKey> parseStatedKey(std::string_view text) {
   if (point == text.npos || point == 0 || point + 1 == text.size()) return std::nullopt;
   return SeriesKey{SeriesKey::Kind::joint, std::string(text.substr(0, point)),
                    std::string(text.substr(point + 1))};
+}
+
+std::optional<std::pair<std::string, std::string>> parsePath(std::string_view text) {
+  constexpr std::string_view kOver = " over ";
+  for (std::size_t at = text.find(kOver); at != text.npos; at = text.find(kOver, at + 1)) {
+    const std::string_view y = text.substr(0, at), x = text.substr(at + kOver.size());
+    if (parseSeriesKey(y) && parseSeriesKey(x)) return std::pair(std::string(y), std::string(x));
+  }
+  return std::nullopt;
 }
 
 }  // namespace rocinante

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/math/vector.h"
 
@@ -53,5 +54,9 @@ std::array<double, 7> poseNumbers(const Pose& pose);
 std::optional<SeriesKey> parseSeriesKey(std::string_view text);
 /// The same, but for derived ones.
 std::optional<SeriesKey> parseStatedKey(std::string_view text);
+
+/// The two texts of `VALUE over VALUE`, as they were written, where both are values; empty for
+/// anything else.
+std::optional<std::pair<std::string, std::string>> parsePath(std::string_view text);
 
 }  // namespace rocinante

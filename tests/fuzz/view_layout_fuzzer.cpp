@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "viewer/ui/model/view_layout.h"
+#include "viewer/view/view_layout.h"
 
 using namespace rocinante;
 

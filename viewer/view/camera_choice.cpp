@@ -62,6 +62,10 @@ std::string numbersOf(const Vec3& v) { return fmt::format("{},{},{}", v.x, v.y, 
 
 }  // namespace
 
+bool hasCamera(const std::string& name, const PosedScene& scene) {
+  return name == "map" || name == "fit" || chooseCamera(name, scene).ok();
+}
+
 Result<CameraView> parseViewpoint(std::string_view text) {
   const Error bad{ErrorKind::bad_argument,
                   "`" + std::string(text) +

@@ -16,6 +16,9 @@ CameraView viewOf(const PosedCamera& camera);
 /// known ones.
 Result<CameraView> chooseCamera(const std::string& name, const PosedScene& scene);
 
+/// Whether a camera of that name can be looked through, or made to fit.
+bool hasCamera(const std::string& name, const PosedScene& scene);
+
 /// A viewpoint in numbers, in place of a camera's name: "@EX,EY,EZ/TX,TY,TZ", eye and target in
 /// metres, then, each behind a slash, "fov=DEG", "ortho=HEIGHT_M" and "up=X,Y,Z". bad_argument.
 Result<CameraView> parseViewpoint(std::string_view text);

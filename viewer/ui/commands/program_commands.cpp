@@ -9,8 +9,8 @@
 #include "core/base/duration_text.h"
 #include "viewer/ui/commands/command_groups.h"
 #include "viewer/ui/commands/key_commands.h"
+#include "viewer/ui/model/applied_layout.h"
 #include "viewer/ui/model/dock_layout.h"
-#include "viewer/ui/model/view_layout.h"
 
 namespace rocinante {
 

@@ -5,23 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "viewer/view/panel_place.h"
+
 namespace rocinante {
 
 /// A panel on the window, from its top left.
 struct PanelRectangle {
   float x = 0, y = 0, width = 0, height = 0;
   bool operator==(const PanelRectangle&) const = default;
-};
-
-/// Where the user put a panel, in interface units (pixels at scale 1): its distance from the nearer
-/// edges of the window, so that it stays beside them when the window grows.
-struct PanelPlace {
-  float across = 0, down = 0;
-  bool from_right = false, from_bottom = false;
-  bool moved = false;  ///< else it lies where it always does
-  float width = 0;     ///< 0: its own
-  bool collapsed = false;
-  bool operator==(const PanelPlace&) const = default;
 };
 
 /// Where the user put panels, by their names (an edge's name has its width, and whether it is

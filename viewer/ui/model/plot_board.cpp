@@ -57,13 +57,4 @@ bool PlotBoard::toggle(const SeriesKey& key) {
   return true;
 }
 
-std::optional<std::pair<std::string, std::string>> parsePath(std::string_view text) {
-  constexpr std::string_view kOver = " over ";
-  for (std::size_t at = text.find(kOver); at != text.npos; at = text.find(kOver, at + 1)) {
-    const std::string_view y = text.substr(0, at), x = text.substr(at + kOver.size());
-    if (parseSeriesKey(y) && parseSeriesKey(x)) return std::pair(std::string(y), std::string(x));
-  }
-  return std::nullopt;
-}
-
 }  // namespace rocinante

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/series/series_key.h"
@@ -58,9 +55,5 @@ class PlotBoard {
   std::vector<Curve> curves_;
   std::vector<Path> paths_;
 };
-
-/// The two texts of `VALUE over VALUE`, as they were written, where both are values; empty for
-/// anything else.
-std::optional<std::pair<std::string, std::string>> parsePath(std::string_view text);
 
 }  // namespace rocinante

@@ -9,7 +9,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/plain_text.h"
 #include "core/document/toml_table.h"
-#include "viewer/ui/model/view_layout.h"
+#include "viewer/view/view_layout.h"
 
 namespace rocinante {
 namespace {

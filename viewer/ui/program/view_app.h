@@ -8,7 +8,6 @@
 
 #include "core/base/result.h"
 #include "viewer/render/renderer.h"
-#include "viewer/ui/model/view_layout.h"
 #include "viewer/ui/program/input_record.h"
 #include "viewer/ui/program/left_sessions.h"
 #include "viewer/ui/program/script_runner.h"
@@ -16,6 +15,7 @@
 #include "viewer/ui/program/view_script.h"
 #include "viewer/ui/window/imgui_painter.h"
 #include "viewer/ui/window/window.h"
+#include "viewer/view/view_layout.h"
 
 namespace rocinante {
 

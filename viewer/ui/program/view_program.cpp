@@ -6,6 +6,7 @@
 
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
+#include "viewer/ui/model/applied_layout.h"
 #include "viewer/ui/program/first_panel.h"
 #include "viewer/ui/program/remembered.h"
 #include "viewer/ui/window/window.h"

@@ -1,8 +1,7 @@
-#include "viewer/ui/model/view_layout.h"
+#include "viewer/ui/model/applied_layout.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/atomic_file.h"
 #include "core/cell/cell.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/test_session.h"
@@ -14,7 +13,7 @@ constexpr char kText[] = R"(# A layout of rocinante view: --layout, or the comma
 format = 1
 theme = "light"
 camera = "over"
-plots = ["arm.turn", "signal - state"]
+plots = ["arm.turn", "signal - state", "arm:x over d/dt arm.turn"]
 plots_height = 240.0
 plots_hidden = true
 insets = ["over:bottom-left:160x120px"]
@@ -47,12 +46,6 @@ class Layouts : public testing::Test {
   std::optional<ViewModel> model_;
 };
 
-TEST_F(Layouts, AreWrittenAndReadAgain) {
-  const auto read = ViewLayout::parse(kText, "l.layout.toml");
-  ASSERT_TRUE(read.ok()) << read.error().text();
-  EXPECT_EQ(read->text(), kText);
-}
-
 TEST_F(Layouts, AreWhatTheWindowHas) {
   const auto read = ViewLayout::parse(kText, "l.layout.toml");
   EXPECT_TRUE(applyLayout(*read, *model_).empty());
@@ -60,43 +53,41 @@ TEST_F(Layouts, AreWhatTheWindowHas) {
   EXPECT_EQ(model_->cameraName(), "over");
   EXPECT_TRUE(model_->viewer.plots.hidden);
   EXPECT_EQ(model_->viewer.plots.curves().size(), 2U);
+  ASSERT_EQ(model_->viewer.plots.paths().size(), 1U);
+  EXPECT_EQ(model_->viewer.plots.paths()[0].text(), "arm:x over d/dt arm.turn");
+  EXPECT_EQ(model_->viewer.plots.height, 240) << "that of the layout, not of a first path";
   EXPECT_EQ(layoutOf(*model_).text(), kText);
 }
 
 TEST_F(Layouts, NameWhatAWindowHasNot) {
   const auto read = ViewLayout::parse(
-      "format = 1\ncamera = \"none\"\nplots = [\"leg.1\", \"?\", \"arm.turn\"]\n"
+      "format = 1\ncamera = \"none\"\nplots = [\"leg.1\", \"?\", \"arm.turn\", "
+      "\"arm.turn over leg.1\", \"rate over arm.turn\"]\n"
       "insets = [\"none:top-left\", \"\", \"map\"]\n",
       "l.layout.toml");
   ASSERT_TRUE(read.ok()) << read.error().text();
   EXPECT_EQ(applyLayout(*read, *model_),
             (std::vector<std::string>{
                 "there is no camera `none`", "no device is named `leg`, so `leg.1` is not plotted",
-                "`?` is no value that can be plotted", "there is no camera `none` for an inset",
+                "`?` is no value that can be plotted",
+                "no device is named `leg`, so `arm.turn over leg.1` is not plotted",
+                "`rate over arm.turn` counts packets, and is no plot of one value over another",
+                "there is no camera `none` for an inset",
                 "`` is not an inset: use CAMERA or CAMERA:CORNER, as map:top-left"}));
   EXPECT_EQ(model_->viewer.plots.curves().size(), 1U);
+  EXPECT_TRUE(model_->viewer.plots.paths().empty());
   EXPECT_EQ(model_->viewer.insets.size(), 1U);
 }
 
-TEST_F(Layouts, AreRefusedWithTheirPlace) {
-  const auto fault = [](const char* text) {
-    const auto read = ViewLayout::parse(text, "l.layout.toml");
-    return read.ok() ? "" : read.error().text();
-  };
-  EXPECT_EQ(fault(""), "the format is not 1 (l.layout.toml:1:1)");
-  EXPECT_EQ(fault("format = 1\ntheme = \"blue\"\n"),
-            "the theme is neither dark nor light (l.layout.toml:2:9)");
-  EXPECT_NE(fault("format = 1\nplot = []\n").find("plot"), std::string::npos);
-}
-
-TEST_F(Layouts, ReplaceLayoutsAlone) {
-  const ViewLayout layout = layoutOf(*model_);
-  ASSERT_TRUE(layout.save(folder_ / "a.layout.toml"));
-  ASSERT_TRUE(layout.save(folder_ / "a.layout.toml"));
-  const Status refused = layout.save(folder_ / "cell.toml");
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().kind, ErrorKind::refused);
-  EXPECT_NE(readFile(folder_ / "cell.toml", 4096)->find("[[device]]"), std::string::npos);
+TEST_F(Layouts, NameWhatThereIsNoRoomFor) {
+  ViewLayout layout;
+  layout.plots = ViewLayout::Plots{};
+  for (std::size_t i = 0; i <= PlotBoard::kMaxPaths; ++i) {
+    layout.plots->values.push_back("arm:x over signal - s" + std::to_string(i));
+  }
+  EXPECT_EQ(applyLayout(layout, *model_),
+            std::vector<std::string>{"there is no room for the plot of `arm:x over signal - s6`"});
+  EXPECT_EQ(model_->viewer.plots.paths().size(), PlotBoard::kMaxPaths);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "viewer/ui/model/view_layout.h"
+#include "viewer/view/view_layout.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,6 @@
 #include <cmath>
 
 #include "core/base/atomic_file.h"
-#include "core/base/name_hint.h"
-#include "viewer/view/camera_choice.h"
-#include "viewer/view/inset_layout.h"
 
 namespace rocinante {
 namespace {
@@ -19,6 +16,7 @@ constexpr std::uint64_t kMaxBytes = 1U << 20U;
 constexpr double kMaxUnits = 1e5;
 constexpr std::size_t kMaxPanels = 64;
 constexpr std::size_t kMaxInsets = 64;
+constexpr std::size_t kMaxPlots = 64;  // a window and a page have room for fewer
 
 float units(TomlTable& table, std::string_view key) {
   const double given = table.number(key).value_or(0);
@@ -35,19 +33,12 @@ void readPlots(TomlTable& root, ViewLayout& layout) {
   if (!root.has("plots")) return;
   ViewLayout::Plots plots;
   plots.values = root.texts("plots");
-  if (plots.values.size() > PlotBoard::kMaxCurves) {
-    root.error("view.layout", "plots",
-               fmt::format("{} curves are more than the {} that can be plotted",
-                           plots.values.size(), PlotBoard::kMaxCurves));
+  if (plots.values.size() > kMaxPlots) {
+    root.error("view.layout", "plots", fmt::format("there are more than {} plots", kMaxPlots));
   }
   if (root.has("plots_height")) plots.height = units(root, "plots_height");
   plots.hidden = root.flag("plots_hidden").value_or(false);
   layout.plots = std::move(plots);
-}
-
-/// Whether a camera of that name can be looked through, or made to fit.
-bool hasCamera(ViewModel& model, const std::string& name) {
-  return name == "map" || name == "fit" || chooseCamera(name, model.scene()).ok();
 }
 
 }  // namespace
@@ -150,67 +141,6 @@ Status ViewLayout::save(const fs::path& file) const {
   }
   const std::string bytes = text();
   return writeFileWhole(file, std::as_bytes(std::span(bytes)), true);
-}
-
-ViewLayout layoutOf(const ViewModel& model) {
-  ViewLayout layout;
-  layout.is_light = model.viewer.panels.is_light;
-  const bool is_named = !model.cameraName().empty();
-  if (is_named) layout.camera = model.cameraName();
-  layout.panels = model.viewer.panels.places.places;
-  const PlotBoard& board = model.viewer.plots;
-  ViewLayout::Plots plots{{}, board.height, board.hidden};
-  for (const PlotBoard::Curve& curve : board.curves()) plots.values.push_back(curve.key.text());
-  layout.plots = std::move(plots);
-  layout.insets.emplace();
-  for (const InsetChoice& choice : model.viewer.insets) {
-    if (choice.shown) layout.insets->push_back(insetText(choice.inset));
-  }
-  return layout;
-}
-
-std::vector<std::string> applyLayout(const ViewLayout& layout, ViewModel& model) {
-  std::vector<std::string> left_out;
-  if (layout.is_light) model.viewer.panels.is_light = *layout.is_light;
-  if (!layout.camera.empty() && hasCamera(model, layout.camera)) {
-    model.useCamera(layout.camera);
-  } else if (!layout.camera.empty()) {
-    left_out.push_back(fmt::format("there is no camera `{}`", layout.camera));
-  }
-  model.viewer.panels.places = {};
-  model.viewer.panels.places.places = layout.panels;
-  if (layout.plots) {
-    PlotBoard& board = model.viewer.plots;
-    board.clear();
-    for (const std::string& value : layout.plots->values) {
-      const auto key = parseSeriesKey(value);
-      if (!key) {
-        left_out.push_back(fmt::format("`{}` is no value that can be plotted", value));
-        continue;
-      }
-      if (key->isOfDevice() && model.scene().findDevice(key->name) == nullptr) {
-        left_out.push_back(
-            fmt::format("no device is named `{}`, so `{}` is not plotted", key->name, value));
-        continue;
-      }
-      board.add(*key);
-    }
-    board.height = std::max(layout.plots->height, PlotBoard::kLeastHeight);
-    board.hidden = layout.plots->hidden;
-  }
-  if (!layout.insets) return left_out;
-  model.viewer.insets.clear();
-  for (const std::string& text : *layout.insets) {
-    const auto inset = parseInset(text);
-    if (!inset.ok()) {
-      left_out.push_back(inset.error().what);
-    } else if (!hasCamera(model, inset->camera)) {
-      left_out.push_back(fmt::format("there is no camera `{}` for an inset", inset->camera));
-    } else {
-      model.viewer.insets.push_back({*inset, true});
-    }
-  }
-  return left_out;
 }
 
 }  // namespace rocinante

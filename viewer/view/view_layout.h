@@ -5,23 +5,26 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/document/toml_table.h"
-#include "viewer/ui/model/view_model.h"
+#include "viewer/view/panel_place.h"
 
 namespace rocinante {
 
 /// What a window shows and where, as a file that people share: NAME.layout.toml
-/// (docs/programs/view.md, "Layouts"). A plain value; what it does not say stays as it is.
+/// (docs/programs/view.md, "Layouts"); a page begins with it, too. A plain value; what it does not
+/// say stays as it is.
 struct ViewLayout {
   std::optional<bool> is_light;
   std::string camera;  ///< empty: not said
   std::map<std::string, PanelPlace> panels;
   struct Plots {
-    std::vector<std::string> values;  ///< as the command `plot` takes them
-    float height = 200;               ///< in interface units
+    /// As the command `plot` takes them: VALUE, or `VALUE over VALUE`. Not looked into.
+    std::vector<std::string> values;
+    float height = 200;  ///< in interface units
     bool hidden = false;
   };
   std::optional<Plots> plots;
@@ -34,10 +37,6 @@ struct ViewLayout {
   /// Replaces a layout; refused for a file that is none.
   Status save(const std::filesystem::path& file) const;
 };
-
-ViewLayout layoutOf(const ViewModel& model);
-/// Returns what of it this window does not have, a sentence each.
-std::vector<std::string> applyLayout(const ViewLayout& layout, ViewModel& model);
 
 /// One panel's place as a table's lines, and back: its name with what it says.
 std::string panelText(const std::string& name, const PanelPlace& place);
