@@ -232,6 +232,34 @@ await check("signals are listed and plotted, also those of no device and of none
   assert.deepEqual(other.complaints, []);
   await other.page.close();
 });
+await check("a page begins with its layout: camera, theme, insets and curves, which a selection covers", async () => {
+  const other = await open(path.replace(/[^/]*$/, "layout.html"), "");
+  await shown(other.page);
+  assert.equal(await other.page.evaluate(() => window.rocinante.calls.camera()), "fit");
+  assert.equal(await other.page.locator("#camera").inputValue(), "fit");
+  assert.equal(await other.page.evaluate(() => getComputedStyle(document.documentElement).colorScheme), "light");
+  await other.page.waitForFunction(() => window.rocinante.plots.part() === 1);
+  const lanes = () => other.page.locator("#lanes .joint").allInnerTexts();
+  assert.deepEqual(await lanes(), ["arm.joint2", "d/dt arm.joint2"]);
+  for (const at of [0, 1]) {
+    assert.ok((await other.page.locator("#lanes path.curve").nth(at).getAttribute("d")).length > 100);
+  }
+  await other.page.waitForFunction(() => document.querySelectorAll("#lanes .value")[0].textContent.endsWith("\u00b0"));
+  assert.ok((await other.page.locator("#plots").boundingBox()).height <= 170);
+  await other.page.locator("#devices h2", { hasText: "arm" }).first().click();
+  assert.ok(!(await lanes()).includes("arm.joint2"));
+  await other.page.keyboard.press("Escape");
+  assert.deepEqual(await lanes(), ["arm.joint2", "d/dt arm.joint2"]);
+  await other.page.keyboard.press("p");
+  assert.equal(await other.page.locator("#plots").isHidden(), true);
+  await other.page.screenshot({ path: folder + "/../layout.png" });
+  assert.deepEqual(other.complaints, []);
+  await other.page.close();
+  const linked = await open(path.replace(/[^/]*$/, "layout.html"), "#t=2&camera=overview");
+  await shown(linked.page);
+  assert.equal(await linked.page.evaluate(() => window.rocinante.calls.camera()), "overview");
+  await linked.page.close();
+});
 await check("what is not listed and not plotted is counted", async () => {
   const other = await open(path.replace(/[^/]*$/, "many.html"), "#t=0.027");
   await shown(other.page);

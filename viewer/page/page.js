@@ -38,6 +38,7 @@ function fail(problem) {
 }
 
 let calls, about, panels, plots;
+let layout = {};         // what the page begins with (viewer/page/page_layout.h); empty: nothing is said
 let events = [];
 let now = 0;             // ns from the session's origin
 let playing = false;
@@ -101,7 +102,7 @@ function draw(care) {
   const at = performance.now();
   const isListed = care !== careOf.moving || at - listedAt >= kListMs;
   if (isListed) listedAt = at;
-  plots.moveCursor(now, isListed ? panels.showDevices() : null);
+  plots.moveCursor(now, isListed ? panels.showDevices() : null, isListed);
   ++stats.frames;
 }
 
@@ -202,6 +203,15 @@ function setLink() {
   if (selected.device) words.push("select=" + encodeURIComponent(pathOf(selected)));
   history.replaceState(null, "", "#" + words.join("&"));
 }
+// Before the link, which may say another camera. Returns what is wrong with it.
+function useLayout() {
+  const faults = [
+    layout.camera ? calls.useCamera(layout.camera) : "",
+    layout.insets ? calls.useInsets(layout.insets) : "",
+    calls.choosePlots(layout.plots || []),
+  ];
+  return faults.find(Boolean) || "";
+}
 function useLink() {
   const words = new URLSearchParams(location.hash.slice(1));
   linkFault = words.has("camera") ? calls.useCamera(words.get("camera")) : "";
@@ -296,6 +306,7 @@ async function openSession(viewer, cell) {
 function showBeginning() {
   about = calls.about();
   now = about.start_ns;
+  if (layout.camera) calls.useCamera(layout.camera);
   const words = new URLSearchParams(location.hash.slice(1));
   if (words.has("t")) now = Math.round(Number(words.get("t")) * 1e9);
   if (words.has("camera") && calls.useCamera(words.get("camera")) || calls.isFitted()) return;
@@ -307,6 +318,7 @@ function showBeginning() {
 const page = {
   get calls() { return calls; },
   get about() { return about; },
+  get layout() { return layout; },
   now: () => now,
   selectedDevice: () => selected.device,
   hasDevice: (name) => about.devices.includes(name),
@@ -322,6 +334,7 @@ try {
   await rocinanteParts.beforeLog();
   const given = ["findings", "events"].map(rocinanteParts.inflated);
   for (const awaited_below of given) awaited_below.catch(() => {});
+  if (rocinanteParts.has("layout")) layout = JSON.parse(new TextDecoder().decode(await rocinanteParts.inflated("layout")));
   const [viewer, cell] = await Promise.all([viewerStarts, rocinanteParts.inflated("cell")]);
   calls = rocinanteCalls(viewer);
   stats.startedMs = performance.now();
@@ -335,7 +348,9 @@ try {
   plots = rocinantePlots(page);
   element("bar").hidden = false;
   element("devices").hidden = window.innerWidth < 640;
+  const layoutFault = useLayout();
   useLink();
+  linkFault = linkFault || layoutFault;
   listenToBar();
   rocinantePointers(page);
   listenToKeys();
@@ -353,6 +368,7 @@ try {
     const [found, happened] = (await Promise.all(given)).map((bytes) => JSON.parse(new TextDecoder().decode(bytes)));
     events = happened || calls.events();
     panels.showList(found, events);
+    if (plots.begins()) plots.toggle();
     if (served) served.run(about, seek);
     setTimeout(makeDetail, 200);
   });

@@ -39,6 +39,14 @@ function rocinanteCalls(viewer) {
     select: (path) => withText(path, (at) => text(viewer._rocinante_select(at))),
     readPlots: (messages) => viewer._rocinante_read_plots(messages),
     plots: (device, ...all) => withText(device, (at) => json(viewer._rocinante_plots(at, ...all))),
+    // The values of a layout, of which the plots have curves; chosen before they are read.
+    choosePlots: (names) => names.map((name) => withText(name, (at) => text(viewer._rocinante_choose_plot(at)))).find(Boolean) || "",
+    chosen: (ns) => json(viewer._rocinante_chosen(ns)),
+    // In place of the cell's own.
+    useInsets(insets) {
+      viewer._rocinante_clear_insets();
+      return insets.map((inset) => withText(inset, (at) => text(viewer._rocinante_add_inset(at)))).find(Boolean) || "";
+    },
     fold(log) {
       const at = taken(log);
       const answer = json(viewer._rocinante_fold(at, log.length));

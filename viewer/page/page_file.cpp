@@ -101,6 +101,16 @@ void fill(std::string& page, std::string_view place, std::string_view content) {
   page.replace(at, place.size(), content);
 }
 
+/// The page's style, in the theme that is asked for.
+std::string styleOf(const PageParts& parts) {
+  std::string style = std::string(kPageFamily).append(kPageStyle);
+  if (!parts.is_light) return style;
+  fill(style, "color-scheme: light dark",
+       *parts.is_light ? "color-scheme: light" : "color-scheme: dark");
+  fill(style, "(prefers-color-scheme: dark)", *parts.is_light ? "not all" : "all");
+  return style;
+}
+
 /// The page with these scripts and parts. The viewer stands before the script, which starts it
 /// while a browser still reads what comes after.
 std::string filled(const PageParts& parts, const std::string& before_script,
@@ -109,7 +119,7 @@ std::string filled(const PageParts& parts, const std::string& before_script,
   page += kPageHtml;
   fill(page, "{{title}}", escaped(parts.title));
   fill(page, "{{left_out}}", escaped(parts.left_out));
-  fill(page, "{{style}}", std::string(kPageFamily).append(kPageStyle));
+  fill(page, "{{style}}", styleOf(parts));
   // From the end, so that what stands in a part is not looked at.
   fill(page, "{{session}}", session);
   fill(page, "{{script}}", kPageScript);
@@ -149,6 +159,7 @@ std::optional<std::string_view> appendPieces(std::string_view left, Bytes& log) 
 
 std::string sessionParts(const PageParts& parts) {
   return part("findings", bytesOf(parts.findings)) + part("events", bytesOf(parts.events)) +
+         (parts.layout.empty() ? std::string() : part("layout", bytesOf(parts.layout))) +
          part("cell", parts.cell);
 }
 

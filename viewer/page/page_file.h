@@ -26,6 +26,8 @@ struct PageParts {
   std::string left_out;           ///< what the cell lacks to be small; empty: nothing
   std::string findings = "null";  ///< pageFindings(), or null: nobody has looked
   std::string events = "null";    ///< pageEvents(), or null: the viewer finds them in the log
+  std::string layout;  ///< PageLayout's JSON: what the page begins with; empty: nothing is said
+  std::optional<bool> is_light;  ///< the theme; empty: that of the system
   Bytes log;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/base/atomic_file.h"
@@ -13,6 +14,7 @@
 #include "core/log/log_reader.h"
 #include "core/session/timeline.h"
 #include "viewer/page/page_file.h"
+#include "viewer/page/page_layout.h"
 #include "viewer/page/page_parts.h"
 
 namespace rocinante {
@@ -88,12 +90,31 @@ Result<std::string> eventsOf(const Bytes& bytes) {
   return pageEvents(**events, session.origin());
 }
 
+/// What the page begins with.
+Status takeLayout(const ViewLayout& layout, const Cell& cell, PageParts& parts,
+                  PageReport& report) {
+  auto reader = LogReader::openBytes(parts.log, "the page's log");
+  if (!reader) return reader.error();
+  auto made = pageLayout(layout, cell, std::move(*reader));
+  if (!made) return made.error();
+  parts.layout = std::move(made->json);
+  parts.is_light = layout.is_light;
+  report.layout_left_out = std::move(made->left_out);
+  return {};
+}
+
 }  // namespace
 
 Result<MadePage> pageFor(const PageJob& job) {
   MadePage made;
   PageReport& report = made.report;
   PageParts parts;
+  std::optional<ViewLayout> layout;
+  if (!job.layout.empty()) {
+    auto loaded = ViewLayout::load(job.layout);
+    if (!loaded) return loaded.error();
+    layout = std::move(*loaded);
+  }
   auto log = carriedLog(job, report);
   if (!log) return log.error();
   if (!isLog(job.log)) {
@@ -124,6 +145,9 @@ Result<MadePage> pageFor(const PageJob& job) {
   auto events = eventsOf(parts.log);
   if (!events) return events.error();
   parts.events = std::move(*events);
+  if (layout) {
+    if (Status taken = takeLayout(*layout, *cell, parts, report); !taken) return taken.error();
+  }
   parts.cell = pageCell(*cell, {}, job.parallel);
   parts.title = job.log.filename().string();
   std::string& page = made.html;

@@ -12,6 +12,7 @@
 #include "core/base/result.h"
 #include "core/cell/cell.h"
 #include "core/check/log_account.h"
+#include "core/report/account.h"
 #include "viewer/page/page_file.h"
 
 namespace rocinante {
@@ -21,8 +22,9 @@ struct PageJob : ModelSearch {
   std::filesystem::path cell;  ///< empty: the one that the log carries
   std::filesystem::path output;
   std::filesystem::path
-      viewer;               ///< folder of what scripts/build_web made; empty: the installed one
-  std::string from, until;  ///< session times; empty: the whole log
+      viewer;  ///< folder of what scripts/build_web made; empty: the installed one
+  std::filesystem::path layout;  ///< what the page begins with; empty: nothing is said
+  std::string from, until;       ///< session times; empty: the whole log
   std::uint64_t most_bytes = 0;  ///< of the page
   bool thin = false;             ///< make the cell smaller until the page has at most `most_bytes`
   bool overwrite = false;
@@ -35,6 +37,7 @@ struct PageReport {
   LogAccount account;                      ///< of the log
   std::uint64_t findings = 0, errors = 0;  ///< what `check` finds; errors are among the findings
   std::string left_out;                    ///< of the cell, for `thin`
+  Account layout_left_out;                 ///< what of the layout a page has not
   bool is_whole = true;  ///< nothing of the cell is missing, nothing of the log damaged
 };
 

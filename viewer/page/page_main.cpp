@@ -20,10 +20,13 @@ constexpr const char* kExamples =
     "  rocinante page robot.urdf session.mcap -o session.html --size 50MB\n"
     "  rocinante page site.cell.toml session.mcap -o small.html --size 5MB --thin\n"
     "  rocinante page session.mcap -o fall.html --from 30s --until 45s\n"
+    "  rocinante page cell.toml session.mcap -o session.html --layout forces.layout.toml\n"
     "  rocinante page --extract session.html -o session.mcap\n";
 
 /// Faults shown; further ones are only counted.
 constexpr std::size_t kWarningsShown = 5;
+/// Kinds of what a page has not of a layout.
+constexpr std::size_t kLayoutShown = 8;
 
 Result<cli::Exit> make(PageJob job) {
   job.parallel = cli::workerThreads();
@@ -39,6 +42,10 @@ Result<cli::Exit> make(PageJob job) {
   cli::say(fmt::format("{}: {}, with a log of {}\n", job.output.string(),
                        sizeText(report->page_bytes), sizeText(report->log_bytes)));
   if (!report->left_out.empty()) cli::say(report->left_out + "\n");
+  if (!report->layout_left_out.empty()) {
+    cli::say(fmt::format("of {} {}\n", job.layout.filename().string(),
+                         accountSentence(report->layout_left_out, kLayoutShown)));
+  }
   if (report->findings > 0) {
     cli::say(fmt::format("findings of check: {}, of them {} error{}\n", report->findings,
                          report->errors, report->errors == 1 ? "" : "s"));
@@ -66,6 +73,10 @@ int main(int argc, char** argv) {
                 "begin at this session time (12.5s, -1s, RFC 3339), as `log cut` does")
       .valueText("TIME");
   app.addOption("--until", job.until, "end before this session time").valueText("TIME");
+  app.addOption("--layout", job.layout,
+                "begin with the curves, insets, camera and theme of this NAME.layout.toml of the "
+                "window")
+      .valueText("FILE");
   app.addOption("--extract", page, "write the log that this page carries, byte for byte")
       .valueText("PAGE");
   app.addOption("--viewer", job.viewer,
@@ -79,6 +90,9 @@ int main(int argc, char** argv) {
     if (!page.empty()) {
       if (!job.cell.empty() || !job.from.empty() || !job.until.empty()) {
         return Error{ErrorKind::bad_argument, "--extract takes no LOG, no CELL and no times", {}};
+      }
+      if (!job.layout.empty()) {
+        return Error{ErrorKind::bad_argument, "--extract takes no --layout", {}};
       }
       const auto bytes = extractLog(page, job.output, job.overwrite);
       if (!bytes) return bytes.error();

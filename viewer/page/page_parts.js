@@ -97,6 +97,7 @@ function readLog(viewer, say) {
 
 return {
   inflated, readLog,
+  has: (id) => Boolean(element(id)),
   // Resolves once what stands before the log is there.
   beforeLog: () => until(() => element("log") || isRead()),
 };

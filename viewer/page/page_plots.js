@@ -1,5 +1,5 @@
 "use strict";
-// Curves of the selected device's joints and signals, or of the signals of no device, over the session. What a curve is, its scale and its
+// Curves of the selected device's joints and signals, or of the layout's values and the signals of no device, over the session. What a curve is, its scale and its
 // limits come from viewer/web; here they are laid out, with a cursor that scrubs.
 function rocinantePlots(page) {
   const kHeight = 40;            // of a lane, in pixels
@@ -13,6 +13,8 @@ function rocinantePlots(page) {
   let shownAt = 0;
   let lanes = [];
   let drawn = "";                // what the lanes show
+  const chosen = page.layout.plots || [];  // shown while no device is selected
+  if (page.layout.plots_height) panel.style.maxHeight = `min(${page.layout.plots_height}px, 60vh)`;
 
   function readOn() {
     const begun = performance.now();
@@ -51,22 +53,24 @@ function rocinantePlots(page) {
     const given = page.calls.plots(device, page.now(), width, kHeight);
     lanes = (given.lanes || []).map((lane) => makeLane(lane, width));
     document.getElementById("lanes").replaceChildren(...lanes.map((lane) => lane.box));
-    const whose = (device || "signals of no device") + (given.more ? `, and ${given.more} more signals without a curve` : "");
+    const whose = (device || (chosen.length ? "plots of the layout, and signals of no device" : "signals of no device")) + (given.more ? `, and ${given.more} more signals without a curve` : "");
     say.textContent = !device && !lanes.length ? "Choose a device: click it in the picture or in the list."
       : part < 0 ? "The log cannot be read on: the curves end there."
       : part < 1 ? `${whose}: reading the log, ${Math.round(100 * part)} %`
       : lanes.length ? whose : device + " has no joints and no signals with numbers";
-    moveCursor(page.now(), null);
+    moveCursor(page.now(), null, true);
   }
 
-  // `values`: name and text of the values of this moment, or null when they are not at hand.
-  function moveCursor(now, values) {
+  // `values`: name and text of the values of this moment, or null when they are not at hand. `isListed`: values
+  // are shown anew.
+  function moveCursor(now, values, isListed) {
+    const ofLayout = isListed && chosen.length && !panel.hidden && !page.selectedDevice() ? page.calls.chosen(now) : {};
     const length = Math.max(page.about.end_ns - page.about.start_ns, 1);
     for (const lane of lanes) {
       const x = (now - page.about.start_ns) / length * lane.svg.viewBox.baseVal.width;
       lane.cursor.setAttribute("x1", x);
       lane.cursor.setAttribute("x2", x);
-      if (values) lane.value.textContent = values.get(lane.name) || "";
+      if (isListed && (values || chosen.includes(lane.name))) lane.value.textContent = ofLayout[lane.name] || values && values.get(lane.name) || "";
     }
   }
 
@@ -86,11 +90,13 @@ function rocinantePlots(page) {
     toggle() {
       panel.hidden = !panel.hidden;
       document.getElementById("curves").setAttribute("aria-pressed", String(!panel.hidden));
-      if (!panel.hidden && !page.selectedDevice()) page.selectFirst();
+      if (!panel.hidden && !page.selectedDevice() && !chosen.length) page.selectFirst();
       drawn = "";
       if (!isReading) readOn();
       page.ask();
     },
     part: () => part,
+    // Whether the layout has them shown.
+    begins: () => chosen.length > 0 && !page.layout.plots_hidden,
   };
 }

@@ -117,6 +117,17 @@ EMSCRIPTEN_KEEPALIVE const char* rocinante_plots(const char* device, double at, 
                                                  double height) {
   return say(session->plotsJson(device, ns(at), static_cast<std::size_t>(width), height));
 }
+/// Before the first rocinante_read_plots(). Empty, or what is wrong.
+EMSCRIPTEN_KEEPALIVE const char* rocinante_choose_plot(const char* name) {
+  return say(session->choosePlot(name));
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_chosen(double at) {
+  return say(session->chosenJson(ns(at)));
+}
+EMSCRIPTEN_KEEPALIVE void rocinante_clear_insets() { session->clearInsets(); }
+EMSCRIPTEN_KEEPALIVE const char* rocinante_add_inset(const char* text) {
+  return say(session->addInset(text));
+}
 EMSCRIPTEN_KEEPALIVE const char* rocinante_use_camera(const char* name) {
   return say(session->useCamera(name));
 }

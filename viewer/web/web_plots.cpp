@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/cell/posed_scene.h"
 #include "core/report/json_text.h"
 #include "core/series/positional_names.h"
 #include "viewer/shown/joint_rows.h"
@@ -78,18 +79,36 @@ Json laneJson(const PlotValue& value, std::string_view unit,
 
 }  // namespace
 
-WebPlots::WebPlots(const Cell& cell, LogReader log, LogTime start, LogTime end)
+WebPlots::WebPlots(const Cell& cell, LogReader log, LogTime start, LogTime end,
+                   const std::vector<std::string>& chosen)
     : log_(std::move(log)),
       start_(start),
       end_(end),
-      series_(std::make_unique<SeriesScan>(optionsOf(cell, start, end))) {}
+      series_(std::make_unique<SeriesScan>(optionsOf(cell, start, end))) {
+  if (chosen.empty()) return;
+  const SessionState nothing_said;
+  const PosedScene scene = poseScene(cell, nothing_said);
+  // Links and what is derived are gathered only when they are asked for.
+  SeriesScan::Options options = optionsOf(cell, start, end);
+  options.cell = &cell;
+  options.only.emplace();
+  for (const std::string& name : chosen) {
+    const auto key = parseSeriesKey(name);
+    if (!key) continue;
+    chosen_.push_back({name, plotValue(*key, scene)});
+    options.only->insert(chosen_.back().value.series);
+  }
+  chosen_series_ = std::make_unique<SeriesScan>(std::move(options));
+}
 
 Result<double> WebPlots::read(std::uint64_t messages) {
   for (std::uint64_t i = 0; i < messages && !ended_; ++i) {
     const auto message = log_.next();
     if (!message) return message.error();
     ended_ = !*message;
-    if (!ended_) series_->add(**message);
+    if (ended_) break;
+    series_->add(**message);
+    if (chosen_series_) chosen_series_->add(**message);
   }
   if (ended_ || end_ <= start_) return 1.0;
   const double part = static_cast<double>((series_->reached() - start_).count()) /
@@ -97,19 +116,43 @@ Result<double> WebPlots::read(std::uint64_t messages) {
   return std::clamp(part, 0.0, 0.999);
 }
 
-Json WebPlots::laneOf(const PlotValue& value, std::string_view unit, std::size_t width,
-                      double height) const {
-  const std::size_t count = std::clamp<std::size_t>(width, 1, kMaxColumns);
-  const ValueBins* const bins = series_->values(value.series);
+std::vector<ValueColumn> WebPlots::columnsOf(const SeriesScan& series, const PlotValue& value,
+                                             std::size_t count) const {
+  const ValueBins* const bins = series.values(value.series);
   std::vector<ValueColumn> columns;
   if (bins != nullptr) columns = bins->columns(start_, end_, count);
   // Nothing is known behind what was read: a curve ends there.
   for (std::size_t i = 0; !ended_ && i < columns.size(); ++i) {
     const Nanoseconds since =
         (end_ - start_) / static_cast<std::int64_t>(count) * static_cast<std::int64_t>(i);
-    if (start_ + since > series_->reached()) columns[i].held.reset();
+    if (start_ + since > series.reached()) columns[i].held.reset();
   }
-  return laneJson(value, unit, columns, height);
+  return columns;
+}
+
+Json WebPlots::laneOf(const SeriesScan& series, const PlotValue& value, std::string_view unit,
+                      std::size_t width, double height) const {
+  const std::size_t count = std::clamp<std::size_t>(width, 1, kMaxColumns);
+  return laneJson(value, unit, columnsOf(series, value, count), height);
+}
+
+std::string WebPlots::chosenJson(LogTime time) const {
+  Json values = Json::object();
+  for (const Chosen& one : chosen_) {
+    const ValueBins* const bins = chosen_series_->values(one.value.series);
+    if (bins == nullptr || (!ended_ && time > chosen_series_->reached())) continue;
+    const auto held = bins->columns(time, time + Nanoseconds(1), 1).front().held;
+    if (!held) continue;
+    const auto columns = columnsOf(*chosen_series_, one.value, 64);
+    const auto range = rangeOf(columns, one.value);
+    if (!range) continue;
+    const PlotScale scale = plotScale(range->first, range->second, one.value.unit, 2);
+    std::string text = plotText(one.value.shown(static_cast<double>(*held)), one.value.unit, scale);
+    const std::string_view unit = chosen_series_->unitOf(one.value.series);
+    if (!unit.empty()) text.append(" ").append(unit);
+    values[one.name] = std::move(text);
+  }
+  return values.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string WebPlots::lanesJson(const std::string& name, const PosedDevice* device,
@@ -119,15 +162,25 @@ std::string WebPlots::lanesJson(const std::string& name, const PosedDevice* devi
     lane["name"] = std::move(of);
     lanes.push_back(std::move(lane));
   };
+  if (name.empty()) {
+    for (const Chosen& one : chosen_) {
+      const std::string_view unit = chosen_series_->unitOf(one.value.series);
+      add(laneOf(*chosen_series_, one.value, unit, width, height), one.name);
+    }
+  }
+  const auto isChosen = [&](const SeriesKey& key) {
+    return std::ranges::any_of(chosen_, [&](const Chosen& one) { return one.value.series == key; });
+  };
   if (device != nullptr) {
     for (const JointRow& row : jointRows(*device->model, state.findDevice(name), "")) {
       const PlotValue value = plotValue({SeriesKey::Kind::joint, name, row.name}, device->model);
-      add(laneOf(value, {}, width, height), row.name);
+      add(laneOf(*series_, value, {}, width, height), row.name);
     }
   }
   std::vector<SeriesKey> signals = series_->keys();
   std::erase_if(signals, [&](const SeriesKey& key) {
-    return key.kind != SeriesKey::Kind::signal || key.name != name;
+    return key.kind != SeriesKey::Kind::signal || key.name != name ||
+           (name.empty() && isChosen(key));
   });
   // As they are listed: those of the device itself first.
   std::sort(signals.begin(), signals.end(), [](const SeriesKey& a, const SeriesKey& b) {
@@ -136,7 +189,7 @@ std::string WebPlots::lanesJson(const std::string& name, const PosedDevice* devi
   const std::size_t more = signals.size() - std::min(signals.size(), kMaxSignals);
   signals.resize(signals.size() - more);
   for (const SeriesKey& key : signals) {
-    add(laneOf(plotValue(key, nullptr), series_->unitOf(key), width, height), key.text());
+    add(laneOf(*series_, plotValue(key, nullptr), series_->unitOf(key), width, height), key.text());
   }
   const Json json = {{"lanes", std::move(lanes)}, {"more", more}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -13,6 +13,7 @@
 #include "viewer/shown/joint_rows.h"
 #include "viewer/shown/signal_rows.h"
 #include "viewer/view/camera_choice.h"
+#include "viewer/view/inset_layout.h"
 #include "viewer/web/web_context.h"
 
 namespace rocinante {
@@ -131,6 +132,7 @@ FrameRequest WebSession::requestAt(std::int64_t ns, int width, int height) {
   request.camera = by_hand_ ? viewpointText(by_hand_->view()) : camera_;
   request.width = width;
   request.height = height;
+  request.insets = insets_;
   if (!selected_path_.empty()) request.style.outlined.push_back(selected_path_);
   return request;
 }
@@ -294,6 +296,29 @@ Status WebSession::select(const std::string& path) {
   return {};
 }
 
+Status WebSession::addInset(const std::string& text) {
+  auto inset = parseInset(text);
+  if (!inset) return inset.error();
+  FrameRequest request = requestAt(0, 640, 480);
+  request.camera = inset->camera;
+  if (const auto known = maker_.camera(request); !known) return known.error();
+  if (!insets_) insets_.emplace();
+  insets_->push_back(*std::move(inset));
+  return {};
+}
+
+Status WebSession::choosePlot(const std::string& name) {
+  if (!parseSeriesKey(name)) {
+    return Error{ErrorKind::bad_argument, "'" + name + "' is no value that can be plotted", {}};
+  }
+  if (std::ranges::find(chosen_, name) == chosen_.end()) chosen_.push_back(name);
+  return {};
+}
+
+std::string WebSession::chosenJson(std::int64_t ns) {
+  return plots_ ? plots_->chosenJson(momentOf(ns)) : "{}";
+}
+
 Result<double> WebSession::readPlots(std::uint64_t messages) {
   if (live_) return 1.0;  // what was is not kept
   if (!plots_) {
@@ -301,7 +326,7 @@ Result<double> WebSession::readPlots(std::uint64_t messages) {
     if (!reader) return reader.error();
     if (Status there = reader->rewind(); !there) return there.error();
     plots_.emplace(maker_.cell(), std::move(*reader), maker_.session()->start(),
-                   maker_.session()->end());
+                   maker_.session()->end(), chosen_);
   }
   return plots_->read(messages);
 }

@@ -91,6 +91,15 @@ class WebSession {
   /// that neither cell nor session has.
   Status select(const std::string& path);
 
+  /// The insets of the picture from now on, in place of the cell's: none until some are added.
+  void clearInsets() { insets_.emplace(); }
+  /// As parseInset() takes it.
+  Status addInset(const std::string& text);
+
+  /// A value that the plots have, whatever is selected; before the first readPlots().
+  Status choosePlot(const std::string& name);
+  /// WebPlots::chosenJson() at that moment.
+  std::string chosenJson(std::int64_t ns);
   /// Reads on for the plots; the part that is read, 0 to 1.
   Result<double> readPlots(std::uint64_t messages);
   /// WebPlots::lanesJson() of a device, or without a name of none, at that moment.
@@ -128,6 +137,8 @@ class WebSession {
   std::optional<Turntable> by_hand_;
   std::optional<ViewPath> selected_;
   std::string selected_path_;
+  std::optional<std::vector<CellInset>> insets_;  // empty: the cell's
+  std::vector<std::string> chosen_;
   std::optional<WebPlots> plots_;  // made on first use
   Governor governor_{Governor::Settings{}};
   std::string warning_;

@@ -89,6 +89,29 @@ TEST(PageFile, ANameIsTextAndNothingElse) {
   EXPECT_EQ(*log, parts.log);
 }
 
+TEST(PageFile, HasALayoutWhereOneIsGiven) {
+  PageParts parts = smallParts();
+  EXPECT_EQ(pageOf(parts).find("id=\"rocinante-layout\""), std::string::npos);
+  parts.layout = "{}";
+  const std::string page = pageOf(parts);
+  EXPECT_LT(page.find("id=\"rocinante-layout\""), page.find("id=\"rocinante-log\""));
+  EXPECT_EQ(*logOfPage(page, "page.html"), parts.log);
+}
+
+TEST(PageFile, IsInTheThemeThatIsAskedFor) {
+  PageParts parts = smallParts();
+  const auto has = [&](const char* text) { return pageOf(parts).find(text) != std::string::npos; };
+  EXPECT_TRUE(has("color-scheme: light dark;"));
+  EXPECT_TRUE(has("@media (prefers-color-scheme: dark) {"));
+  parts.is_light = false;
+  EXPECT_TRUE(has("color-scheme: dark;"));
+  EXPECT_TRUE(has("@media all {"));
+  parts.is_light = true;
+  EXPECT_TRUE(has("color-scheme: light;"));
+  EXPECT_TRUE(has("@media not all {"));
+  EXPECT_FALSE(has("prefers-color-scheme"));
+}
+
 TEST(PageFile, NothingOfAPartEndsIt) {
   const std::string page = pageOf(smallParts());
   // Six parts and the page's own script.
