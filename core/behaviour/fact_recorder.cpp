@@ -95,23 +95,44 @@ void FactRecorder::note(const SessionState& state, LogTime time, bool is_restate
       [](const OrderItem&) {},
       [](const JointItem&) {},
       [](const ViewItem&) {},
-      [&](const SignalItem& item) {
-        const SignalValue& value = item.item.value;
-        const std::string name = signalNameText(item.device, item.name);
-        if (value.kind != SignalKind::number) {
-          set(name, time, statementText(item).substr(name.size() + 1));
-        } else if (!value.unit.empty()) {
-          set("unit of " + name, time, value.unit);
-        }
-      },
+      [&](const SignalItem& item) { setSignal(item, time); },
   };
-  eachItem(state, set_fact);
+  eachItem(state, [&](const auto& item) {
+    ++looked_;
+    set_fact(item);
+  });
   std::ranges::sort(seen_);
-  for (auto& [name, changes] : facts_) {
-    if (changes.back().text.empty()) continue;
-    if (!std::ranges::binary_search(seen_, &changes))
-      changes.push_back({time, "", {}, is_restated});
+  for (auto& [name, changes] : facts_) endUnseen(changes, time);
+}
+
+void FactRecorder::note(std::span<const ChangedSignal> signals, LogTime time, bool is_restated) {
+  is_restated_ = is_restated;
+  for (const ChangedSignal& signal : signals) {
+    ++looked_;
+    seen_.clear();
+    if (signal.item != nullptr) setSignal({signal.device, signal.name, *signal.item}, time);
+    const std::string name = signalNameText(signal.device, signal.name);
+    for (const std::string& fact : {name, "unit of " + name}) {
+      const auto found = facts_.find(fact);
+      if (found != facts_.end()) endUnseen(found->second, time);
+    }
   }
+}
+
+void FactRecorder::setSignal(const SignalItem& item, LogTime time) {
+  const SignalValue& value = item.item.value;
+  const std::string name = signalNameText(item.device, item.name);
+  if (value.kind != SignalKind::number) {
+    set(name, time, statementText(item).substr(name.size() + 1));
+  } else if (!value.unit.empty()) {
+    set("unit of " + name, time, value.unit);
+  }
+}
+
+void FactRecorder::endUnseen(std::vector<FactChange>& changes, LogTime time) {
+  ++looked_;
+  if (changes.back().text.empty() || std::ranges::binary_search(seen_, &changes)) return;
+  changes.push_back({time, "", {}, is_restated_});
 }
 
 }  // namespace rocinante

@@ -94,16 +94,15 @@ void NumberRecorder::read(const Statement& statement) {
 }
 
 bool NumberRecorder::keep(const SessionState& state, LogTime time) {
-  bool says_fact = false;
+  says_fact_ = false;
   for (const Said& said : said_) {
     if (said.removed != nullptr) {
-      says_fact = says_fact || !said.removed->stated.empty();
       while (!said.removed->stated.empty()) takeBack(*said.removed->stated.back(), time);
       continue;
     }
     Signal& signal = *said.signal;
     if (!said.is_stated) {
-      says_fact = takeBack(signal, time) || says_fact;
+      takeBack(signal, time);
       continue;
     }
     if (signal.place == kUnstatedPlace) {
@@ -117,24 +116,46 @@ bool NumberRecorder::keep(const SessionState& state, LogTime time) {
     if (!said.is_number) {
       if (std::exchange(signal.is_number, false)) add(signal, time, kUnstated);
       signal.unit.clear();
-      says_fact = true;
+      change(signal);
       continue;
     }
     if (said.has_unit && signal.unit != said.unit) {
       signal.unit = said.unit;
-      says_fact = true;
+      change(signal);
     }
-    if (!std::exchange(signal.is_number, true)) says_fact = true;
+    if (!std::exchange(signal.is_number, true)) change(signal);
     add(signal, time, said.number);
   }
   said_.clear();
-  if (stated_ + unseen_ == state.signalCount()) return says_fact;
+  if (stated_ + unseen_ == state.signalCount()) return says_fact_;
   takeBackLost(state, time);
   return true;
 }
 
-bool NumberRecorder::takeBack(Signal& signal, LogTime time) {
-  if (signal.place == kUnstatedPlace) return false;
+std::optional<std::vector<ChangedSignal>> NumberRecorder::takeChanged(const SessionState& state) {
+  std::vector<ChangedSignal> changed;
+  for (Signal* const signal : std::exchange(changed_, {})) {
+    signal->is_changed = false;
+    const auto* const item = state.findSignal(*signal->device->name, *signal->name);
+    changed.push_back({*signal->device->name, *signal->name, item});
+    // The state may have had no room for what was said.
+    const bool is_number = item != nullptr && item->value.kind == SignalKind::number;
+    if ((item != nullptr) != (signal->place != kUnstatedPlace) || is_number != signal->is_number ||
+        (is_number && item->value.unit != signal->unit)) {
+      is_astray_ = true;
+    }
+  }
+  if (is_astray_ || beyond_ > 0) return std::nullopt;
+  return changed;
+}
+
+void NumberRecorder::change(Signal& signal) {
+  says_fact_ = true;
+  if (!std::exchange(signal.is_changed, true)) changed_.push_back(&signal);
+}
+
+void NumberRecorder::takeBack(Signal& signal, LogTime time) {
+  if (signal.place == kUnstatedPlace) return;
   std::vector<Signal*>& stated = signal.device->stated;
   stated[signal.place] = stated.back();
   stated[signal.place]->place = signal.place;
@@ -143,7 +164,7 @@ bool NumberRecorder::takeBack(Signal& signal, LogTime time) {
   --stated_;
   signal.unit.clear();
   if (std::exchange(signal.is_number, false)) add(signal, time, kUnstated);
-  return true;
+  change(signal);
 }
 
 /// A whole restatement forgets what it does not repeat.
@@ -155,6 +176,7 @@ void NumberRecorder::takeBackLost(const SessionState& state, LogTime time) {
     }
   }
   unseen_ = state.signalCount() - stated_;
+  is_astray_ = is_astray_ || unseen_ > 0;
 }
 
 void NumberRecorder::add(Signal& signal, LogTime time, double value) {

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/behaviour/fact_recorder.h"
 #include "core/behaviour/session_track.h"
 #include "core/packet/packet.h"
 #include "core/packet/session_state.h"
@@ -27,6 +29,9 @@ class NumberRecorder {
   /// The packet was folded: what was read of it is kept, and what `state` has lost meanwhile is not
   /// stated any more. True when it says a fact: a state, a unit, or a number where there was none.
   bool keep(const SessionState& state, LogTime time);
+  /// The signals that may say another fact than at the last call, each once, as `state` has them,
+  /// which is the last one kept and outlives their use. Nothing when it may be any.
+  std::optional<std::vector<ChangedSignal>> takeChanged(const SessionState& state);
   /// It was not: what was read of it is forgotten.
   void drop() { said_.clear(); }
   /// Names what is beyond kMaxSignals.
@@ -43,6 +48,7 @@ class NumberRecorder {
     std::string unit;
     std::size_t place = kUnstatedPlace;  ///< in the device's `stated`
     bool is_number = false;
+    bool is_changed = false;            ///< it is in `changed_`
     std::vector<double> times, values;  ///< that are not in the store yet
   };
   using Signals = std::map<SignalName, Signal, SignalOrder>;
@@ -64,9 +70,10 @@ class NumberRecorder {
   /// Both null beyond kMaxSignals.
   Device* deviceOf(std::string_view name);
   Signal* signalOf(std::string_view device, std::string_view link, std::string_view name);
-  /// False when it was not stated. The last of those that are takes its place.
-  bool takeBack(Signal& signal, LogTime time);
+  /// Of those that are stated the last takes its place.
+  void takeBack(Signal& signal, LogTime time);
   void takeBackLost(const SessionState& state, LogTime time);
+  void change(Signal& signal);
   void add(Signal& signal, LogTime time, double value);
   void store(Signal& signal);
 
@@ -80,6 +87,9 @@ class NumberRecorder {
   std::size_t unseen_ = 0;    ///< signals of the state that are not in `stated_`
   std::uint64_t beyond_ = 0;  ///< values of signals beyond the limit
   std::vector<Said> said_;
+  bool says_fact_ = false;  ///< what is being kept
+  std::vector<Signal*> changed_;
+  bool is_astray_ = false;  ///< the state has had others than were seen here
 };
 
 }  // namespace rocinante

@@ -17,6 +17,17 @@ constexpr Nanoseconds kBurst = std::chrono::milliseconds(10);
 constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kJoints = 0, kPose = 1;  // series
 
+bool isOn(const Path& carrier, const PathView& path) {
+  return path.first == carrier.first && path.second == carrier.second &&
+         path.is_layer == carrier.is_layer;
+}
+
+/// True for a pose in another space than `state` has it.
+bool isCarriedAnew(const SessionState& state, const Statement& pose) {
+  const DeviceState* const said = state.findDevice(pose.name);
+  return !isOn(said != nullptr && said->pose ? said->pose->value.carrier : Path(), pose.carrier);
+}
+
 bool isAbsent(const DeviceState* said) {
   return said == nullptr || (said->presence && said->presence->value.presence == Presence::removed);
 }
@@ -38,14 +49,16 @@ void TrackRecorder::begin(SessionState state) {
   for (const auto& [name, said] : state_.devices()) names.push_back(name);
   for (const std::string& name : names) addDevice(name, track_.start);
   numbers_.begin(state_, track_.start);
-  facts_.note(state_, track_.start, true);
+  facts_are_restated_ = true;
+  noteFacts(track_.start);
 }
 
 void TrackRecorder::add(LogTime time, const Packet& packet) {
   // Packets of one burst, such as the parts of a long line, are one change.
   if (facts_due_ && time - *facts_due_ >= kBurst) noteFacts(*facts_due_);
   touched_.clear();
-  says_facts_ = packet.header.part.has_value();
+  says_facts_ = false;
+  if (packet.header.part) sayFact();
   for (const Statement& statement : packet.statements) read(statement);
   const Applied applied = foldPacket(state_, time, packet, &track_.events);
   for (Recording* device : touched_) {
@@ -66,31 +79,9 @@ void TrackRecorder::add(LogTime time, const Packet& packet) {
   if (!facts_due_) facts_due_ = time;
 }
 
-/// Lines with a fault, and packets that came behind newer ones.
-void TrackRecorder::leaveOutUnread() {
-  const auto leaveOut = [&](const char* kind, std::string_view name, std::string reason,
-                            std::uint64_t count, Severity severity) {
-    if (count == 0) return;
-    track_.left_out.leaveOut({kind, std::string(name), std::move(reason), {}, count, severity});
-  };
-  for (const auto& [source, counts] : state_.counts()) {
-    const auto found = counts_before_.find(source);
-    const SourceCounts before = found == counts_before_.end() ? SourceCounts{} : found->second;
-    for (std::size_t i = 0; i < kPacketFaultCount; ++i) {
-      const auto fault = static_cast<PacketFault>(i);
-      if (fault == PacketFault::unnormalised_quaternion) continue;  // it is applied
-      leaveOut("line", nameOf(fault), "source " + source + " sent what packets cannot state",
-               counts.faults[i] - before.faults[i], Severity::warning);
-    }
-    const std::uint64_t late = counts.late - counts.duplicates;
-    leaveOut("packet", "late", "of source " + source + ", behind newer ones",
-             late - (before.late - before.duplicates), Severity::note);
-  }
-}
-
 Status TrackRecorder::finish() {
   if (facts_due_) noteFacts(*facts_due_);
-  leaveOutUnread();
+  unfit_.leaveOutUnread(state_.counts(), counts_before_);
   numbers_.finish(track_.left_out);
   for (auto& [name, device] : recordings_) {
     for (const std::size_t series : {kJoints, kPose}) store(device, series);
@@ -120,11 +111,11 @@ void TrackRecorder::read(const Statement& statement) {
       }
       break;
     case StatementKind::pose:
+      looks_everywhere_ = looks_everywhere_ || isCarriedAnew(state_, statement);
       if (Recording* device = touched(statement.name)) {
         device->says_pose = true;
         const PathView& on = statement.carrier;
-        if (on.first != device->carrier.first || on.second != device->carrier.second ||
-            on.is_layer != device->carrier.is_layer) {
+        if (!isOn(device->carrier, on)) {
           device->carrier = {on.is_layer, std::string(on.first), std::string(on.second)};
           says_facts_ = true;
         }
@@ -138,11 +129,13 @@ void TrackRecorder::read(const Statement& statement) {
         device->says_presence = device->says_pose = true;
         device->says_joints = device->says_all_joints = true;
       }
-      says_facts_ = true;
+      sayFact();
       break;
     default:
-      says_facts_ = says_facts_ || isOfPath(statement.kind) || isDrawing(statement.kind) ||
-                    statement.kind == StatementKind::erase;
+      if (isOfPath(statement.kind) || isDrawing(statement.kind) ||
+          statement.kind == StatementKind::erase) {
+        sayFact();
+      }
   }
 }
 
@@ -394,7 +387,12 @@ void TrackRecorder::keepStated(Recording& device) const {
 
 void TrackRecorder::noteFacts(LogTime time) {
   facts_due_.reset();
-  facts_.note(state_, time, facts_are_restated_);
+  const auto changed = numbers_.takeChanged(state_);
+  if (std::exchange(looks_everywhere_, false) || !changed) {
+    facts_.note(state_, time, facts_are_restated_);
+  } else {
+    facts_.note(*changed, time, facts_are_restated_);
+  }
 }
 
 }  // namespace rocinante

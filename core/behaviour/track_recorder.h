@@ -28,6 +28,9 @@ class TrackRecorder {
   /// Gives the track its samples.
   Status finish();
 
+  /// What noting facts has cost so far, in items and facts that were looked at.
+  std::uint64_t factsLooked() const { return facts_.looked(); }
+
  private:
   /// Rows of a series that are not in the store yet, one after another.
   struct Pending {
@@ -73,14 +76,14 @@ class TrackRecorder {
   double* nextRow(Recording& device, std::size_t series, LogTime time);
   void store(Recording& device, std::size_t series);
   void keepStated(Recording& device) const;
+  void sayFact() { says_facts_ = looks_everywhere_ = true; }
   void noteFacts(LogTime time);
-  void leaveOutUnread();
 
   const Cell& cell_;
   SessionTrack& track_;
   const std::vector<std::string>& links_;
   SessionState state_;
-  std::map<std::string, SourceCounts, std::less<>> counts_before_;  ///< before the first packet
+  UnfitValues::CountsBySource counts_before_;  ///< before the first packet
   std::map<std::string, Recording, std::less<>> recordings_;
   std::vector<Recording*> touched_;
   Recording* last_touched_ = nullptr;
@@ -93,6 +96,7 @@ class TrackRecorder {
   bool says_facts_ = false;
   std::optional<LogTime> facts_due_;  ///< when something was stated that is not noted yet
   bool facts_are_restated_ = false;   ///< all of what is due was
+  bool looks_everywhere_ = true;      ///< something that is no signal may state another fact
 };
 
 }  // namespace rocinante
