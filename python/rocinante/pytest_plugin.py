@@ -8,8 +8,9 @@
 
 Accepted files lie in the folder `goldens` beside the test. `pytest --golden-approve` accepts what would
 fail, in place of what was accepted; `pytest --golden-widen` accepts sessions beside it, so that what
-lies between them is the same. Both are refused where CI is set. Every run leaves one page of all
-verdicts, `golden-results/index.html`.
+lies between them is the same. A session in which `rocinante check` finds errors is accepted with
+`--golden-anyway` alone. All are refused where CI is set. Every run leaves one page of all verdicts,
+`golden-results/index.html`.
 """
 from __future__ import annotations
 
@@ -19,11 +20,12 @@ import pathlib
 import re
 import shutil
 from dataclasses import dataclass
-from typing import Any, Callable
+from typing import Any, Callable, Mapping
 
 import pytest
 
 from ._programs import Error
+from .checking import check
 from .goldens import MOST_LINES, Comparison, compare, compare_sessions, png_bytes
 
 _PAGE = """<!doctype html><meta charset="utf-8"><title>Goldens</title>
@@ -41,6 +43,8 @@ def pytest_addoption(parser: Any) -> None:
     group.addoption("--golden-widen", action="store_true",
                     help="accept sessions that would fail beside those accepted before: what lies between "
                          "them is the same (refused where CI is set)")
+    group.addoption("--golden-anyway", action="store_true",
+                    help="with one of these: also sessions in which `rocinante check` finds errors")
     group.addoption("--golden-dir", help="folder of accepted files (default: goldens beside each test)")
     group.addoption("--golden-results", default="golden-results",
                     help="folder of failing frames and of the page of all verdicts")
@@ -94,6 +98,7 @@ class Golden:
         self.folder = pathlib.Path(chosen) if chosen else pathlib.Path(str(node.path)).parent / "goldens"
         self._approve: bool = config.getoption("--golden-approve")
         self._widen: bool = config.getoption("--golden-widen")
+        self._anyway: bool = config.getoption("--golden-anyway")
         self._test: str = node.nodeid
         self._verdicts = verdicts
 
@@ -138,6 +143,8 @@ class Golden:
                 return str(fault)
             if not alone.ok:
                 return str(alone)
+            if objection := "" if self._anyway else _objection(new, cell, more):
+                return f"{objection} (pytest --golden-anyway accepts it all the same)"
             if self._widen:
                 number = max([1, *(_number_of(each) for each in accepted)]) + 1
                 _accept(new, golden.with_name(f"{_stem(golden, ending)}+{number}{ending}")
@@ -185,6 +192,26 @@ class Golden:
                 rest[MOST_LINES:] = [f"... and {len(rest) - MOST_LINES} more"]
             page = os.path.relpath(self._verdicts.folder / "index.html")
             pytest.fail("\n  ".join([f"golden {name}: {first}", *rest, f"{page}; {remedy}"]), pytrace=False)
+
+
+#: keywords of a session that say where models are
+_SEARCHES = ("search", "package", "search_env")
+#: what `check` says of meshes, which move nothing
+_OF_MESHES = re.compile(r"(collada|mesh|mtl|obj|stl)\.|model\.(missing-file|unusable-mesh)$")
+
+
+def _objection(new: pathlib.Path, cell: Any, more: Mapping[str, Any]) -> str:
+    """What `golden approve --run` refuses, too: errors that `check` finds, those of mesh files aside."""
+    searches = {name: more[name] for name in _SEARCHES if name in more}
+    try:
+        findings = check(new, **searches) if cell is None else check(cell, new, **searches)
+    except Error as fault:
+        return str(fault)
+    errors = [each for each in findings if each.severity == "error" and not _OF_MESHES.match(each.rule)]
+    if not errors:
+        return ""
+    others = f" and {len(errors) - 1} more" if len(errors) > 1 else ""
+    return f"{errors[0].text} [{errors[0].rule}]{others}"
 
 
 def _stem(golden: pathlib.Path, ending: str) -> str:

@@ -188,6 +188,21 @@ def test_a_session_of_which_nothing_is_judged_is_not_accepted(pytester, tmp_path
     assert not (pytester.path / "goldens").exists()
 
 
+def test_a_session_in_which_check_finds_errors_is_not_accepted(pytester, tmp_path, monkeypatch):
+    monkeypatch.delenv("CI", raising=False)
+    arm, log = foreign(tmp_path, "csv")
+    narrow = arm.read_text().replace('lower="-2" upper="2"', 'lower="-0.1" upper="0.1"')
+    assert narrow != arm.read_text()
+    arm.write_text(narrow)
+    for word in ("--golden-approve", "--golden-widen"):
+        refused = swing(pytester, log, arm, word)
+        refused.assert_outcomes(failed=1)
+        refused.stdout.fnmatch_lines(["*not accepted: *[[]joint.limit]*pytest --golden-anyway accepts it*"])
+        assert not (pytester.path / "goldens").exists()
+    swing(pytester, log, arm, "--golden-approve", "--golden-anyway").assert_outcomes(passed=1)
+    assert (pytester.path / "goldens/swing.csv").exists()
+
+
 def test_a_folder_that_is_a_bag_is_accepted_as_it_is(pytester, tmp_path, monkeypatch):
     monkeypatch.delenv("CI", raising=False)
     for name, add in (("swing", 0), ("other", 0.05)):
