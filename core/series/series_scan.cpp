@@ -25,16 +25,6 @@ std::optional<std::set<SeriesKey>> withStated(const std::optional<std::set<Serie
 
 }  // namespace
 
-/// What is known of one signal.
-struct SeriesScan::SignalSeries {
-  SeriesKey key;
-  SeriesId id = kUnwanted;        ///< of its numbers; known once there is one
-  std::string unit;               ///< the last that was stated
-  StateSeries* states = nullptr;  ///< null: it was no state yet
-  bool is_known = false;          ///< `id` is
-  bool was_number = false;        ///< and not only a boolean
-};
-
 /// What is known of one device, so that a stream of its packets finds its series without names.
 struct SeriesScan::Device {
   std::string name;
@@ -213,11 +203,16 @@ void SeriesScan::takeLinks(LogTime time) {
 void SeriesScan::takeSignals(const Statement& statement, Device& device, LogTime time) {
   for (std::size_t i = 0; i < statement.names.size(); ++i) {
     SignalSeries& signal = signalOf(device, {statement.path.second, statement.names[i]});
-    if (!statement.unit.empty()) signal.unit = statement.unit;
     if (statement.is_default) {
-      endSignal(signal, time);
+      signal.end(store_, time);
     } else {
-      takeSignal(signal, statement.signal_kinds[i], statement.numbers[i], statement.text, time);
+      // `signals` keep the unit of a number until the kind changes.
+      if (statement.kind == StatementKind::signal ||
+          statement.signal_kinds[i] != SignalKind::number) {
+        signal.stateUnit(statement.unit);
+      }
+      signal.take(store_, statement.signal_kinds[i], statement.numbers[i], statement.text, time,
+                  options_.states);
     }
   }
 }
@@ -227,42 +222,13 @@ void SeriesScan::takeAllSignals(Device& device, const Signals& said, LogTime tim
   for (auto& [name, signal] : device.signals) {
     const auto found = said.find(name);
     if (found == said.end()) {
-      endSignal(signal, time);
+      signal.end(store_, time);
     } else {
       const SignalValue& value = found->second.value;
-      if (!value.unit.empty()) signal.unit = value.unit;
-      takeSignal(signal, value.kind, value.number, value.text, time);
+      signal.stateUnit(value.unit);
+      signal.take(store_, value.kind, value.number, value.text, time, options_.states);
     }
   }
-}
-
-void SeriesScan::takeSignal(SignalSeries& signal, SignalKind kind, double number,
-                            std::string_view text, LogTime time) {
-  if (kind == SignalKind::text) {
-    store_.end(signal.id, time);
-  } else {
-    if (!std::exchange(signal.is_known, true)) signal.id = store_.idOf(signal.key);
-    store_.record(signal.id, time, number);
-  }
-  if (kind != SignalKind::number) {
-    if (!options_.states) return;
-    if (signal.states == nullptr) signal.states = store_.statesOf(signal.key);
-    if (signal.states == nullptr) return;
-    signal.states->has_numbers = signal.states->has_numbers || signal.was_number;
-    return store_.record(*signal.states, time,
-                         kind == SignalKind::text ? text
-                         : number != 0            ? "true"
-                                                  : "false");
-  }
-  signal.was_number = true;
-  if (signal.states == nullptr) return;
-  signal.states->bins.end(time);
-  signal.states->has_numbers = true;
-}
-
-void SeriesScan::endSignal(const SignalSeries& signal, LogTime time) {
-  store_.end(signal.id, time);
-  if (signal.states != nullptr) signal.states->bins.end(time);
 }
 
 void SeriesScan::takeJoints(const Statement& statement, std::string_view source, Device& device,
@@ -344,7 +310,7 @@ void SeriesScan::endAll(Device& device, LogTime time) {
   device.orders.clear();
   device.knows_names = false;
   for (const auto& [name, id] : device.joints) store_.end(id, time);
-  for (const auto& [name, signal] : device.signals) endSignal(signal, time);
+  for (auto& [name, signal] : device.signals) signal.end(store_, time);
   if (!device.pose) return;
   for (const SeriesId id : *device.pose) store_.end(id, time);
 }
@@ -380,19 +346,19 @@ SeriesScan::SeriesId SeriesScan::idOf(Device& device, std::string_view joint) {
   return found->second;
 }
 
-std::string_view SeriesScan::unitOf(const SeriesKey& key) const {
+std::vector<UnitSeries> SeriesScan::unitsOf(const SeriesKey& key) const {
   const auto device = devices_.find(key.name);
-  if (device == devices_.end()) return {};
-  const auto signal = device->second->signals.find(SignalNameView{key.link, key.part});
-  return signal == device->second->signals.end() ? std::string_view() : signal->second.unit;
+  if (key.kind != SeriesKey::Kind::signal || device == devices_.end()) return {};
+  const auto found = device->second->signals.find(SignalNameView{key.link, key.part});
+  if (found == device->second->signals.end()) return {};
+  return found->second.units(store_);
 }
 
-SeriesScan::SignalSeries& SeriesScan::signalOf(Device& device, const SignalNameView& name) {
+SignalSeries& SeriesScan::signalOf(Device& device, const SignalNameView& name) {
   const auto found = device.signals.find(name);
   if (found != device.signals.end()) return found->second;
   SignalName owned{std::string(name.link), std::string(name.name)};
-  SignalSeries signal;
-  signal.key = SeriesKey{SeriesKey::Kind::signal, device.name, owned.name, owned.link};
+  SignalSeries signal(SeriesKey{SeriesKey::Kind::signal, device.name, owned.name, owned.link});
   return device.signals.emplace(std::move(owned), std::move(signal)).first->second;
 }
 

@@ -16,6 +16,7 @@
 #include "core/series/said_values.h"
 #include "core/series/series_key.h"
 #include "core/series/series_store.h"
+#include "core/series/signal_series.h"
 #include "core/series/value_bins.h"
 #include "core/session/message_folder.h"
 
@@ -80,8 +81,10 @@ class SeriesScan {
   const ValueBins* values(const SeriesKey& key) const { return store_.values(key); }
   /// Null when no packet stated it as a boolean or a text.
   const StateSeries* states(const SeriesKey& key) const { return store_.states(key); }
-  /// The last unit that packets stated of a signal; empty: none. Valid until the next add().
-  std::string_view unitOf(const SeriesKey& key) const;
+  /// The units in which packets stated a signal's numbers, in the order in which they came, each
+  /// with these numbers alone; booleans have no unit and count in the only one that there is. Empty
+  /// for what has no numbers, and for a value that is no signal.
+  std::vector<UnitSeries> unitsOf(const SeriesKey& key) const;
   /// Every value that packets stated, sorted.
   std::vector<SeriesKey> keys() const { return store_.keys(); }
   const std::map<std::string, SourceSeries, std::less<>>& sources() const { return sources_; }
@@ -95,7 +98,6 @@ class SeriesScan {
   static constexpr SeriesId kUnwanted = SeriesStore::kUnwanted;
   struct Device;
   struct Links;
-  struct SignalSeries;
 
   void take(const Packet& packet, LogTime time);
   void takeStatement(const Statement& statement, std::string_view source, LogTime time);
@@ -104,9 +106,6 @@ class SeriesScan {
   void takeSignals(const Statement& statement, Device& device, LogTime time);
   void takeEverything(Device& device, LogTime time);
   void takeAllSignals(Device& device, const Signals& said, LogTime time);
-  void takeSignal(SignalSeries& signal, SignalKind kind, double number, std::string_view text,
-                  LogTime time);
-  void endSignal(const SignalSeries& signal, LogTime time);
   void takeLinks(LogTime time);
   void count(const Packet& packet, LogTime time);
   Device& deviceNamed(std::string_view name);

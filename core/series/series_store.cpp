@@ -66,10 +66,23 @@ SeriesStore::Id SeriesStore::idOf(const SeriesKey& key) {
   if (options_.only && !options_.only->contains(key)) return kUnwanted;
   const auto known = ids_.find(key);
   if (known != ids_.end()) return known->second;
+  const Id made = branch();
+  if (made != kUnwanted) ids_.emplace(key, made);
+  return made;
+}
+
+SeriesStore::Id SeriesStore::branch() {
   if (!makeRoom()) return kUnwanted;
   const Nanoseconds width = binWidth(options_.from, options_.until, options_.max_bins);
   series_.emplace_back(options_.from, width, options_.max_bins);
-  ids_.emplace(key, series_.size() - 1);
+  return series_.size() - 1;
+}
+
+SeriesStore::Id SeriesStore::branch(Id id) {
+  if (id == kUnwanted || !makeRoom()) return kUnwanted;
+  // A copy first: the list moves as it grows.
+  ValueBins copied = series_[id];
+  series_.push_back(std::move(copied));
   return series_.size() - 1;
 }
 
@@ -138,8 +151,7 @@ StateSeries* SeriesStore::statesOf(const SeriesKey& key) {
 
 const ValueBins* SeriesStore::values(const SeriesKey& key) const {
   const auto found = ids_.find(key);
-  if (found == ids_.end() || series_[found->second].bins().empty()) return nullptr;
-  return &series_[found->second];
+  return found == ids_.end() ? nullptr : values(found->second);
 }
 
 const StateSeries* SeriesStore::states(const SeriesKey& key) const {

@@ -43,6 +43,11 @@ class SeriesStore {
   explicit SeriesStore(Options options) : options_(std::move(options)) {}
 
   Id idOf(const SeriesKey& key);
+  /// A series of its own that begins as `id` is now, for a part of what that one goes on to take;
+  /// kUnwanted where there is no room.
+  Id branch(Id id);
+  /// One without a sample.
+  Id branch();
   /// A derived value, which follows those that it is made of from now on.
   void derive(const SeriesKey& key);
   /// Derived values take what was recorded since the last call, at this time (min(): not known),
@@ -71,8 +76,11 @@ class SeriesStore {
   /// How often samples have come of which any derived value is made.
   std::uint64_t derivedSamples() const { return derived_samples_; }
 
-  /// Null without a value.
+  /// Null without a value. Valid until the next series is made.
   const ValueBins* values(const SeriesKey& key) const;
+  const ValueBins* values(Id id) const {
+    return id == kUnwanted || series_[id].bins().empty() ? nullptr : &series_[id];
+  }
   const StateSeries* states(const SeriesKey& key) const;
   /// Those with a value, sorted.
   std::vector<SeriesKey> keys() const;

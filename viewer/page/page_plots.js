@@ -39,7 +39,7 @@ function rocinantePlots(page) {
       if (at === null) { one(name).remove(); continue; }
       for (const [key, value] of [["x1", 0], ["x2", width], ["y1", at], ["y2", at]]) one(name).setAttribute(key, value);
     }
-    return {box, svg, name: lane.name, value: one("value"), cursor: one("cursor")};
+    return {box, svg, name: lane.name, unit: lane.unit, value: one("value"), cursor: one("cursor")};
   }
 
   function show() {
@@ -70,7 +70,11 @@ function rocinantePlots(page) {
       const x = (now - page.about.start_ns) / length * lane.svg.viewBox.baseVal.width;
       lane.cursor.setAttribute("x1", x);
       lane.cursor.setAttribute("x2", x);
-      if (isListed && (values || chosen.includes(lane.name))) lane.value.textContent = ofLayout[lane.name] || values && values.get(lane.name) || "";
+      if (!isListed || !(values || chosen.includes(lane.name))) continue;
+      const text = ofLayout[lane.name] || values && values.get(lane.name) || "";
+      // A signal in several units has a lane for each: "17.5 kg" is of one of them.
+      const isOfLane = lane.unit === undefined || lane.unit === text.replace(/^\S* ?/, "");
+      lane.value.textContent = isOfLane ? text : "";
     }
   }
 

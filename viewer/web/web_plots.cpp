@@ -116,9 +116,8 @@ Result<double> WebPlots::read(std::uint64_t messages) {
   return std::clamp(part, 0.0, 0.999);
 }
 
-std::vector<ValueColumn> WebPlots::columnsOf(const SeriesScan& series, const PlotValue& value,
+std::vector<ValueColumn> WebPlots::columnsOf(const SeriesScan& series, const ValueBins* bins,
                                              std::size_t count) const {
-  const ValueBins* const bins = series.values(value.series);
   std::vector<ValueColumn> columns;
   if (bins != nullptr) columns = bins->columns(start_, end_, count);
   // Nothing is known behind what was read: a curve ends there.
@@ -130,25 +129,34 @@ std::vector<ValueColumn> WebPlots::columnsOf(const SeriesScan& series, const Plo
   return columns;
 }
 
-Json WebPlots::laneOf(const SeriesScan& series, const PlotValue& value, std::string_view unit,
-                      std::size_t width, double height) const {
+Json WebPlots::laneOf(const SeriesScan& series, const ValueBins* bins, const PlotValue& value,
+                      std::string_view unit, std::size_t width, double height) const {
   const std::size_t count = std::clamp<std::size_t>(width, 1, kMaxColumns);
-  return laneJson(value, unit, columnsOf(series, value, count), height);
+  return laneJson(value, unit, columnsOf(series, bins, count), height);
 }
 
 std::string WebPlots::chosenJson(LogTime time) const {
   Json values = Json::object();
   for (const Chosen& one : chosen_) {
-    const ValueBins* const bins = chosen_series_->values(one.value.series);
-    if (bins == nullptr || (!ended_ && time > chosen_series_->reached())) continue;
-    const auto held = bins->columns(time, time + Nanoseconds(1), 1).front().held;
+    if (!ended_ && time > chosen_series_->reached()) continue;
+    std::vector<UnitSeries> units = chosen_series_->unitsOf(one.value.series);
+    if (units.empty()) units.push_back({{}, chosen_series_->values(one.value.series)});
+    // Of several units one has this moment.
+    const ValueBins* bins = nullptr;
+    std::string_view unit;
+    decltype(ValueColumn::held) held;
+    for (const UnitSeries& of : units) {
+      if (of.values == nullptr || held) continue;
+      bins = of.values;
+      unit = of.unit;
+      held = bins->columns(time, time + Nanoseconds(1), 1).front().held;
+    }
     if (!held) continue;
-    const auto columns = columnsOf(*chosen_series_, one.value, 64);
+    const auto columns = columnsOf(*chosen_series_, bins, 64);
     const auto range = rangeOf(columns, one.value);
     if (!range) continue;
     const PlotScale scale = plotScale(range->first, range->second, one.value.unit, 2);
     std::string text = plotText(one.value.shown(static_cast<double>(*held)), one.value.unit, scale);
-    const std::string_view unit = chosen_series_->unitOf(one.value.series);
     if (!unit.empty()) text.append(" ").append(unit);
     values[one.name] = std::move(text);
   }
@@ -162,11 +170,20 @@ std::string WebPlots::lanesJson(const std::string& name, const PosedDevice* devi
     lane["name"] = std::move(of);
     lanes.push_back(std::move(lane));
   };
-  if (name.empty()) {
-    for (const Chosen& one : chosen_) {
-      const std::string_view unit = chosen_series_->unitOf(one.value.series);
-      add(laneOf(*chosen_series_, one.value, unit, width, height), one.name);
+  const auto addUnits = [&](const SeriesScan& series, const PlotValue& value,
+                            const std::string& of) {
+    const std::vector<UnitSeries> units = series.unitsOf(value.series);
+    if (units.empty()) {
+      add(laneOf(series, series.values(value.series), value, {}, width, height), of);
     }
+    for (const auto& [unit, values] : units) {
+      Json lane = laneOf(series, values, value, unit, width, height);
+      if (units.size() > 1) lane["unit"] = unit;
+      add(std::move(lane), of);
+    }
+  };
+  if (name.empty()) {
+    for (const Chosen& one : chosen_) addUnits(*chosen_series_, one.value, one.name);
   }
   const auto isChosen = [&](const SeriesKey& key) {
     return std::ranges::any_of(chosen_, [&](const Chosen& one) { return one.value.series == key; });
@@ -174,7 +191,7 @@ std::string WebPlots::lanesJson(const std::string& name, const PosedDevice* devi
   if (device != nullptr) {
     for (const JointRow& row : jointRows(*device->model, state.findDevice(name), "")) {
       const PlotValue value = plotValue({SeriesKey::Kind::joint, name, row.name}, device->model);
-      add(laneOf(*series_, value, {}, width, height), row.name);
+      add(laneOf(*series_, series_->values(value.series), value, {}, width, height), row.name);
     }
   }
   std::vector<SeriesKey> signals = series_->keys();
@@ -189,7 +206,7 @@ std::string WebPlots::lanesJson(const std::string& name, const PosedDevice* devi
   const std::size_t more = signals.size() - std::min(signals.size(), kMaxSignals);
   signals.resize(signals.size() - more);
   for (const SeriesKey& key : signals) {
-    add(laneOf(*series_, plotValue(key, nullptr), series_->unitOf(key), width, height), key.text());
+    addUnits(*series_, plotValue(key, nullptr), key.text());
   }
   const Json json = {{"lanes", std::move(lanes)}, {"more", more}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

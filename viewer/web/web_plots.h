@@ -47,9 +47,9 @@ class WebPlots {
     PlotValue value;
   };
 
-  Json laneOf(const SeriesScan& series, const PlotValue& value, std::string_view unit,
-              std::size_t width, double height) const;
-  std::vector<ValueColumn> columnsOf(const SeriesScan& series, const PlotValue& value,
+  Json laneOf(const SeriesScan& series, const ValueBins* bins, const PlotValue& value,
+              std::string_view unit, std::size_t width, double height) const;
+  std::vector<ValueColumn> columnsOf(const SeriesScan& series, const ValueBins* bins,
                                      std::size_t count) const;
 
   LogReader log_;

@@ -130,13 +130,78 @@ TEST(SeriesScan, NumbersAndBooleansOfSignals) {
   EXPECT_EQ(heldAt(*scan, "signal - estop", 350), std::nullopt);
 }
 
-TEST(SeriesScan, KeepsTheLastUnitOfASignal) {
+/// What a unit's numbers end with at a time; empty: nothing.
+std::optional<double> inUnit(const SeriesScan& scan, std::string_view signal, std::string_view unit,
+                             int ms) {
+  for (const UnitSeries& each : scan.unitsOf(*parseSeriesKey(signal))) {
+    if (each.unit != unit || each.values == nullptr) continue;
+    const auto held =
+        each.values->columns(spokenTime(ms) - Nanoseconds(1), spokenTime(ms + 1), 1)[0].held;
+    return held ? std::optional<double>(*held) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> unitNames(const SeriesScan& scan, std::string_view signal) {
+  std::vector<std::string> names;
+  for (const UnitSeries& each : scan.unitsOf(*parseSeriesKey(signal))) {
+    names.emplace_back(each.unit);
+  }
+  return names;
+}
+
+TEST(SeriesScan, EachUnitOfASignalHasItsOwnNumbers) {
+  const auto scan = scanOf({{0, "RK1 s 0 -\nsignal arm load 5 kg"},
+                            {100, "RK1 s 1 -\nsignals arm load=6"},
+                            {200, "RK1 s 2 -\nsignal arm load 6500 g"},
+                            {300, "RK1 s 3 -\nsignals arm load=7000"},
+                            {400, "RK1 s 4 -\nsignal arm load 8 kg"},
+                            {500, "RK1 s 5 -\nsignal arm load \"off\""},
+                            {600, "RK1 s 6 -\nsignals arm load=9"},
+                            {700, "RK1 s 7 -\nremove arm"}});
+  constexpr const char* kLoad = "signal arm load";
+  EXPECT_EQ(unitNames(*scan, kLoad), (std::vector<std::string>{"kg", "g", ""}));
+  EXPECT_EQ(inUnit(*scan, kLoad, "kg", 150), 6);
+  EXPECT_EQ(inUnit(*scan, kLoad, "kg", 250), std::nullopt);
+  EXPECT_EQ(inUnit(*scan, kLoad, "kg", 450), 8);
+  EXPECT_EQ(inUnit(*scan, kLoad, "kg", 650), std::nullopt);
+  EXPECT_EQ(inUnit(*scan, kLoad, "g", 150), std::nullopt);
+  EXPECT_EQ(inUnit(*scan, kLoad, "g", 250), 6500);
+  EXPECT_EQ(inUnit(*scan, kLoad, "g", 350), 7000);
+  EXPECT_EQ(inUnit(*scan, kLoad, "g", 450), std::nullopt);
+  EXPECT_EQ(inUnit(*scan, kLoad, "", 650), 9) << "a text has no unit to keep";
+  EXPECT_EQ(inUnit(*scan, kLoad, "", 750), std::nullopt);
+  // No bin of the first unit has a number of another one.
+  for (const ValueBin& bin : scan->unitsOf(*parseSeriesKey(kLoad))[0].values->bins()) {
+    EXPECT_FALSE(bin.hasSample() && bin.high > 8);
+  }
+  EXPECT_EQ(heldAt(*scan, kLoad, 350), 7000) << "all of them, as before";
+}
+
+TEST(SeriesScan, UnitsOfASignalAreBounded) {
+  std::vector<test::Spoken> packets;
+  for (int i = 0; i < 100; ++i) {
+    const std::string unit = "u" + std::to_string(i % 50);
+    packets.push_back({5 * i, "RK1 s " + std::to_string(i) + " -\nsignal arm load " +
+                                  std::to_string(i) + " " + unit});
+  }
+  const auto scan = scanOf(packets);
+  const auto names = unitNames(*scan, "signal arm load");
+  ASSERT_EQ(names.size(), SignalSeries::kMaxUnits);
+  EXPECT_EQ(names.back(), "other units");
+  EXPECT_EQ(inUnit(*scan, "signal arm load", "other units", 202), 40);
+  EXPECT_EQ(inUnit(*scan, "signal arm load", "u0", 202), std::nullopt);
+  EXPECT_EQ(inUnit(*scan, "signal arm load", "u3", 267), 53) << "again in a unit that is known";
+}
+
+TEST(SeriesScan, KeepsTheOnlyUnitOfASignal) {
   const auto scan = scanOf({{0, "RK1 s 0 -\nsignal arm load 5 kg\nsignal - speed 1"},
                             {100, "RK1 s 1 -\nsignals arm load=6"},
                             {200, "RK1 s 2 -\nremove arm"}});
-  EXPECT_EQ(scan->unitOf(*parseSeriesKey("signal arm load")), "kg");
-  EXPECT_EQ(scan->unitOf(*parseSeriesKey("signal - speed")), "");
-  EXPECT_EQ(scan->unitOf(*parseSeriesKey("signal oven heat")), "");
+  EXPECT_EQ(unitNames(*scan, "signal arm load"), std::vector<std::string>{"kg"});
+  EXPECT_EQ(unitNames(*scan, "signal - speed"), std::vector<std::string>{""});
+  EXPECT_TRUE(unitNames(*scan, "signal oven heat").empty());
+  EXPECT_EQ(inUnit(*scan, "signal arm load", "kg", 150), 6);
 }
 
 TEST(SeriesScan, PosesAndWhatIsRemoved) {

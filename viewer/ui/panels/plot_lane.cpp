@@ -26,6 +26,22 @@ const Curve* curveOf(const StudyPicture* picture, const std::vector<Curve> Study
   return &(picture->*curves)[place];
 }
 
+const std::vector<UnitCurve>* unitsIn(const StudyPicture* picture, const SeriesKey& series) {
+  if (picture == nullptr) return nullptr;
+  const auto found = picture->units.find(series);
+  return found == picture->units.end() ? nullptr : &found->second;
+}
+
+/// The numbers of a signal in one unit; null: not known yet, or it has none.
+const std::vector<ValueColumn>* columnsIn(const StudyPicture* picture, const SeriesKey& series,
+                                          const std::string& unit) {
+  const std::vector<UnitCurve>* const units = unitsIn(picture, series);
+  if (units == nullptr) return nullptr;
+  const auto found = std::ranges::find(*units, unit, &UnitCurve::unit);
+  if (found == units->end()) return nullptr;
+  return units->size() == 1 ? curveOf(picture, &StudyPicture::curves, series) : &found->columns;
+}
+
 const StateCurve* statesOf(const StudyPicture* picture, const SeriesKey& series) {
   const StateCurve* const states = curveOf(picture, &StudyPicture::states, series);
   return states == nullptr || states->columns.empty() ? nullptr : states;
@@ -84,6 +100,20 @@ std::string signalUnit(const ViewModel& model, const SeriesKey& key) {
   return unit.value_or("");
 }
 
+std::vector<std::string> signalUnits(const ViewModel& model, const SeriesKey& key) {
+  std::vector<std::string> units;
+  for (const StudyPicture* picture :
+       {model.viewer.picture.get(), model.viewer.picture_beside.get()}) {
+    const std::vector<UnitCurve>* const its = unitsIn(picture, key);
+    if (its == nullptr) continue;
+    for (const UnitCurve& curve : *its) {
+      if (std::ranges::find(units, curve.unit) == units.end()) units.push_back(curve.unit);
+    }
+  }
+  if (units.empty()) units.push_back(signalUnit(model, key));
+  return units;
+}
+
 std::vector<PlotLane> plotLanes(const ViewModel& model) {
   std::map<std::tuple<PlotUnit, int, std::string>, PlotLane> by_unit;
   PlotLane of_states;
@@ -103,15 +133,23 @@ std::vector<PlotLane> plotLanes(const ViewModel& model) {
       of_states.curves.push_back(plotted);
       if (!plotted.states->has_numbers) continue;
     }
-    const std::string signal_unit = signalUnit(model, curve.key);
-    useSignalRange(plotted.value, model.cell().signals, signal_unit);
-    const bool is_alone = isOfSignals(curve.key) && signal_unit.empty();
-    PlotLane& lane = by_unit[{plotted.value.unit, plotted.value.per_seconds,
-                              is_alone ? curve.key.text() : signal_unit}];
-    lane.unit = plotted.value.unit;
-    lane.per_seconds = plotted.value.per_seconds;
-    lane.signal_unit = signal_unit;
-    lane.curves.push_back(std::move(plotted));
+    const std::vector<std::string> units = signalUnits(model, curve.key);
+    for (const std::string& signal_unit : units) {
+      PlottedCurve its = plotted;
+      if (units.size() > 1) {
+        its.only_unit = signal_unit;
+        its.columns = columnsIn(picture, series, signal_unit);
+        its.beside = columnsIn(beside, series, signal_unit);
+      }
+      useSignalRange(its.value, model.cell().signals, signal_unit);
+      const bool is_alone = isOfSignals(curve.key) && signal_unit.empty();
+      PlotLane& lane = by_unit[{its.value.unit, its.value.per_seconds,
+                                is_alone ? curve.key.text() : signal_unit}];
+      lane.unit = its.value.unit;
+      lane.per_seconds = its.value.per_seconds;
+      lane.signal_unit = signal_unit;
+      lane.curves.push_back(std::move(its));
+    }
   }
   std::vector<PlotLane> lanes;
   if (!of_states.curves.empty()) lanes.push_back(std::move(of_states));
@@ -161,7 +199,10 @@ const std::string* stateAt(const PlottedCurve& plotted, const StudyPicture& pict
 
 std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plotted) {
   const SeriesKey& series = plotted.value.series;
-  if (series.kind == SeriesKey::Kind::signal) return signalSaid(model.state(), series);
+  if (series.kind == SeriesKey::Kind::signal) {
+    if (plotted.only_unit && *plotted.only_unit != signalUnit(model, series)) return std::nullopt;
+    return signalSaid(model.state(), series);
+  }
   if (series.kind == SeriesKey::Kind::link) {
     const auto pose =
         poseIn(model.scene(), {series.name, series.link}, {series.frame, series.frame_link});

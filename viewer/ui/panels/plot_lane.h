@@ -21,8 +21,10 @@ struct PlottedCurve {
   PlotValue value;
   const std::vector<ValueColumn>* columns = nullptr;  ///< null: not known yet
   const std::vector<ValueColumn>* beside = nullptr;   ///< of the session beside; null: none
-  const StateCurve* states = nullptr;                 ///< of a lane of states; never null there
-  const StateCurve* states_beside = nullptr;          ///< null: none
+  /// Of a signal in several units: the one whose numbers these are.
+  std::optional<std::string> only_unit{};
+  const StateCurve* states = nullptr;         ///< of a lane of states; never null there
+  const StateCurve* states_beside = nullptr;  ///< null: none
 };
 
 /// Curves of one unit, under each other with the other lanes; or bands of states, one row each.
@@ -42,7 +44,7 @@ struct PlotLane {
 };
 
 /// The lanes of what is plotted: states, and numbers by unit; not placed yet. A signal without a
-/// unit has one of its own.
+/// unit has one of its own, and one in several units is in the lane of each with its numbers there.
 std::vector<PlotLane> plotLanes(const ViewModel& model);
 
 /// Places lanes under each other from `top` on, the more curves the higher, and scales them to what
@@ -63,6 +65,9 @@ std::optional<double> valueAt(const PlottedCurve& plotted, const StudyPicture& p
 /// The unit of the signal at the shown moment, or of those that a value is derived of, if they have
 /// one; empty for anything else.
 std::string signalUnit(const ViewModel& model, const SeriesKey& key);
+/// The units of a signal in both sessions, or of what is derived of signals; at least one. That of
+/// the shown moment until more is known.
+std::vector<std::string> signalUnits(const ViewModel& model, const SeriesKey& key);
 
 /// The value of the shown moment itself, which is exact.
 std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plotted);

@@ -93,7 +93,9 @@ const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
       break;
     }
     ImGui::SetCursorScreenPos(ImVec2(left, y));
-    if (ImGui::InvisibleButton(plotted.curve->key.text().c_str(), ImVec2(right - left, pitch))) {
+    // A signal in several units is in several lanes.
+    const std::string id = plotted.curve->key.text() + "##" + plotted.only_unit.value_or("");
+    if (ImGui::InvisibleButton(id.c_str(), ImVec2(right - left, pitch))) {
       removed = plotted.curve->key;
     }
     const bool over = ImGui::IsItemHovered();

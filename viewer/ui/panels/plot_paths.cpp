@@ -90,7 +90,8 @@ void scalePath(DrawnPath& path) {
 PathValue pathValue(const ViewModel& model, const SeriesKey& key) {
   PathValue made;
   made.value = plotValue(key, model.scene());
-  made.signal_unit = signalUnit(model, key);
+  const std::vector<std::string> units = signalUnits(model, key);
+  made.signal_unit = units.size() == 1 ? units[0] : "several units";
   return made;
 }
 

@@ -269,23 +269,23 @@ void LogStudy::Impl::publish(const StudyWish& wish, const LogScan* refined, bool
       states = statesUntil(scan->series().states(key), wish, reachedBy(*scan));
     }
   }
+  const LogScan& shown = refined != nullptr ? *refined : *all;
+  made->units = unitsUntil(wish, all->series(), shown.series(), reachedBy(shown));
   StudyWish finer = wish;
   finer.columns = StudyWish::kPathColumns;
   const auto finely = [&](const SeriesKey& key) {
     const LogScan* const scan = refined != nullptr ? refined : scanOf(key);
-    const ValueBins* const values = scan == nullptr ? nullptr : scan->series().values(key);
-    return columnsUntil(values, finer, scan == nullptr ? LogTime() : reachedBy(*scan));
+    if (scan == nullptr) return std::vector<ValueColumn>();
+    return columnsUntil(scan->series().values(key), finer, reachedBy(*scan));
   };
   for (const auto& [x, y] : wish.paths) made->paths.push_back({finely(x), finely(y)});
   made->damaged = all->damaged();
-  if (all->ended() && !all->grows()) {
-    if (!stated) {
-      stated = std::make_shared<std::vector<SeriesKey>>(all->series().keys());
-      texts = std::make_shared<std::set<SeriesKey>>(textsOf(all->series()));
-    }
-    made->stated = stated;
-    made->texts = texts;
+  if (!stated && all->ended() && !all->grows()) {
+    stated = std::make_shared<std::vector<SeriesKey>>(all->series().keys());
+    texts = std::make_shared<std::set<SeriesKey>>(textsOf(all->series()));
   }
+  made->stated = stated;
+  made->texts = texts;
   const std::lock_guard lock(mutex);
   made->fault = fault;
   picture = std::move(made);

@@ -1,5 +1,10 @@
 #include "viewer/ui/study/study_picture.h"
 
+#include <algorithm>
+#include <optional>
+
+#include "core/series/derived_value.h"
+
 namespace rocinante {
 namespace {
 
@@ -44,6 +49,20 @@ struct Mapping {
     return columns;
   }
 };
+
+/// The unit that all of the signals have in all of the log, or none; empty where one is no signal
+/// with numbers.
+std::optional<std::string> unitOfAll(const std::vector<SeriesKey>& signals, const SeriesScan& all) {
+  std::optional<std::string> common;
+  for (const SeriesKey& key : signals) {
+    const auto units = all.unitsOf(key);
+    if (units.empty()) return std::nullopt;
+    const std::string its(units.size() == 1 ? units[0].unit : std::string_view());
+    if (!common) common = its;
+    if (*common != its) common->clear();
+  }
+  return common;
+}
 
 }  // namespace
 
@@ -94,6 +113,25 @@ std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyWish& 
   return columnsOf(values, wish, reached);
 }
 
+UnitCurves unitsUntil(const StudyWish& wish, const SeriesScan& all, const SeriesScan& shown,
+                      LogTime reached) {
+  UnitCurves made;
+  for (const SeriesKey& key : wish.values()) {
+    const auto units = all.unitsOf(key);
+    const auto there = shown.unitsOf(key);
+    for (const auto& [unit, values] : units) {
+      UnitCurve& curve = made[key].emplace_back(UnitCurve{std::string(unit), {}});
+      if (units.size() == 1) break;
+      const auto found = std::ranges::find(there, unit, &UnitSeries::unit);
+      if (found != there.end()) curve.columns = columnsUntil(found->values, wish, reached);
+      if (curve.columns.empty()) curve.columns.resize(wish.columns);
+    }
+    if (key.kind != SeriesKey::Kind::derived) continue;
+    if (const auto unit = unitOfAll(statedOf(key), all)) made[key].push_back({*unit, {}});
+  }
+  return made;
+}
+
 StateCurve statesUntil(const StateSeries* states, const StudyWish& wish, LogTime reached) {
   if (states == nullptr) return {};
   return {columnsOf(&states->bins, wish, reached), states->texts, states->has_numbers};
@@ -110,6 +148,10 @@ std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
   aligned->whole = beside.whole;
   const Mapping mapping{beside.wish, wish, alignment};
   for (const auto& curve : beside.curves) aligned->curves.push_back(mapping.of(curve));
+  for (const auto& [key, curves] : beside.units) {
+    std::vector<UnitCurve>& its = aligned->units[key];
+    for (const auto& [unit, columns] : curves) its.push_back({unit, mapping.of(columns)});
+  }
   for (const StateCurve& states : beside.states) {
     aligned->states.push_back({mapping.of(states.columns), states.texts, states.has_numbers});
   }

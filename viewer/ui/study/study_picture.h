@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -48,6 +49,13 @@ struct StateCurve {
   bool has_numbers = false;        ///< it was a number too
 };
 
+/// A signal's numbers in one unit by column; without columns where it is the only one.
+struct UnitCurve {
+  std::string unit;  ///< empty: none
+  std::vector<ValueColumn> columns;
+};
+using UnitCurves = std::map<SeriesKey, std::vector<UnitCurve>>;
+
 /// What of some values a table has.
 struct TableKeys {
   std::vector<SeriesKey> keys;
@@ -65,9 +73,10 @@ struct StudyPicture {
   /// By key: the values of joints and poses, and rates as if they were values. Empty for a value
   /// that no packet states.
   std::vector<std::vector<ValueColumn>> curves;
-  std::vector<StateCurve> states;                    ///< by key
-  std::vector<XyColumns> paths;                      ///< of the wish's
-  std::vector<SourceStrip> strips;                   ///< all, then by source
+  std::vector<StateCurve> states;   ///< by key
+  UnitCurves units;                 ///< of signals, and of what is derived of them alone
+  std::vector<XyColumns> paths;     ///< of the wish's
+  std::vector<SourceStrip> strips;  ///< all, then by source
   std::vector<std::pair<LogTime, LogTime>> damaged;  ///< packets may be missing there
   /// Every value that packets state; null until all of the log is read, and while it grows.
   std::shared_ptr<const std::vector<SeriesKey>> stated;
@@ -86,6 +95,11 @@ std::set<SeriesKey> chosenKeys(const StudyWish& wish);
 /// The columns of a wish that a value has, known until `reached`: a curve ends there. Null: none.
 std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyWish& wish,
                                       LogTime reached);
+/// The units of the signals of a wish in `all` of the log, with their numbers in `shown`, a part of
+/// it. What is derived of signals has their unit, or none where that is not the same one in all of
+/// the log.
+UnitCurves unitsUntil(const StudyWish& wish, const SeriesScan& all, const SeriesScan& shown,
+                      LogTime reached);
 StateCurve statesUntil(const StateSeries* states, const StudyWish& wish, LogTime reached);
 
 /// The curves of a picture of the log beside, at the times of `wish`, which is of the shown log.

@@ -152,6 +152,37 @@ TEST_F(StudiedLog, KeepsStatesWithTheirTexts) {
   EXPECT_EQ(*picture->texts, (std::set<SeriesKey>{*parseSeriesKey("signal arm mode")}));
 }
 
+TEST_F(StudiedLog, GathersASignalByUnit) {
+  test::writeSession(folder_ / "u.mcap", {{0, "signal arm load 5 kg\nsignal arm heat 20 degC\n"},
+                                          {5000, "signal arm load 6500 g\n"},
+                                          {9000, "signals arm load=7000\n"}});
+  LogStudy study(cell_, folder_ / "u.mcap");
+  study.waits = true;
+  StudyWish asked = wish(0, 9'001);
+  const SeriesKey load = *parseSeriesKey("signal arm load");
+  const SeriesKey heat = *parseSeriesKey("signal arm heat");
+  asked.keys = {turn(), load, heat};
+  const auto picture = study.show(asked);
+  EXPECT_FALSE(picture->units.contains(turn()));
+  ASSERT_EQ(picture->units.at(heat).size(), 1U);
+  EXPECT_EQ(picture->units.at(heat)[0].unit, "degC");
+  const std::vector<UnitCurve>& units = picture->units.at(load);
+  ASSERT_EQ(units.size(), 2U);
+  EXPECT_EQ(units[0].unit, "kg");
+  EXPECT_EQ(units[0].columns[20].held, 5);
+  EXPECT_FALSE(units[0].columns[70].held.has_value());
+  EXPECT_EQ(units[1].unit, "g");
+  EXPECT_FALSE(units[1].columns[20].held.has_value());
+  EXPECT_EQ(units[1].columns[70].held, 6500);
+  // Where a part is shown that has one of them alone, both have a curve.
+  asked.from = sessionTime(1000);
+  asked.until = sessionTime(1000) + Nanoseconds(10'000);
+  const auto close = study.show(asked);
+  ASSERT_EQ(close->units.at(load).size(), 2U);
+  EXPECT_EQ(close->units.at(load)[0].columns[50].held, 5);
+  EXPECT_FALSE(close->units.at(load)[1].columns[50].held.has_value());
+}
+
 TEST_F(StudiedLog, ReadsAPartAgainWhenPixelsAreFiner) {
   LogStudy study(cell_, folder_ / "s.mcap");
   study.waits = true;
