@@ -175,7 +175,7 @@ class Import {
     const std::optional<FieldCursor::Layout> layout = topic.layout();
     outlet.decoded = !topic.decoder.empty();
     if (!outlet.decoded && layout && !isRobotDescription(topic)) {
-      outlet.translation = translator_.addTopic(topic.name, topic.type, *layout);
+      outlet.translation = translator_.addTopic(topic.name, topic.type, *layout, topic.metadata);
     }
     if (outlet.decoded || outlet.translation) {
       const std::string decoder = outlet.decoded ? topic.decoder : std::string(kDecoderName);

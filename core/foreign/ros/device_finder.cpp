@@ -165,11 +165,13 @@ DeviceFinder::JointHome DeviceFinder::homeOf(std::string_view joint,
   return home(first->second, joint);
 }
 
-std::vector<DeviceFinder::JointHome> DeviceFinder::homesOf(
-    std::string_view topic, std::span<const std::string_view> joints) const {
+std::vector<DeviceFinder::JointHome> DeviceFinder::homesOf(std::string_view topic,
+                                                           std::span<const std::string_view> joints,
+                                                           std::string_view stated) const {
   std::vector<JointHome> homes;
   homes.reserve(joints.size());
-  const std::optional<std::string> by_topic = deviceOfTopic(topic);
+  const std::optional<std::string> by_topic =
+      stated.empty() ? deviceOfTopic(topic) : std::optional(std::string(stated));
   std::map<std::string, std::size_t> said;  // joints by device
   for (const std::string_view joint : joints) {
     homes.push_back(homeOf(joint, by_topic));
@@ -183,7 +185,7 @@ std::vector<DeviceFinder::JointHome> DeviceFinder::homesOf(
     most = std::max(most, count);
   }
   if (most == 0 && by_topic) rest = *by_topic;
-  if (!knowsDevices()) rest = madeUpDevice(topic, "robot");
+  if (!knowsDevices()) rest = stated.empty() ? madeUpDevice(topic, "robot") : std::string(stated);
   for (JointHome& home : homes) {
     if (home.fate != Fate::unknown || rest.empty()) continue;
     home.fate = Fate::said;

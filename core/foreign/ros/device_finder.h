@@ -65,9 +65,10 @@ class DeviceFinder {
     Fate fate = Fate::unknown;
     std::string device, name;
   };
-  /// Where the joints of one message belong, in their order.
-  std::vector<JointHome> homesOf(std::string_view topic,
-                                 std::span<const std::string_view> joints) const;
+  /// Where the joints of one message belong, in their order. `stated`: the device that goes before
+  /// what the topic is called; empty: none.
+  std::vector<JointHome> homesOf(std::string_view topic, std::span<const std::string_view> joints,
+                                 std::string_view stated = {}) const;
 
  private:
   struct Joint {

@@ -64,6 +64,8 @@ class JointTranslation final : public TopicTranslation {
     return Outcome::packet;
   }
 
+  void use(const ChannelNames& stated) override { stated_ = stated.device; }
+
   void addLeftOut(Account& account) const override {
     constexpr const char* kPassive = "of fixed and mimic joints, which the model moves";
     addValues(account, "position", kPassive, passive_[0]);
@@ -97,7 +99,7 @@ class JointTranslation final : public TopicTranslation {
     plans_.clear();
     left_out_.clear();
     passive_names_ = 0;
-    const std::vector<DeviceFinder::JointHome> homes = devices_.homesOf(topic_, names);
+    const std::vector<DeviceFinder::JointHome> homes = devices_.homesOf(topic_, names, stated_);
     for (std::size_t i = 0; i < homes.size(); ++i) {
       const DeviceFinder::JointHome& home = homes[i];
       if (home.fate == DeviceFinder::Fate::said && isName(home.name) && isName(home.device)) {
@@ -189,6 +191,7 @@ class JointTranslation final : public TopicTranslation {
     add(statement);
   }
 
+  std::string stated_;        ///< the device that the channel names; empty: none
   Bytes name_bytes_;          ///< of the last message, with their count
   std::size_t names_at_ = 0;  ///< where they began: it decides their padding
   std::size_t names_ = 0;

@@ -2,6 +2,7 @@
 
 #include "core/foreign/ros/signal_names.h"
 #include "core/foreign/ros/topic_translation.h"
+#include "core/packet/channel_names.h"
 
 namespace rocinante::ros {
 
@@ -24,10 +25,16 @@ RosTranslator::RosTranslator(const DeviceFinder& devices)
 RosTranslator::~RosTranslator() = default;
 
 std::optional<std::size_t> RosTranslator::addTopic(std::string_view topic, std::string_view type,
-                                                   FieldCursor::Layout layout) {
+                                                   FieldCursor::Layout layout,
+                                                   const ChannelMetadata& metadata) {
   State& state = *state_;
   auto made = makeTranslation(type, topic, state.devices, state.frames, state.names);
   if (!made) return std::nullopt;
+  if (const auto stated = channelNamesIn(metadata)) {
+    made->use(*stated);
+  } else if (hasChannelNames(metadata)) {
+    made->note("a channel whose metadata names what no packet can say");
+  }
   state.topics.push_back({std::move(made), layout});
   return state.topics.size() - 1;
 }

@@ -38,9 +38,11 @@ class RosTranslator {
   RosTranslator& operator=(const RosTranslator&) = delete;
 
   /// A topic of this type, "sensor_msgs/msg/Imu", whose messages are laid out so: its number for
-  /// translate(). Empty for a type that is not translated.
+  /// translate(). Empty for a type that is not translated. `metadata`: of its channel, which names
+  /// what an export of ours wrote there (core/packet/channel_names.h).
   std::optional<std::size_t> addTopic(std::string_view topic, std::string_view type,
-                                      FieldCursor::Layout layout);
+                                      FieldCursor::Layout layout,
+                                      const std::map<std::string, std::string>& metadata = {});
 
   enum class Outcome : std::uint8_t {
     packet,

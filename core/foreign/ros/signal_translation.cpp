@@ -114,6 +114,14 @@ RosTranslator::Outcome SignalTranslation::translate(ByteView message, FieldCurso
   return end(out);
 }
 
+void SignalTranslation::use(const ChannelNames& stated) {
+  if (stated.signal.empty() || field_slots_.size() != 1) return;
+  stated_ = stated;
+  slots_ = {{stated_->signal, stated_->unit}};
+  field_slots_[0] = {0};
+  owners_[""] = {stated_->device, stated_->link, true, {}};
+}
+
 void SignalTranslation::addLeftOut(Account& account) const {
   for (const auto& [what, count] : left_out_) {
     account.leaveOut({.kind = "value",
@@ -352,8 +360,8 @@ void SignalTranslation::addSignals() {
   for (const Value& value : values_) {
     const Slot& slot = slots_[value.slot];
     const std::string_view name = slot.name;
-    const bool states_unit =
-        value.kind == SignalKind::number && !slot.unit.empty() && !owner.unit_stated[value.slot];
+    const bool is_first = !slot.unit.empty() && !owner.unit_stated[value.slot];
+    const bool states_unit = value.kind == SignalKind::number && (stated_ || is_first);
     if (value.kind != SignalKind::text && !states_unit) {
       names_.push_back(name);
       numbers_.push_back(value.number);

@@ -24,6 +24,8 @@ class SignalTranslation : public TopicTranslation {
 
   RosTranslator::Outcome translate(ByteView message, FieldCursor::Layout layout, LogTime time,
                                    Translated& out) override;
+  /// Of a message that is one value alone.
+  void use(const ChannelNames& stated) override;
   void addLeftOut(Account& account) const override;
 
  protected:
@@ -86,8 +88,9 @@ class SignalTranslation : public TopicTranslation {
   void addShort(const Owner& owner);
 
   std::span<const SignalMessage> rows_;
-  std::size_t row_ = 0;  ///< the definition that fitted last
-  std::string name_;     ///< of the topic
+  std::size_t row_ = 0;                 ///< the definition that fitted last
+  std::string name_;                    ///< of the topic
+  std::optional<ChannelNames> stated_;  ///< by the channel; another one may have another unit
   std::vector<Slot> slots_;
   std::vector<std::vector<std::size_t>> field_slots_;  ///< by field of all rows
   SignalNames status_names_;

@@ -8,6 +8,7 @@
 #include "core/foreign/ros/frame_tree.h"
 #include "core/foreign/ros/ros_message.h"
 #include "core/foreign/ros/ros_translator.h"
+#include "core/packet/channel_names.h"
 #include "core/packet/packet_text.h"
 
 namespace rocinante::ros {
@@ -23,6 +24,9 @@ class TopicTranslation {
   virtual RosTranslator::Outcome translate(ByteView message, FieldCursor::Layout layout,
                                            LogTime time, Translated& out) = 0;
   const TranslationNotes& notes() const { return notes_; }
+  /// Before the first message: whose its values are, whatever the topic is called.
+  virtual void use(const ChannelNames&) {}
+  void note(std::string_view sentence);
   /// Adds the fields of messages that no packet says.
   virtual void addLeftOut(Account&) const {}
 
@@ -33,7 +37,6 @@ class TopicTranslation {
   void addPose(std::string_view device, const FrameTree::Place& place);
   /// Ends the packet: nothing when it has no statement.
   RosTranslator::Outcome end(Translated& out);
-  void note(std::string_view sentence);
   /// Values of this topic: nothing when there are none.
   void addValues(Account& account, const char* name, const char* reason, std::uint64_t count) const;
 

@@ -206,6 +206,37 @@ TEST(Ros2Signals, HaveATopicOfOneTypeEach) {
       "signal's, or of another type: `arm/tool0 a_b` is on /signals/arm/tool0/a_b_2)");
 }
 
+TEST(Ros2Signals, HaveATopicForEachUnitAndTheirNamesBesideIt) {
+  /// Notes what the channel says.
+  class NamingSink final : public MessageSink {
+   public:
+    Status write(std::string_view topic, const MessageSchema&, LogTime, ByteView,
+                 const std::map<std::string, std::string>& metadata) override {
+      std::string& note = notes.emplace_back(topic);
+      for (const auto& [key, value] : metadata) note += " " + key + "=" + value;
+      return {};
+    }
+    std::vector<std::string> notes;
+  };
+  const auto format = makeRos2Format();
+  NamingSink sink;
+  for (const char* unit : {"kg", "g", "kg"}) {
+    const SignalValue value{SignalKind::number, 1, {}, unit};
+    const SaidSignal said{"a b", &value, true};
+    ASSERT_TRUE(
+        format->signals(sink, LogTime{}, {"arm", "tool0"}, std::span(&said, 1), false).ok());
+  }
+  const std::vector<NamedValue> joints = {{"a", 1}};
+  ASSERT_TRUE(format->joints(sink, LogTime{}, "arm 1", joints).ok());
+  const std::string kilograms =
+      "/signals/arm/tool0/a_b rocinante.name=a%20b rocinante.path=arm/tool0 rocinante.unit=kg";
+  EXPECT_THAT(sink.notes,
+              testing::ElementsAre(kilograms,
+                                   "/signals/arm/tool0/a_b_2 rocinante.name=a%20b "
+                                   "rocinante.path=arm/tool0 rocinante.unit=g",
+                                   kilograms, "/arm_1/joint_states rocinante.path=arm%201"));
+}
+
 /// Owners and names that are one text when they are written behind each other.
 const std::vector<std::pair<SignalOwner, std::string>> kAlike = {
     {{"arm", ""}, "1 load"}, {{"arm 1", ""}, "load"}, {{"a", "b"}, "x"}, {{"a/b", ""}, "x"}};

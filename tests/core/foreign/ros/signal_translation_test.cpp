@@ -379,5 +379,46 @@ TEST(SignalTranslation, AnyBytesGivePacketsWithoutFaults) {
   }
 }
 
+/// The packets of a topic whose channel has this metadata.
+std::vector<std::string> saidBy(RosTranslator& translator, std::string_view topic,
+                                const std::map<std::string, std::string>& metadata,
+                                const std::vector<double>& numbers) {
+  const auto place =
+      translator.addTopic(topic, "std_msgs/msg/Float64", FieldCursor::Layout::cdr, metadata);
+  std::vector<std::string> said;
+  for (const double number : numbers) {
+    Translated made;
+    const Bytes message = MessageMaker(Kind::cdr_little).number(number).bytes();
+    EXPECT_EQ(translator.translate(*place, LogTime{}, message, made),
+              RosTranslator::Outcome::packet);
+    said.emplace_back(made.text.substr(made.text.find('\n') + 1));
+  }
+  return said;
+}
+
+TEST(SignalTranslation, AChannelOfAnExportNamesItsSignalAndUnit) {
+  const DeviceFinder devices(nullptr, "");
+  RosTranslator translator(devices);
+  const std::map<std::string, std::string> kilograms = {
+      {"rocinante.path", "arm%201/tool0"}, {"rocinante.name", "a%20b"}, {"rocinante.unit", "kg"}};
+  // Each number with its unit: another channel may have said the same signal in another one.
+  EXPECT_THAT(saidBy(translator, "/signals/arm_1/tool0/a_b", kilograms, {0.5, 5e-324}),
+              testing::ElementsAre("signal arm%201/tool0 a%20b 0.5 kg\n",
+                                   "signal arm%201/tool0 a%20b 5e-324 kg\n"));
+  EXPECT_THAT(saidBy(translator, "/signals/estop",
+                     {{"rocinante.path", "-"}, {"rocinante.name", "level"}}, {1}),
+              testing::ElementsAre("signal - level 1\n"));
+}
+
+TEST(SignalTranslation, AChannelThatNamesWhatNoPacketSaysIsASignalOfItsTopic) {
+  const DeviceFinder devices(nullptr, "");
+  RosTranslator translator(devices);
+  EXPECT_THAT(saidBy(translator, "/load",
+                     {{"rocinante.path", "arm\nremove arm"}, {"rocinante.name", "x"}}, {1}),
+              testing::ElementsAre("signals - load=1\n"));
+  EXPECT_THAT(translator.notes(0),
+              Contains(Key("a channel whose metadata names what no packet can say")));
+}
+
 }  // namespace
 }  // namespace rocinante::ros::test
