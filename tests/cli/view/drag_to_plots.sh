@@ -25,11 +25,11 @@ frames() {
   done
 }
 # The arm, whose panel then comes.
-xdotool mousemove --window "$window" 612 370 click 1
+xdotool mousemove --window "$window" 628 375 click 1
 frames
 # joint2, onto the picture; joint1, onto the time line.
-drag 690 270 450 300
-drag 690 250 450 560
+drag 704 270 450 300
+drag 704 250 450 560
 frames
 # The canister's x, as packets have said it by then.
 for command in "seek 10s" "select canister"; do
@@ -37,7 +37,7 @@ for command in "seek 10s" "select canister"; do
   xdotool key --window 0 Return
   frames
 done
-drag 658 137 450 560
+drag 701 137 450 560
 frames
 until ls curves-*.csv >/dev/null 2>&1; do
   kill -0 $viewer || { cat view.txt; exit 1; }

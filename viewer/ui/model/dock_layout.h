@@ -47,7 +47,7 @@ constexpr float kDockStrip = 22;
 constexpr float kDockGutter = 7;
 constexpr float kLeastPictureWidth = 260;
 constexpr float kLeastPictureHeight = 100;
-constexpr float kLeastLeftWidth = 262;
+constexpr float kLeastLeftWidth = 298;
 constexpr float kLeastRightWidth = 220;
 constexpr float kLeastPlotsHeight = 90;
 
