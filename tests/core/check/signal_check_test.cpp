@@ -66,10 +66,10 @@ TEST_F(SignalCheckTest, AUnitThatIsNoneIsNamedAsThatWithTheOneThatIsMeant) {
   say("signal arm mode \"auto");
   const CheckReport found = report();
   ASSERT_THAT(rules(found), ElementsAre("packet.bad-string", "packet.bad-string"));
-  EXPECT_THAT(found.findings[0].text, HasSubstr("malformed string"));
-  EXPECT_THAT(found.findings[1].text, HasSubstr("malformed unit; the first at column 25"));
-  EXPECT_EQ(found.findings[1].count, 2U);
-  EXPECT_EQ(found.findings[1].hint, "did you mean `degC`?");
+  EXPECT_THAT(found.findings[1].text, HasSubstr("malformed string"));
+  EXPECT_THAT(found.findings[0].text, HasSubstr("malformed unit; the first at column 25"));
+  EXPECT_EQ(found.findings[0].count, 2U);
+  EXPECT_EQ(found.findings[0].hint, "did you mean `degC`?");
 }
 
 TEST_F(SignalCheckTest, AFieldThatIsNotFiniteIsNamedWithItsTime) {

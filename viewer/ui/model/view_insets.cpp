@@ -81,6 +81,17 @@ std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int
   return shown;
 }
 
+void replaceInsets(ViewModel& model, int width, int height, double scale) {
+  if (model.viewer.inset_places.empty()) return;
+  const WindowInsets window = windowInsets(model, width, height, scale);
+  const auto parts = placeInsets(window.columns.insets, width, height, scale);
+  for (InsetPlace& place : model.viewer.inset_places) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (window.numbers[window.columns.shown[i]] == place.number) place.part = parts[i];
+    }
+  }
+}
+
 std::vector<InsetTab> insetTabs(ViewModel& model, int width, int height, double scale) {
   const WindowInsets window = windowInsets(model, width, height, scale);
   std::vector<InsetTab> tabs;

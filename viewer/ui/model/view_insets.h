@@ -15,6 +15,10 @@ namespace rocinante {
 std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int width, int height,
                                     double scale);
 
+/// Moves the kept places to where they are in a picture of that size, which is yet to be drawn:
+/// what the mouse meets in between is there already.
+void replaceInsets(ViewModel& model, int width, int height, double scale);
+
 /// Those that have no room in such a picture.
 std::vector<InsetTab> insetTabs(ViewModel& model, int width, int height, double scale);
 /// Gives the inset room before others.

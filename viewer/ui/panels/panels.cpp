@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/panels/docks.h"
 #include "viewer/ui/panels/gizmo_panel.h"
 #include "viewer/ui/panels/hand_panel.h"
@@ -135,6 +136,7 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
     layout = dockLayoutOf(model, size.x, size.y, px(1));
   }
   const PixelRectangle part = model.viewer.picture_part = picturePart(layout);
+  replaceInsets(model, part.width, part.height, px(1));
   if (model.viewer.is_empty) drawWelcome(model, status.loading.has_value(), requests);
   if (model.viewer.panels.shown && !model.viewer.is_empty) {
     drawDocks(model, layout);
