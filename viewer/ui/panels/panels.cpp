@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/panels/docks.h"
@@ -96,14 +97,20 @@ void drawTimePanels(ViewModel& model, const DockLayout& layout, SteadyTime now) 
   drawPlotDrag(model, layout.picture.y + layout.picture.height);
 }
 
-/// Where lines over the picture stand: between its upper insets, or below them where that is too
-/// narrow.
-PanelRectangle noticeRoom(const ViewModel& model, const PanelRectangle& picture) {
+/// Where lines over the picture stand: between its upper insets and the cube, or below them where
+/// that is too narrow.
+PanelRectangle noticeRoom(ViewModel& model, const PanelRectangle& picture) {
   constexpr float kLeastWidth = 240;
   const float margin = px(kPanelMargin);
   float left = margin, right = picture.width - margin, below = margin;
-  for (const InsetPlace& inset : model.viewer.inset_places) {
-    const PixelRectangle& part = inset.part;
+  std::vector<PixelRectangle> taken;
+  for (const InsetPlace& inset : model.viewer.inset_places) taken.push_back(inset.part);
+  if (auto cube = viewCubePlace(model, picture)) {
+    cube->x -= static_cast<int>(picture.x);
+    cube->y -= static_cast<int>(picture.y);
+    taken.push_back(*cube);
+  }
+  for (const PixelRectangle& part : taken) {
     if (static_cast<float>(part.y) > picture.height / 2) continue;
     const auto begin = static_cast<float>(part.x), end = begin + static_cast<float>(part.width);
     if (begin + end < picture.width) {

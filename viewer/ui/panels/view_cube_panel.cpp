@@ -37,7 +37,10 @@ ViewAxes axesOf(const CameraView& view) {
   return {camera.right(), camera.up(), camera.forward()};
 }
 
-std::optional<PixelRectangle> placeIn(ViewModel& model, const PanelRectangle& room) {
+}  // namespace
+
+std::optional<PixelRectangle> viewCubePlace(ViewModel& model, const PanelRectangle& room) {
+  if (!model.viewer.panels.cube_shown) return std::nullopt;
   std::vector<PixelRectangle> insets;
   const PixelRectangle& picture = model.viewer.picture_part;
   const auto add = [&](PixelRectangle part) {
@@ -52,6 +55,8 @@ std::optional<PixelRectangle> placeIn(ViewModel& model, const PanelRectangle& ro
   return placeViewCube(whole, insets, static_cast<int>(px(kSize)),
                        static_cast<int>(px(kPanelMargin)));
 }
+
+namespace {
 
 /// Opaque, and darker the more it is turned away.
 ImU32 faceColor(double facing) {
@@ -109,8 +114,7 @@ void useMouse(ViewModel& model, const std::optional<ViewSide>& side) {
 }  // namespace
 
 void drawViewCube(ViewModel& model, const PanelRectangle& room) {
-  if (!model.viewer.panels.cube_shown) return;
-  const auto place = placeIn(model, room);
+  const auto place = viewCubePlace(model, room);
   if (!place) return;
   const ImVec2 low(static_cast<float>(place->x), static_cast<float>(place->y));
   const auto size = static_cast<float>(place->width);
