@@ -129,6 +129,14 @@ Status showPath(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status showOnly(CommandWords words, const CommandStage& stage) {
+  const std::string path =
+      words.empty() ? Selection{stage.model.selected.device, ""}.path() : words[0];
+  if (path.empty()) return badWord("nothing is selected");
+  if (stage.model.showOnly(path)) return {};
+  return badWord(fmt::format("no device is called `{}`", path));
+}
+
 Status autoPath(CommandWords words, const CommandStage& stage) {
   return setVisibility(words[0], std::nullopt, stage);
 }
@@ -287,6 +295,11 @@ std::vector<Command> pictureCommands() {
        .means = "show PATH, or all that was hidden",
        .run = showPath,
        .shortcuts = {{"shift+H", "", "show all that was hidden"}},
+       .choices = deviceChoices},
+      {.name = "only",
+       .arguments = "[DEVICE]",
+       .means = "hide all devices but the selected one or DEVICE",
+       .run = showOnly,
        .choices = deviceChoices},
       {.name = "auto",
        .arguments = "PATH",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,9 +48,11 @@ struct PaletteState {
   std::size_t chosen = 0;
   LineStart start;
 
-  void open() {
+  /// With what is typed already, at most 255 bytes.
+  void open(std::string_view begun = {}) {
     *this = PaletteState();
     shown = just_opened = true;
+    std::ranges::copy(begun.substr(0, text.size() - 1), text.begin());
     start.begin();
   }
 };

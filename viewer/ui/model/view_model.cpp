@@ -521,6 +521,21 @@ bool ViewModel::setVisible(const std::string& path, std::optional<bool> visible)
   return false;
 }
 
+bool ViewModel::showOnly(const std::string& path) {
+  const auto isKept = [&](const PosedDevice& one) {
+    return Selection{one.name, ""}.path() == path;
+  };
+  const auto kept = std::ranges::find_if(scene_.devices, isKept);
+  if (kept == scene_.devices.end()) return false;
+  hidden_.clear();
+  shown_paths_.clear();
+  if (!kept->visible) shown_paths_.insert(path);
+  for (const PosedDevice& one : scene_.devices) {
+    if (!isKept(one)) hidden_.insert(Selection{one.name, ""}.path());
+  }
+  return updateChoice().ok();
+}
+
 bool ViewModel::layerVisibleByDefault(const CellLayer& layer) const {
   const auto said = state_->visibility().find(Path{true, "layer", layer.name});
   if (said == state_->visibility().end()) return layer.visible;

@@ -185,6 +185,9 @@ class ViewModel {
 
   /// Hides, shows or (empty) resets to packets and cell. False for an invalid PATH.
   bool setVisible(const std::string& path, std::optional<bool> visible);
+  /// Hides every device but that of the PATH, in place of what was chosen before. False when there
+  /// is no such device.
+  bool showOnly(const std::string& path);
   /// The user's choice for the PATH, if any.
   std::optional<bool> chosenVisibility(const std::string& path) const;
   /// Visibility by packets, else by the cell.

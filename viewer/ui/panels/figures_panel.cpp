@@ -116,7 +116,7 @@ void drawSession(const ViewModel& model, SteadyTime now) {
       explain("counted by the recorder; rocinante log info says when");
     }
   } else {
-    ImGui::TextDisabled("the cell at rest");
+    ImGui::TextDisabled("at rest; Ctrl+O opens a log");
   }
 }
 
@@ -140,7 +140,7 @@ void drawLeft(const ViewModel& model) {
 }
 
 /// Draws what the session beside is, and what is apart from it at the shown moment.
-void drawBeside(ViewModel& model) {
+void drawBeside(ViewModel& model, SteadyTime now) {
   const BesideSession* const beside = model.beside();
   if (beside == nullptr) return;
   const std::string& name = beside->session().log().name();
@@ -164,9 +164,12 @@ void drawBeside(ViewModel& model) {
     explain((text + "\nK and Shift K go to where the two part").c_str());
   }
   if (const auto largest = partings == nullptr ? std::nullopt : partings->largest()) {
-    ImGui::TextUnformatted(
-        fmt::format("most: {} {}", plainText(largest->item), largest->size).c_str());
-    explain((plainText(largest->what) + "\nCtrl K goes there").c_str());
+    const std::string text = fmt::format("most: {} {}", plainText(largest->item), largest->size);
+    if (ImGui::Selectable(text.c_str(), false, 0, ImGui::CalcTextSize(text.c_str()))) {
+      model.cursor()->seek(largest->at, now);
+      model.viewer.time_view.follow(largest->at);
+    }
+    explain((plainText(largest->what) + "\na click, or Ctrl K, goes there").c_str());
   }
 }
 
@@ -304,7 +307,7 @@ float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now,
   } else {
     drawSession(model, now);
     drawLeft(model);
-    drawBeside(model);
+    drawBeside(model, now);
     drawMisfits(model);
     std::string frame = rungText(status);
     if (const std::string state = stateText(status); !state.empty()) frame += ", " + state;

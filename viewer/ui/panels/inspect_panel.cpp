@@ -136,7 +136,9 @@ void drawNearest(ViewModel& model, const Selection& shown) {
   if (ImGui::SmallButton(model.viewer.nearest_wanted ? "hide distance" : "nearest")) {
     model.viewer.nearest_wanted = !model.viewer.nearest_wanted;
   }
-  explain("how near it is to the reference, or to the nearest other device");
+  explain(
+      "how near this whole device is to that of the reference, or to the nearest other one\n"
+      "X, then a click on each of two links: the distance of the two points");
   if (!model.viewer.nearest_wanted) return;
   ImGui::SameLine();
   const NearestFound* const found = model.nearest();

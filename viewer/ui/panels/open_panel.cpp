@@ -147,9 +147,14 @@ bool drawEndpoint(const EndpointLine& line, bool chosen) {
   const std::string where = plainText(line.endpoints);
   explain(("listen at " + where + "\n" + line.note).c_str());
   ImGui::SameLine(left);
-  ImGui::TextUnformatted(line.note.c_str());
-  ImGui::SameLine(left + ImGui::CalcTextSize(line.note.c_str()).x + px(14));
-  ImGui::TextDisabled("%s", where.c_str());
+  // The whole is told above.
+  const float room = ImGui::GetContentRegionAvail().x;
+  const std::string note = cutInMiddle(line.note, room, drawnWidth);
+  ImGui::TextUnformatted(note.c_str());
+  const float where_at = drawnWidth(note) + px(14);
+  if (where_at + px(40) > room) return clicked;
+  ImGui::SameLine(left + where_at);
+  ImGui::TextDisabled("%s", cutInMiddle(where, room - where_at, drawnWidth).c_str());
   return clicked;
 }
 
@@ -231,6 +236,7 @@ void drawOpenList(ViewModel& model, ViewerRequests& requests) {
   }
   if (entered && path) return takePath(*path, open, requests);
   if (entered && !lines.empty()) picked = lines[open.chosen];
+  if (entered && lines.empty()) open.just_opened = true;  // to be corrected
   if (picked) {
     take(*picked, open, requests);
   } else if (keyPressed(ImGuiKey_Escape) ||

@@ -20,9 +20,7 @@ void runEntry(const PaletteEntry& entry, ViewModel& model, SteadyTime now,
   const std::string name = words.front();
   if (entry.incomplete) {
     // Its argument is typed now.
-    model.viewer.panels.palette.open();
-    const std::string begun = name + " ";
-    std::ranges::copy(begun, model.viewer.panels.palette.text.begin());
+    model.viewer.panels.palette.open(name + " ");
     return;
   }
   model.viewer.panels.palette.shown = false;
@@ -102,6 +100,8 @@ void drawPalette(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
   ImGui::EndChild();
   ImGui::End();
   if (entered && !entries.empty()) picked = &entries[palette.chosen];
+  // ImGui takes the keyboard from a line at Enter: one that names nothing is corrected.
+  if (entered && entries.empty()) palette.just_opened = true;
   if (picked != nullptr) {
     const PaletteEntry entry = *picked;
     runEntry(entry, model, now, requests);

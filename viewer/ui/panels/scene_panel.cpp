@@ -27,15 +27,22 @@ void drawVisibility(ViewModel& model, const std::string& path, ShownPart shown, 
   bool visible =
       shown == ShownPart::nothing ? chosen.value_or(by_default) : shown != ShownPart::hidden;
   ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, is_mixed);
-  // A click on a part shows all.
-  if (ImGui::Checkbox(label, &visible)) model.setVisible(path, visible || is_mixed);
+  const bool is_device = path.find('/') == std::string::npos;
+  if (ImGui::Checkbox(label, &visible)) {
+    if (is_device && ImGui::GetIO().KeyCtrl) {
+      model.showOnly(path);
+    } else {
+      model.setVisible(path, visible || is_mixed);  // a click on a part shows all
+    }
+  }
   ImGui::PopItemFlag();
   if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("now: %s\ncell and packets: %s\nyour choice: %s", nameOf(shown),
+    ImGui::SetTooltip("now: %s\ncell and packets: %s\nyour choice: %s%s", nameOf(shown),
                       by_default ? "shown" : "hidden",
                       !chosen   ? "none"
                       : *chosen ? "shown"
-                                : "hidden");
+                                : "hidden",
+                      is_device ? "\nCtrl and click: this alone; Shift H: all again" : "");
   }
   if (!chosen) return;
   ImGui::SameLine();
@@ -58,6 +65,10 @@ void drawCameraRow(ViewModel& model, ViewerRequests& requests) {
       if (ImGui::Selectable(name, name == current)) requests.built_in_camera = name;
       explain(words);
     }
+    if (ImGui::Selectable("keep this view ...")) {
+      model.viewer.panels.palette.open("save-camera ");
+    }
+    explain("type a name: the cell's file gets a camera that looks so");
     ImGui::EndCombo();
   }
   explain("the camera: 1 to 9, or drag the picture");

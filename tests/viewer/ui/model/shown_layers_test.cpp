@@ -84,6 +84,17 @@ TEST_F(ShownLayers, AreKnownHoweverTheirNamesWereWritten) {
   EXPECT_FALSE(model.setVisible("", false));
 }
 
+TEST_F(ShownLayers, OneDeviceIsShownAlone) {
+  ViewModel model = open();
+  ASSERT_TRUE(model.setVisible("a", false));
+  ASSERT_TRUE(model.showOnly("a"));
+  EXPECT_EQ(model.hiddenPaths(), std::vector<std::string>{"b"}) << "what was chosen before is gone";
+  EXPECT_EQ(shownDevice(model.scene().devices[0], model.choice()), kAll);
+  EXPECT_FALSE(model.showOnly("a/hand"));
+  EXPECT_FALSE(model.showOnly("c"));
+  EXPECT_EQ(model.hiddenPaths(), std::vector<std::string>{"b"});
+}
+
 TEST(ShownPartName, TellsWhatABoxAloneDoesNot) {
   EXPECT_STREQ(nameOf(ShownPart::nothing), "nothing to show");
   EXPECT_STREQ(nameOf(ShownPart::hidden), "hidden");
