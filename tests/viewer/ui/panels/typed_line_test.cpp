@@ -4,12 +4,14 @@
 #include <imgui.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/test_session.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/program/user_input.h"
+#include "viewer/ui/window/frame_input.h"
 #include "viewer/ui/window/interface_context.h"
 
 namespace rocinante {
@@ -70,6 +72,22 @@ TEST_F(TypedLines, OfFilesTakeAPathOfOneFrame) {
   for (int i = 0; i < 4 && asked.empty(); ++i) asked = frame("").open;
   ASSERT_EQ(asked.size(), 1U);
   EXPECT_EQ(asked.front(), folder_ / "arm.urdf");
+}
+
+TEST_F(TypedLines, ThatNamedNothingTakeTheKeyboardBack) {
+  frame("zzz", {ctrl_p_});
+  for (int i = 0; i < 3; ++i) frame("");
+  FrameInput keyboard;
+  keyboard.presses = {enter_};
+  tellInput(ImGui::GetIO(), keyboard);
+  frame("");
+  keyboard.endFrame();
+  tellInput(ImGui::GetIO(), keyboard);
+  for (int i = 0; i < 3; ++i) frame("");
+  ASSERT_TRUE(model_->viewer.panels.palette.shown);
+  frame("fit");
+  frame("");
+  EXPECT_TRUE(std::string_view(model_->viewer.panels.palette.text.data()).ends_with("fit"));
 }
 
 TEST(LineStart, KeepsLettersOfAllKeyboards) {
