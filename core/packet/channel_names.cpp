@@ -69,8 +69,10 @@ std::optional<ChannelNames> channelNamesIn(const ChannelMetadata& metadata) {
   std::string text(kHeader);
   text.append("signal ").append(path).append(" ").append(is_signal ? name : "x").append(" 1");
   if (!unit.empty()) text.append(" ").append(unit);
+  text.append("\n");
   PacketTextDecoder decoder;
-  const Packet* const packet = decoder.decode(bytesOf(text + "\n"));
+  // It points into the text.
+  const Packet* const packet = decoder.decode(bytesOf(text));
   if (packet == nullptr || !packet->faults.empty() || packet->statements.size() != 1) {
     return std::nullopt;
   }
