@@ -1,8 +1,19 @@
 #include "viewer/ui/window/input_queue.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rocinante {
+namespace {
+
+/// By GLFW's numbers: what is below is a character, what is above only changes what others mean.
+constexpr int kFirstFunctionKey = 256, kFirstModifierKey = 340;
+
+bool edits(const KeyPress& press) {
+  return press.control || (press.key >= kFirstFunctionKey && press.key < kFirstModifierKey);
+}
+
+}  // namespace
 
 bool InputState::anyDown() const {
   return std::ranges::any_of(down, [](bool one) { return one; });
@@ -16,15 +27,21 @@ void InputQueue::add(const InputEvent& event) {
   events_.push_back(event);
 }
 
-const InputState& InputQueue::nextFrame() {
+const InputState& InputQueue::nextFrame(bool types) {
   bool moved = false;
-  state_.keys.clear();
+  const std::vector<KeyPress> before = std::exchange(state_.keys, {});
+  const auto waits = [&](const KeyPress& press) {
+    if (!types || press.repeated || !edits(press)) return false;
+    return std::ranges::any_of(state_.keys, edits) ||
+           std::ranges::find(before, press.key, &KeyPress::key) != before.end();
+  };
   while (!events_.empty()) {
     const InputEvent event = events_.front();
     // A drag ends in a separate frame, so that its last move is seen with the button down.
     if (event.kind == InputEvent::Kind::release && moved) break;
     const bool is_key = event.kind == InputEvent::Kind::key;
     if (!is_key && !state_.keys.empty()) break;
+    if (is_key && waits(event.pressed)) break;
     events_.pop_front();
     if (is_key) {
       state_.keys.push_back(event.pressed);

@@ -37,8 +37,11 @@ struct InputState {
 class InputQueue {
  public:
   void add(const InputEvent& event);
-  /// The input of the next frame; valid until the next call.
-  const InputState& nextFrame();
+  /// The input of the next frame; valid until the next call. `types`: a line of text has the
+  /// keyboard. It obeys one editing key in a frame (erase, enter, an arrow), and only one that was
+  /// up in the frame before: each gets a frame, with one between two of the same. Repeats of a held
+  /// key stay together.
+  const InputState& nextFrame(bool types = false);
   /// The last result of nextFrame().
   const InputState& thisFrame() const { return state_; }
   /// True when events are left for another frame.

@@ -106,7 +106,7 @@ void InterfaceContext::tellKeys(const std::vector<KeyPress>& presses) {
 void InterfaceContext::tellWindow(double width, double height) {
   ImGuiIO& io = ImGui::GetIO();
   const bool outside = !window_->followsPointer() && !window_->input().pending();
-  const InputState& seen = window_->input().nextFrame();
+  const InputState& seen = window_->input().nextFrame(io.WantTextInput);
   std::optional<std::pair<double, double>> at;
   // GLFW uses window units.
   if ((!outside || seen.anyDown()) && io.DisplaySize.x > 0 && io.DisplaySize.y > 0) {

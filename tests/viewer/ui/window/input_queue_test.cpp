@@ -27,6 +27,36 @@ TEST(InputQueue, AClickIsTwoFramesAtItsOwnPlaceHoweverLateTheyAre) {
   EXPECT_FALSE(queue.pending());
 }
 
+TEST(InputQueue, ALineOfTextSeesEachEditingKeyInAFrameOfItsOwn) {
+  constexpr int kErase = 259, kEnter = 257, kOther = 65;
+  InputQueue queue;
+  const auto press = [&](int key, bool repeated) {
+    queue.add({Kind::key, 0, 0, 0, {key, false, repeated, false}});
+  };
+  press(kErase, false);
+  press(kOther, false);
+  press(kErase, false);
+  EXPECT_EQ(queue.nextFrame(true).keys.size(), 2U);
+  EXPECT_TRUE(queue.pending());
+  EXPECT_TRUE(queue.nextFrame(true).keys.empty());
+  EXPECT_EQ(queue.nextFrame(true).keys.size(), 1U);
+  EXPECT_FALSE(queue.pending());
+  queue.nextFrame(true);
+  press(kErase, false);
+  press(kEnter, false);
+  EXPECT_EQ(queue.nextFrame(true).keys.front().key, kErase);
+  EXPECT_EQ(queue.nextFrame(true).keys.front().key, kEnter);
+  // Commands count each press, and a held key is one.
+  press(kErase, false);
+  press(kErase, false);
+  EXPECT_EQ(queue.nextFrame().keys.size(), 2U);
+  queue.nextFrame();
+  press(kErase, false);
+  press(kErase, true);
+  press(kErase, true);
+  EXPECT_EQ(queue.nextFrame(true).keys.size(), 3U);
+}
+
 TEST(InputQueue, TheLastMoveOfADragIsSeenWithTheButtonDown) {
   InputQueue queue;
   queue.add({Kind::press, 0, 100, 100, {}});
