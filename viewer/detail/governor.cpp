@@ -69,7 +69,9 @@ double Governor::bestCostOf(int step) const {
 
 /// No hiccup explains it, and nobody waits for more of them to know.
 bool Governor::isHopeless() const {
-  return costs_.size() < kFewFrames && costs_.back() > kHopeless * settings_.target_ms;
+  return !costs_.empty() &&
+         costs_.size()<kFewFrames&& * std::ranges::min_element(costs_)> kHopeless *
+             settings_.target_ms;
 }
 
 int Governor::cheapEnoughStep() const {

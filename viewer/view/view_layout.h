@@ -16,7 +16,7 @@ namespace rocinante {
 
 /// What a window shows and where, as a file that people share: NAME.layout.toml
 /// (docs/programs/view.md, "Layouts"); a page begins with it, too. A plain value; what it does not
-/// say stays as it is.
+/// say stays as it is, but for panels: those that it does not name stand at their edges.
 struct ViewLayout {
   std::optional<bool> is_light;
   std::string camera;  ///< empty: not said

@@ -47,6 +47,9 @@ view pole.txt
 printf 'move pole 0 2 0\nframe 1\nsave-pose pole included\n' >included.txt
 view included.txt
 cat site.cell.toml
+# Two of them: what could be written is told with what could not.
+printf 'move box 0 0 1.5\nmove pole 0 3 0\nsave-pose\n' >both.txt
+view both.txt
 for line in 'undo' 'move nobody 0 0 0' 'move box here 0 0' 'save-pose' 'save-pose box yes' 'put-back box' \
   'turn box 0 0 1e999'; do
   echo "$line" >fault.txt

@@ -12,6 +12,13 @@ cat forces.layout.toml
 printf '%s\n' 'frame 2' 'screenshot after.png' >look.txt
 show look.txt --layout forces.layout.toml
 rocinante golden compare before.png after.png
+# A camera that every cell has is fitted anew.
+printf '%s\n' 'panels off' 'camera map' 'frame 2' 'save-layout map' 'screenshot map.png' >map.txt
+show map.txt
+grep camera map.layout.toml
+printf '%s\n' 'panels off' 'frame 2' 'screenshot again.png' >again.txt
+show again.txt --layout map.layout.toml
+rocinante golden compare map.png again.png
 sed -i 's/arm.joint2/leg.joint2/' forces.layout.toml
 printf '%s\n' 'layout forces.layout.toml' 'frame 2' 'await-line forces.layout.toml: no device is named `leg`' >other.txt
 show other.txt && echo "said over the picture"

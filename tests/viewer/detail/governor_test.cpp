@@ -83,6 +83,13 @@ TEST(Governor, LeavesARungAfterOneHopelessFrame) {
   judged.frameDrawn(1);  // after a change the first is not judged
   EXPECT_EQ(judged.frameDrawn(7 * kTarget), 0);
   EXPECT_EQ(judged.frameDrawn(50), 0);
+  // A cheap frame that counts makes it a hiccup.
+  EXPECT_EQ(judged.frameDrawn(9 * kTarget), 0);
+  Governor hiccup = governor();
+  hiccup.begin(3, 1);
+  hiccup.frameDrawn(1);
+  hiccup.frameDrawn(2);
+  EXPECT_EQ(hiccup.frameDrawn(9 * kTarget), 0);
   Governor hopeless = governor();
   hopeless.begin(3, 1);
   hopeless.frameDrawn(1);

@@ -71,8 +71,11 @@ ViewLayout layoutOf(const ViewModel& model) {
 std::vector<std::string> applyLayout(const ViewLayout& layout, ViewModel& model) {
   std::vector<std::string> left_out;
   if (layout.is_light) model.viewer.panels.is_light = *layout.is_light;
-  if (!layout.camera.empty() && hasCamera(layout.camera, model.scene())) {
+  const bool is_of_scene = chooseCamera(layout.camera, model.scene()).ok();
+  if (!layout.camera.empty() && is_of_scene) {
     model.useCamera(layout.camera);
+  } else if (hasCamera(layout.camera, model.scene())) {
+    model.viewer.built_in_wanted = layout.camera;
   } else if (!layout.camera.empty()) {
     left_out.push_back(fmt::format("there is no camera `{}`", layout.camera));
   }

@@ -81,8 +81,10 @@ DockLayout dockLayout(const DockWish& wish, float width, float height) {
   DockLayout layout;
   float bottom = height;
   if (wish.time > 0) {
-    const bool fits = height - wish.time >= kLeastPictureHeight;
-    const bool folded = (wish.time_folded && wish.peeked != nameOf(DockEdge::bottom)) || !fits;
+    const bool peeked = wish.peeked == nameOf(DockEdge::bottom);
+    // Who looks at it takes it from the picture.
+    const float least = peeked ? kDockStrip : kLeastPictureHeight;
+    const bool folded = (wish.time_folded && !peeked) || height - wish.time < least;
     if (folded) {
       layout.time_strip = takeBand(std::min(kDockStrip, height), width, bottom);
     } else {
@@ -90,7 +92,10 @@ DockLayout dockLayout(const DockWish& wish, float width, float height) {
     }
   }
   if (wish.plots > 0) {
-    const float room = std::min(0.6F * height, bottom - kLeastPictureHeight);
+    const bool peeked = wish.peeked == kPlotsPeek;
+    const float least = peeked ? kDockStrip : kLeastPictureHeight;
+    const float most = peeked ? std::max(0.6F * height, kLeastPlotsHeight) : 0.6F * height;
+    const float room = std::min(most, bottom - least);
     if (wish.plots_folded || room < kLeastPlotsHeight) {
       layout.plots_strip = takeBand(std::min(kDockStrip, bottom), width, bottom);
     } else {

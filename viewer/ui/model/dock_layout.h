@@ -24,7 +24,8 @@ struct DockWish {
   bool time_folded = false;
   float plots = 0;  ///< wanted height; 0: none
   bool plots_folded = false;
-  std::string peeked{};  ///< the edge that is looked at although it is folded; empty: none
+  /// The edge, or kPlotsPeek, that is looked at although it is folded; empty: none.
+  std::string peeked{};
 };
 
 /// A side of the window: its panel, or the strip that is left of it.
@@ -42,6 +43,9 @@ struct DockLayout {
   PanelRectangle plots, plots_strip;  ///< the strip: they are folded, or have no room
   PanelRectangle picture;
 };
+
+/// DockWish::peeked of the plots.
+constexpr const char* kPlotsPeek = "plots";
 
 constexpr float kDockStrip = 22;
 constexpr float kDockGutter = 7;

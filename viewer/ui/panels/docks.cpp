@@ -91,14 +91,10 @@ void addArrow(ImDrawList& list, ImVec2 middle, ImVec2 towards, ImU32 color) {
                          color);
 }
 
-/// A folded edge is opened where there is room, else looked at over the picture.
+/// A folded edge is opened where there is room, else looked at at the picture's cost.
 void open(PanelPlaces& places, DockEdge edge, bool peeked) {
-  PanelPlace& place = places.places[nameOf(edge)];
-  if (place.collapsed) {
-    place.collapsed = false;
-    places.peeked.clear();
-    return;
-  }
+  const auto place = places.places.find(nameOf(edge));
+  if (place != places.places.end()) place->second.collapsed = false;
   places.peeked = peeked ? std::string() : nameOf(edge);
 }
 
@@ -153,8 +149,9 @@ void drawGutter(PanelPlaces& places, DockEdge edge, const DockedSide& side) {
   });
 }
 
-/// What is left of the plots or the time line; returns whether it was clicked.
-bool drawBand(const char* title, const PanelRectangle& band) {
+/// What is left of the plots or the time line; returns whether it was clicked. `opens`: there is
+/// room for it, at least at the picture's cost.
+bool drawBand(const char* title, const PanelRectangle& band, bool opens) {
   if (band.height <= 0) return false;
   bool clicked = false;
   drawBareButton(title, band, [&](ImDrawList& list, bool pressed) {
@@ -167,9 +164,9 @@ bool drawBand(const char* title, const PanelRectangle& band) {
              panelColor(hovered ? PanelColor::text : PanelColor::dim_text));
     list.AddText({band.x + px(28), middle - ImGui::GetFontSize() / 2},
                  panelColor(hovered ? PanelColor::text : PanelColor::dim_text), title);
-    explain("a click opens it");
+    explain(opens ? "a click opens it" : "there is no room for it: make the window higher");
   });
-  return clicked;
+  return clicked && opens;
 }
 
 /// Opaque: text stands on it whatever the picture shows.
@@ -177,6 +174,35 @@ void drawBehind(const PanelRectangle& place) {
   if (place.width <= 0 || place.height <= 0) return;
   ImDrawList* const list = ImGui::GetBackgroundDrawList();
   list->AddRectFilled(cornerOf(place), farCornerOf(place), panelColor(PanelColor::panel));
+}
+
+DockWish wishOf(const ViewModel& model) {
+  DockWish wish;
+  const PanelState& panels = model.viewer.panels;
+  if (!panels.shown || model.viewer.is_empty) return wish;
+  const PanelPlaces& places = panels.places;
+  const bool right = !isFloating(places, "figures") || !isFloating(places, "device");
+  wish.left = sideWish(places, DockEdge::left, scenePanelWidth(model.isLive()),
+                       !isFloating(places, "Scene"));
+  wish.right = sideWish(places, DockEdge::right, kDevicePanelWidth, right);
+  wish.peeked = places.peeked;
+  wish.time = model.cursor() != nullptr ? kTimeBarHeight : 0;
+  wish.time_folded = isFolded(places, DockEdge::bottom);
+  const PlotBoard& plots = model.viewer.plots;
+  wish.plots = (!plots.curves().empty() || !plots.paths().empty()) && model.session() != nullptr
+                   ? plots.height
+                   : 0;
+  wish.plots_folded = plots.hidden;
+  return wish;
+}
+
+/// Whether that band would be there if it was looked at.
+bool wouldOpen(const ViewModel& model, PanelRectangle DockLayout::*band, const char* peeked) {
+  DockWish wish = wishOf(model);
+  wish.peeked = peeked;
+  wish.plots_folded = false;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  return (dockLayout(wish, size.x / px(1), size.y / px(1)).*band).height > 0;
 }
 
 }  // namespace
@@ -187,23 +213,7 @@ bool isFloating(const PanelPlaces& places, const char* panel) {
 }
 
 DockLayout dockLayoutOf(const ViewModel& model, float width, float height, float unit) {
-  DockWish wish;
-  const PanelState& panels = model.viewer.panels;
-  if (panels.shown && !model.viewer.is_empty) {
-    const PanelPlaces& places = panels.places;
-    const bool right = !isFloating(places, "figures") || !isFloating(places, "device");
-    wish.left = sideWish(places, DockEdge::left, scenePanelWidth(model.isLive()),
-                         !isFloating(places, "Scene"));
-    wish.right = sideWish(places, DockEdge::right, kDevicePanelWidth, right);
-    wish.peeked = places.peeked;
-    wish.time = model.cursor() != nullptr ? kTimeBarHeight : 0;
-    wish.time_folded = isFolded(places, DockEdge::bottom);
-    const PlotBoard& plots = model.viewer.plots;
-    wish.plots = (!plots.curves().empty() || !plots.paths().empty()) && model.session() != nullptr
-                     ? plots.height
-                     : 0;
-    wish.plots_folded = plots.hidden;
-  }
+  const DockWish wish = wishOf(model);
   const DockLayout units = dockLayout(wish, width / unit, height / unit);
   return {scaled(units.left, unit),   scaled(units.right, unit),
           scaled(units.time, unit),   scaled(units.time_strip, unit),
@@ -232,8 +242,14 @@ void drawDocks(ViewModel& model, const DockLayout& layout) {
   drawStrip(places, DockEdge::right, layout.right, "Selection");
   drawGutter(places, DockEdge::left, layout.left);
   drawGutter(places, DockEdge::right, layout.right);
-  if (drawBand("Plots", layout.plots_strip)) model.viewer.plots.hidden = false;
-  if (drawBand("Time", layout.time_strip)) open(places, DockEdge::bottom, false);
+  if (drawBand("Plots", layout.plots_strip, wouldOpen(model, &DockLayout::plots, kPlotsPeek))) {
+    model.viewer.plots.hidden = false;
+    places.peeked = kPlotsPeek;
+  }
+  const char* const bottom = nameOf(DockEdge::bottom);
+  if (drawBand("Time", layout.time_strip, wouldOpen(model, &DockLayout::time, bottom))) {
+    open(places, DockEdge::bottom, false);
+  }
 }
 
 }  // namespace rocinante

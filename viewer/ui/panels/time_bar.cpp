@@ -271,6 +271,12 @@ void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
   const float top =
       place.y + place.height - ImGui::GetStyle().WindowPadding.y * 0.6F - px(kTrackHeight);
   drawTrack(model, cursor, axis, top, now);
+  const bool on_background = ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered();
+  if (on_background && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    PanelPlaces& places = model.viewer.panels.places;
+    places.places[nameOf(DockEdge::bottom)].collapsed = true;
+    places.peeked.clear();
+  }
   ImGui::End();
 }
 

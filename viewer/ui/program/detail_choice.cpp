@@ -1,5 +1,7 @@
 #include "viewer/ui/program/detail_choice.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -67,6 +69,14 @@ void DetailChoice::tell(ViewerStatus& status) const {
   status.target_fps = target_fps_;
   status.coarse_ready = coarse_ready_;
   status.drops_looks = looks_by_default_ && dropsLooks();
+}
+
+std::string runawayText(const Governor::Runaway& runaway) {
+  const std::string took = fmt::format("a frame took {:.1f} s after {:.0f} ms",
+                                       runaway.cost_ms / 1000, runaway.typical_ms);
+  if (runaway.with_looks) return took + ": shadows and contact are off (D turns shadows on)";
+  return fmt::format("{}: level {} is not drawn any more (`detail auto` tries again)", took,
+                     runaway.rung);
 }
 
 }  // namespace rocinante

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "viewer/detail/governor.h"
 #include "viewer/render/renderer.h"
@@ -47,5 +48,8 @@ class DetailChoice {
   bool coarse_ready_ = true;
   bool looks_by_default_ = false;
 };
+
+/// One sentence about a look that is not drawn any more.
+std::string runawayText(const Governor::Runaway& runaway);
 
 }  // namespace rocinante

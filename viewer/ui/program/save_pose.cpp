@@ -60,6 +60,11 @@ Result<std::string> savePoses(ViewModel& model, const std::filesystem::path& cel
   std::vector<std::string> written;
   for (const std::string& name : names) {
     const auto file = saveOne(model, cell_file, name, wanted.included);
+    if (!file.ok() && !written.empty()) {
+      Error fault = file.error();
+      fault.what += fmt::format("; saved before that: {}", fmt::join(written, ", "));
+      return fault;
+    }
     if (!file.ok()) return file.error();
     written.push_back(fmt::format("{} in {}", name, file->filename().string()));
   }

@@ -26,9 +26,29 @@ PicturePlace inPicture(const ViewModel& model) {
   return {at.x - static_cast<float>(part.x), at.y - static_cast<float>(part.y)};
 }
 
+/// Beside the picture is bare ground, where no panel stands.
+bool isOnPicture(const ViewModel& model, const ImVec2& at) {
+  const PixelRectangle& part = model.viewer.picture_part;
+  const ImVec2 from(static_cast<float>(part.x), static_cast<float>(part.y));
+  return at.x >= from.x && at.y >= from.y && at.x < from.x + static_cast<float>(part.width) &&
+         at.y < from.y + static_cast<float>(part.height);
+}
+
+/// What is held was pressed beside the picture; or nothing is held, and the mouse is beside it.
+bool isBeside(const ViewModel& model) {
+  const ImGuiIO& io = ImGui::GetIO();
+  bool any_held = false;
+  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
+    if (!io.MouseDown[button] && !io.MouseReleased[button]) continue;
+    any_held = true;
+    if (isOnPicture(model, io.MouseClickedPos[button])) return false;
+  }
+  return any_held || !isOnPicture(model, io.MousePos);
+}
+
 std::optional<PictureClick> applyMouse(ViewModel& model) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantCaptureMouse) return std::nullopt;
+  if (io.WantCaptureMouse || isBeside(model)) return std::nullopt;
   const auto [x, y] = inPicture(model);
   const int width_px = model.viewer.picture_part.width;
   const int height_px = model.viewer.picture_part.height;
@@ -92,7 +112,7 @@ void collectTyped(ViewModel& model, std::span<const KeyPress> presses) {
 std::optional<PicturePlace> mouseOnPicture(const ViewModel& model) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantCaptureMouse || !ImGui::IsMousePosValid()) return std::nullopt;
-  if (ImGui::IsAnyMouseDown()) return std::nullopt;
+  if (ImGui::IsAnyMouseDown() || !isOnPicture(model, io.MousePos)) return std::nullopt;
   return inPicture(model);
 }
 

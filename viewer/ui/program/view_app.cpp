@@ -13,15 +13,15 @@
 #include "viewer/ui/program/backdrop_desk.h"
 #include "viewer/ui/program/detail_choice.h"
 #include "viewer/ui/program/evidence_desk.h"
-#include "viewer/ui/program/frame_journal.h"
+#include "viewer/ui/program/frame_tally.h"
 #include "viewer/ui/program/moment_preview.h"
 #include "viewer/ui/program/opening.h"
 #include "viewer/ui/program/panel_pace.h"
+#include "viewer/ui/program/picture_rest.h"
 #include "viewer/ui/program/publish_desk.h"
 #include "viewer/ui/program/request_desk.h"
 #include "viewer/ui/program/script_runner.h"
 #include "viewer/ui/program/user_input.h"
-#include "viewer/ui/program/warm_up.h"
 #include "viewer/ui/program/window_picture.h"
 #include "viewer/ui/window/frame_due.h"
 #include "viewer/ui/window/imgui_painter.h"
@@ -34,8 +34,6 @@
 
 namespace rocinante {
 namespace {
-
-constexpr Nanoseconds kStillAfter = std::chrono::milliseconds(300);
 
 double millisecondsSince(SteadyTime start) {
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
@@ -85,18 +83,17 @@ class ViewApp {
     return recorded_now_.value_or(std::chrono::steady_clock::now());
   }
   std::optional<float> frameSeconds();
+  bool advancePreview();
   void finishPreview();
   void beginFrame();
   void prepareView();
   Status drawFrame(double app_ms);
-  bool warmUp();
-  bool warmsUp() const;
-  Status refine();
+  Status rest();
   void endLook(const Governor::Runaway& runaway);
   Status compose(bool same_picture);
   bool frameDue(bool changed) const;
   /// The scene was not drawn for a while; a script's frames do not depend on it.
-  bool isStill() const { return !scripted() && now() - scene_drawn_at_ >= kStillAfter; }
+  bool isStill() const { return !scripted() && tally_.isStill(now()); }
   void writeDown();
   Status applyRequests(const ViewerRequests& requests);
   void writeScreenshot(const std::filesystem::path& file);
@@ -121,7 +118,7 @@ class ViewApp {
   std::optional<ImguiPainter>& painter_;
   WindowComposer composer_;
   DetailChoice detail_;
-  WarmUp warm_up_;
+  PictureRest rest_{picture_, detail_};
   EvidenceDesk evidence_;
   RequestDesk requests_;
   PublishDesk publish_;
@@ -131,11 +128,8 @@ class ViewApp {
   FrameDue frame_due_;
   std::optional<SteadyTime> recorded_now_;  ///< of this frame
   std::optional<SteadyTime> last_frame_;
-  FrameJournal journal_;
-  bool scene_drawn_ = false;  ///< in this frame
-  SteadyTime scene_drawn_at_{};
+  FrameTally tally_;
   bool swaps_ = true;  ///< something was drawn into the window
-  FrameTimes times_;   ///< of the frame that last drew the scene
   ViewerStatus status_;
   PixelRectangle part_{0, 0, 1, 1};  ///< what the picture has of the window
   RenderStyle style_;                ///< of the last frame
@@ -154,9 +148,10 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
     model.viewer.panels.notes.push_back({shown, false});
   }
   int samples = options.samples;
-  const int most_samples = FrameBuffer::mostSamples(renderer->gl());
-  if (samples == ViewOptions().samples && samples > most_samples) {
-    samples = most_samples;
+  if (samples == ViewOptions().samples) {
+    samples = std::min(samples, FrameBuffer::mostSamples(renderer->gl()));
+  }
+  if (samples < options.samples && !std::exchange(session.told_samples, true)) {
     cli::warn(fmt::format("this driver draws {} of the usual {} samples: edges are less smooth",
                           samples, options.samples));
   }
@@ -171,7 +166,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   }
   auto journal = FrameJournal::open(options.frame_times);
   if (!journal.ok()) return journal.error();
-  app->journal_ = std::move(*journal);
+  app->tally_ = FrameTally(std::move(*journal));
   if (auto ready = app->picture_.prepare(); !ready) return ready.error();
   app->window_->setPaced(!app->scripted());
   if (model.isLive()) model.feed().onNews([] { glfwPostEmptyEvent(); });
@@ -229,46 +224,26 @@ PixelRectangle ViewApp::part() const {
   return picturePart(dockLayoutOf(model_, width, height, interface_.scale()));
 }
 
-/// While nothing is asked of a window that shows its first picture; true when it did a step.
-bool ViewApp::warmUp() { return warmsUp() && warm_up_.advance(picture_, detail_); }
-
-bool ViewApp::warmsUp() const {
-  return !scripted() && !detail_.fixed() && picture_.isPlain() && !model_.viewer.is_empty &&
-         !warm_up_.done();
-}
-
-/// Draws a slice of the picture at rest. A rung that the user chose stays as it is.
-Status ViewApp::refine() {
-  if (scripted() || detail_.fixed()) return {};
-  const bool due = picture_.refinesAt(now());
-  if (due && !status_.refining) {
-    // Said before it takes time.
-    status_.refining = true;
+/// While nothing is asked. A script has no such time.
+Status ViewApp::rest() {
+  if (scripted()) return {};
+  const auto news = rest_.step(now(), model_.viewer.is_empty, status_.refining);
+  if (!news.ok()) return news.error();
+  if (*news == PictureRest::News::begins) status_.refining = true;
+  if (*news == PictureRest::News::whole) {
+    // Shown by a frame of its own.
+    composer_.forget();
+    frame_due_.happened(now());
+  } else if (*news != PictureRest::News::none) {
     frame_due_.drawSoon();
-    return {};
   }
-  const auto whole = picture_.refine(now());
-  if (!whole.ok()) return whole.error();
-  if (!*whole) {
-    if (due && !picture_.refinesAt(now())) frame_due_.drawSoon();  // given up
-    return {};
-  }
-  // Shown by a frame of its own.
-  composer_.forget();
-  frame_due_.happened(now());
   return {};
 }
 
 /// Tells once of a look that is not drawn any more.
 void ViewApp::endLook(const Governor::Runaway& runaway) {
-  const std::string took = fmt::format("a frame took {:.1f} s after {:.0f} ms",
-                                       runaway.cost_ms / 1000, runaway.typical_ms);
   if (runaway.with_looks) model_.dropLooksByDefault();
-  const std::string text =
-      runaway.with_looks
-          ? took + ": shadows and contact are off (D turns shadows on)"
-          : fmt::format("{}: level {} is not drawn any more (`detail auto` tries again)", took,
-                        runaway.rung);
+  const std::string text = runawayText(runaway);
   cli::warn(text);
   evidence_.say(text, true, now());
 }
@@ -322,6 +297,9 @@ Status ViewApp::drawFrame(double app_ms) {
   status_.still = isStill();
   ViewerRequests requests;
   part_ = drawPanels(model_, status_, now(), requests);
+  if (std::string& wanted = model_.viewer.built_in_wanted; !wanted.empty()) {
+    requests.built_in_camera = std::exchange(wanted, {});
+  }
   requests.click = applyUserInput(model_, now(), interface_.presses(), requests);
   ImGui::Render();
   if (auto applied = applyRequests(requests); !applied) return applied;
@@ -344,22 +322,10 @@ Status ViewApp::drawFrame(double app_ms) {
   times.ui += millisecondsSince(ui_began);
   frame_due_.drawn(now());
   status_.refined = picture_.refined();
-  scene_drawn_ = drawn->has_value();
-  if (scene_drawn_) scene_drawn_at_ = now();
-  if (!*drawn) return {};
-  const auto part = [&](const StageTime& stage) {
-    const double ms = std::min(static_cast<double>(stage.wall_ns) / 1e6, times.draw);
-    times.draw -= ms;
-    return ms;
-  };
-  times.app += part((*drawn)->times.app);
-  times.cull = part((*drawn)->times.cull);
-  status_.triangles = (*drawn)->triangles;
-  status_.draws = (*drawn)->draws;
-  status_.times.add(times);
-  times_ = times;
+  const auto cost_ms = tally_.drawn(*drawn, times, now(), status_);
+  if (!cost_ms) return {};
   // The first picture's time is mostly that of compiling.
-  if (!picture_.isPlain()) detail_.frameDrawn(times.total());
+  if (!picture_.isPlain()) detail_.frameDrawn(*cost_ms);
   if (const auto runaway = detail_.takeRunaway()) endLook(*runaway);
   detail_.tell(status_);
   return {};
@@ -382,18 +348,14 @@ Status ViewApp::applyRequests(const ViewerRequests& requests) {
 
 /// The frame that was just shown, for measurements.
 void ViewApp::writeDown() {
-  if (!journal_.active()) return;
+  if (!tally_.isWritten()) return;
   ShownFrame frame;
-  frame.shown_at = std::chrono::steady_clock::now();
-  frame.shown_wall = std::chrono::system_clock::now();
   frame.moment = model_.shownTime();
   frame.loaded = !model_.viewer.is_empty;
-  frame.drawn = scene_drawn_;
   frame.level = detail_.rung();
   frame.whole =
       picture_.refined() || (detail_.rung() == 0 && !status_.drops_looks && !picture_.isPlain());
-  frame.times = times_;
-  journal_.add(frame);
+  tally_.writeDown(frame);
 }
 
 bool ViewApp::frameDue(bool changed) const {
@@ -410,8 +372,7 @@ void ViewApp::waitForNews() {
     glfwPollEvents();
     return;
   }
-  const bool refines = warmsUp() || (!detail_.fixed() && picture_.refinesAt(now()));
-  if (refines || frameDue(false)) {
+  if (rest_.isDue(now(), model_.viewer.is_empty) || frameDue(false)) {
     glfwPollEvents();
   } else {
     glfwWaitEventsTimeout(newsWait(model_));
@@ -432,15 +393,17 @@ bool ViewApp::showBackdrop() {
   return changed;
 }
 
+/// Draws the small picture of the time line, if it can be; true when it is another one.
+bool ViewApp::advancePreview() {
+  return preview_.advance(picture_.renderer(), part_.width, part_.height, interface_.scale(),
+                          now());
+}
+
 /// A script has no idle time, in which a window draws it.
 void ViewApp::finishPreview() {
-  const auto advance = [&] {
-    return preview_.advance(picture_.renderer(), part_.width, part_.height, interface_.scale(),
-                            now());
-  };
-  if (advance()) return;
+  if (advancePreview()) return;
   preview_.wait();
-  advance();
+  advancePreview();
 }
 
 /// What was opened or dropped, once it has come; a script waits for it where it says so. It takes
@@ -497,11 +460,8 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (auto published = publish_.tell(now()); !published) return published.error();
     if (*changed) picture_.changed();
     if (!frameDue(*changed)) {
-      if (!warmUp()) {
-        if (auto refined = refine(); !refined) return refined.error();
-      }
-      if (preview_.advance(picture_.renderer(), part_.width, part_.height, interface_.scale(),
-                           now())) {
+      if (auto rested = rest(); !rested) return rested.error();
+      if (advancePreview()) {
         composer_.forget();  // its texture has changed
         frame_due_.happened(now());
       }

@@ -37,8 +37,10 @@ bool isBeyondDoubt(const ViewModel& model) {
 /// What the layout has and this content has not is said over the picture. True.
 bool useLayout(const ViewOptions& options, ViewContent& content) {
   if (!options.layout) return true;
-  // Its devices are known then.
-  static_cast<void>(content.model->update(SteadyTime{}));
+  // Its devices are known then. A live session counts from here, by the clock of its frames.
+  const bool is_scripted = !options.script.empty();
+  static_cast<void>(content.model->update(
+      is_scripted ? SteadyTime{} : SteadyTime(std::chrono::steady_clock::now())));
   std::vector<PictureNote>& notes = content.model->viewer.panels.notes;
   for (const std::string& left_out : applyLayout(*options.layout, *content.model)) {
     notes.push_back({"the layout: " + left_out, false});

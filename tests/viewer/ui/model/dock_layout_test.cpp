@@ -84,6 +84,19 @@ TEST(DockLayout, WhatTheUserFoldedIsAStripUntilItIsLookedAt) {
   EXPECT_EQ(peeked.picture, folded.picture);
 }
 
+TEST(DockLayout, WhatHasNoRoomIsLookedAtAtThePicturesCost) {
+  DockWish wish = usualWish();
+  EXPECT_TRUE(isThere(dockLayout(wish, 480, 180).time_strip));
+  wish.peeked = "bottom";
+  EXPECT_EQ(dockLayout(wish, 480, 180).time, (PanelRectangle{0, 88, 480, 92}));
+  EXPECT_TRUE(isThere(dockLayout(wish, 480, 100).time_strip))
+      << "the picture keeps a strip's height";
+  EXPECT_TRUE(isThere(dockLayout(wish, 480, 260).plots_strip));
+  wish.peeked = kPlotsPeek;
+  EXPECT_TRUE(isThere(dockLayout(wish, 480, 260).plots));
+  EXPECT_TRUE(isThere(dockLayout(wish, 480, 200).plots_strip));
+}
+
 RC_GTEST_PROP(DockLayout, NothingOverlapsAndAllOfTheWindowIsGiven, ()) {
   const auto upTo = [](int most) { return static_cast<float>(*rc::gen::inRange(0, most)); };
   DockWish wish;
@@ -93,7 +106,7 @@ RC_GTEST_PROP(DockLayout, NothingOverlapsAndAllOfTheWindowIsGiven, ()) {
   wish.time_folded = *rc::gen::arbitrary<bool>();
   wish.plots = *rc::gen::element(0.0F, 90.0F, 200.0F, 4000.0F);
   wish.plots_folded = *rc::gen::arbitrary<bool>();
-  wish.peeked = *rc::gen::element("", "left", "right", "bottom");
+  wish.peeked = *rc::gen::element("", "left", "right", "bottom", kPlotsPeek);
   const float width = 64 + upTo(2600), height = 64 + upTo(1600);
   const DockLayout layout = dockLayout(wish, width, height);
   const std::vector<PanelRectangle> places = placesOf(layout, false);

@@ -1,0 +1,80 @@
+#include "viewer/ui/program/user_input.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <memory>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/test_session.h"
+#include "viewer/ui/window/interface_context.h"
+
+namespace rocinante {
+namespace {
+
+/// A window of 800x600 whose picture begins 200 pixels from the left, with bare ground before it.
+class UserInput : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
+    auto model = ViewModel::make(std::move(*loadCell(folder_ / "arm.urdf", {})), std::nullopt,
+                                 std::nullopt, {}, {});
+    model_ = std::make_unique<ViewModel>(std::move(*model));
+    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
+    ImGui::GetIO().Fonts->Build();
+    model_->viewer.picture_part = {200, 0, 600, 500};
+  }
+  std::optional<PictureClick> frame() {
+    interface_.beginFrame(800, 600, &input_);
+    ViewerRequests requests;
+    const auto click = applyUserInput(*model_, SteadyTime{}, {}, requests);
+    pointed_ = mouseOnPicture(*model_);
+    ImGui::Render();
+    input_.endFrame();
+    return click;
+  }
+  std::optional<PictureClick> clickAt(double x, double y) {
+    input_.mouse = {x, y};
+    frame();
+    input_.down[0] = true;
+    frame();
+    input_.down[0] = false;
+    return frame();
+  }
+
+  test::TemporaryFolder folder_;
+  InterfaceContext interface_{nullptr};
+  std::unique_ptr<ViewModel> model_;
+  FrameInput input_;
+  std::optional<PicturePlace> pointed_;
+};
+
+TEST_F(UserInput, IsOfThePictureInItsOwnPixels) {
+  const auto click = clickAt(500, 100);
+  ASSERT_TRUE(click.has_value());
+  EXPECT_EQ(click->x, 300);
+  EXPECT_EQ(click->y, 100);
+  ASSERT_TRUE(pointed_.has_value());
+  EXPECT_EQ(*pointed_, PicturePlace(300, 100));
+}
+
+TEST_F(UserInput, BesideThePictureMeansNothing) {
+  EXPECT_FALSE(clickAt(100, 100).has_value());
+  EXPECT_FALSE(clickAt(500, 550).has_value());
+  EXPECT_FALSE(pointed_.has_value());
+  const Vec3 eye = model_->cameraView().eye;
+  input_.wheel = 3;
+  frame();
+  EXPECT_EQ(model_->cameraView().eye, eye);
+  // What was pressed on the picture goes on beside it.
+  input_.mouse = {500, 100};
+  frame();
+  input_.down[0] = true;
+  frame();
+  input_.mouse = {100, 100};
+  frame();
+  EXPECT_NE(model_->cameraView().eye, eye);
+}
+
+}  // namespace
+}  // namespace rocinante

@@ -1,0 +1,16 @@
+#include "viewer/ui/program/picture_rest.h"
+
+namespace rocinante {
+
+Result<PictureRest::News> PictureRest::step(SteadyTime now, bool is_empty, bool said) {
+  if (warmsUp(is_empty) && warm_up_.advance(picture_, detail_)) return News::none;
+  if (detail_.fixed()) return News::none;
+  const bool due = picture_.refinesAt(now);
+  if (due && !said) return News::begins;
+  const auto whole = picture_.refine(now);
+  if (!whole.ok()) return whole.error();
+  if (*whole) return News::whole;
+  return due && !picture_.refinesAt(now) ? News::ends : News::none;
+}
+
+}  // namespace rocinante
