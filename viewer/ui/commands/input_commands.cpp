@@ -50,6 +50,10 @@ Status changeButton(CommandWords words, const CommandStage& stage) {
   if (words[1] != "down" && words[1] != "up") {
     return badWord(fmt::format("`{}` is neither down nor up", words[1]));
   }
+  if (words.size() > 2 && (words[1] != "down" || words[2] != "again")) {
+    return badWord("only a button that goes down can go down `again`");
+  }
+  stage.input->again = stage.input->again || words.size() > 2;
   stage.input->down[static_cast<std::size_t>(number)] = words[1] == "down";
   return {};
 }
@@ -167,8 +171,8 @@ std::vector<Command> inputCommands() {
        .run = inScript<moveMouse>},
       {.name = "mouse-out", .means = "the mouse leaves the window", .run = inScript<takeMouseOut>},
       {.name = "button",
-       .arguments = "BUTTON down|up",
-       .means = "left, right, middle, fourth or fifth",
+       .arguments = "BUTTON down|up [again]",
+       .means = "left, right, middle, fourth or fifth; again: the second one of a double click",
        .run = inScript<changeButton>},
       {.name = "wheel",
        .arguments = "STEPS [ACROSS]",

@@ -64,7 +64,8 @@ std::string inputLines(const FrameInput& before, const FrameInput& seen) {
   }
   for (std::size_t i = 0; i < seen.down.size(); ++i) {
     if (seen.down[i] == before.down[i]) continue;
-    lines += fmt::format("button {} {}\n", kMouseButtons[i], seen.down[i] ? "down" : "up");
+    lines += fmt::format("button {} {}{}\n", kMouseButtons[i], seen.down[i] ? "down" : "up",
+                         seen.down[i] && seen.again ? " again" : "");
   }
   if (seen.wheel != 0 || seen.wheel_across != 0) {
     lines += fmt::format("wheel {}{}\n", seen.wheel,

@@ -368,15 +368,9 @@ bool ViewApp::frameDue(bool changed) const {
 }
 
 void ViewApp::waitForNews() {
-  if (scripted()) {
-    glfwPollEvents();
-    return;
-  }
-  if (rest_.isDue(now(), model_.viewer.is_empty) || frameDue(false)) {
-    glfwPollEvents();
-  } else {
-    glfwWaitEventsTimeout(newsWait(model_));
-  }
+  const bool waits = !scripted() && !rest_.isDue(now(), model_.viewer.is_empty) && !frameDue(false);
+  window_->takeEvents(waits ? newsWait(model_) : 0);
+  if (scripted()) return;
   if (model_.hasStudyNews()) frame_due_.drawSoon();
   const bool news = window_->takeNews();
   // The window may have been covered.

@@ -108,6 +108,7 @@ void setModifier(ImGuiIO& io, std::size_t place, bool held) {
 }  // namespace
 
 void FrameInput::endFrame() {
+  again = false;
   wheel = wheel_across = 0;
   presses.clear();
   typed.clear();
@@ -141,6 +142,7 @@ FrameInput seenInput() {
 
 void tellInput(ImGuiIO& io, const FrameInput& input) {
   tellMouse(io, input.down, input.mouse);
+  tellDoubleClick(io, input.again);
 #if IMGUI_VERSION_NUM >= 18700
   if (input.wheel != 0 || input.wheel_across != 0) {
     io.AddMouseWheelEvent(static_cast<float>(input.wheel_across), static_cast<float>(input.wheel));
@@ -186,6 +188,12 @@ void tellMouse(ImGuiIO& io, const std::array<bool, 5>& down,
   std::ranges::copy(down, io.MouseDown);
   io.MousePos = place;
 #endif
+}
+
+void tellDoubleClick(ImGuiIO& io, bool again) {
+  static const float usual = ImGuiIO().MouseDoubleClickTime;
+  constexpr float kHoweverLate = 1e9F;
+  io.MouseDoubleClickTime = again ? kHoweverLate : usual;
 }
 
 bool tellKey(ImGuiIO& io, int glfw, bool down) {

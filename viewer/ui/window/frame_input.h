@@ -17,6 +17,7 @@ struct FrameInput {
   /// In pixels of the picture, from its top left; empty: outside the window.
   std::optional<std::pair<double, double>> mouse;
   std::array<bool, 5> down{};  ///< mouse buttons; 0 is the left one
+  bool again = false;          ///< the button that goes down is the second one of a double click
   double wheel = 0, wheel_across = 0;
   std::vector<KeyPress> presses;  ///< that came since the last frame, in order
   /// Keys that are down, by GLFW's numbers, as far as lines of text, drags and flying ask for them;
@@ -42,6 +43,9 @@ void nameKeys(ImGuiIO& io);
 /// Sets the mouse of the coming frame, overriding what the window system said.
 void tellMouse(ImGuiIO& io, const std::array<bool, 5>& down,
                const std::optional<std::pair<double, double>>& at);
+/// Whether the button that goes down in the coming frame is the second one of a double click: then
+/// it is, however late its frame. Otherwise the frames' own times say it.
+void tellDoubleClick(ImGuiIO& io, bool again);
 /// The same of a key; false when Dear ImGui does not ask for it.
 bool tellKey(ImGuiIO& io, int glfw, bool down);
 /// The same of a key that does something to a line of text while Ctrl is held, and of Ctrl.

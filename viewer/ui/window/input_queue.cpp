@@ -8,6 +8,7 @@ namespace {
 
 /// By GLFW's numbers: what is below is a character, what is above only changes what others mean.
 constexpr int kFirstFunctionKey = 256, kFirstModifierKey = 340;
+constexpr std::chrono::milliseconds kDoubleClick(300);
 
 bool edits(const KeyPress& press) {
   return press.control || (press.key >= kFirstFunctionKey && press.key < kFirstModifierKey);
@@ -29,6 +30,8 @@ void InputQueue::add(const InputEvent& event) {
 
 const InputState& InputQueue::nextFrame(bool types) {
   bool moved = false;
+  const bool arranged = std::exchange(arranges_, false);
+  state_.again = false;
   const std::vector<KeyPress> before = std::exchange(state_.keys, {});
   const auto waits = [&](const KeyPress& press) {
     if (!types || press.repeated || !edits(press)) return false;
@@ -39,12 +42,14 @@ const InputState& InputQueue::nextFrame(bool types) {
     const InputEvent event = events_.front();
     // A drag ends in a separate frame, so that its last move is seen with the button down.
     if (event.kind == InputEvent::Kind::release && moved) break;
+    if (event.kind == InputEvent::Kind::press && arranged) break;
     const bool is_key = event.kind == InputEvent::Kind::key;
     if (!is_key && !state_.keys.empty()) break;
     if (is_key && waits(event.pressed)) break;
     events_.pop_front();
     if (is_key) {
       state_.keys.push_back(event.pressed);
+      arranges_ = true;
       continue;
     }
     state_.x = event.x;
@@ -53,7 +58,13 @@ const InputState& InputQueue::nextFrame(bool types) {
       moved = true;
       continue;
     }
-    state_.down[event.button] = event.kind == InputEvent::Kind::press;
+    const bool goes_down = event.kind == InputEvent::Kind::press;
+    state_.down[event.button] = goes_down;
+    if (goes_down) {
+      const auto last = std::exchange(pressed_at_[event.button], event.to);
+      state_.again = last && event.from - *last < kDoubleClick;
+    }
+    arranges_ = !goes_down;
     break;
   }
   return state_;

@@ -3,7 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <vector>
+
+#include "core/base/time.h"
 
 namespace rocinante {
 
@@ -18,14 +21,18 @@ struct KeyPress {
 struct InputEvent {
   enum class Kind { move, press, release, key };
   Kind kind = Kind::move;
-  std::size_t button = 0;  ///< of a press or release: 0 is the left one
-  double x = 0, y = 0;     ///< pointer position then, in window units
-  KeyPress pressed{};      ///< of a key
+  std::size_t button = 0;   ///< of a press or release: 0 is the left one
+  double x = 0, y = 0;      ///< pointer position then, in window units
+  KeyPress pressed{};       ///< of a key
+  SteadyTime from{}, to{};  ///< between these it came
 };
 
 struct InputState {
   double x = 0, y = 0;
   std::array<bool, 5> down{};
+  /// The button that goes down in this frame may have gone down soon after it did before: both are
+  /// a double click, however late their frames are.
+  bool again = false;
   std::vector<KeyPress> keys;  ///< of this frame, in order
   bool anyDown() const;
 };
@@ -33,7 +40,8 @@ struct InputState {
 /// Delivers ordered mouse and key events to frames. A frame sees the pointer where it was when a
 /// button changed, and at most one change: even in a late frame a click is a press and a release at
 /// its own place, a later jump of the pointer belongs to the next frame, and keys and clicks keep
-/// their order. Plain values.
+/// their order. A button goes down only where everything already lies as the key or click before it
+/// arranged it: a frame is between them. Plain values.
 class InputQueue {
  public:
   void add(const InputEvent& event);
@@ -49,6 +57,8 @@ class InputQueue {
 
  private:
   std::deque<InputEvent> events_;
+  bool arranges_ = false;  ///< a key or a release came in the last frame
+  std::array<std::optional<SteadyTime>, 5> pressed_at_;
   InputState state_;
 };
 

@@ -115,6 +115,7 @@ void InterfaceContext::tellWindow(double width, double height) {
           y * static_cast<float>(height) / io.DisplaySize.y};
   }
   tellMouse(io, seen.down, at);
+  tellDoubleClick(io, seen.again);
   tellKeys(seen.keys);
   presses_ = seen.keys;
 }
@@ -139,6 +140,7 @@ void InterfaceContext::beginFrame(int width, int height, const FrameInput* scrip
 FrameInput InterfaceContext::seen() const {
   FrameInput input = seenInput();
   input.presses = presses_;
+  input.again = window_ != nullptr && window_->input().thisFrame().again;
   // Only what goes into a line of text is anybody's business.
   if (ImGui::GetIO().WantTextInput && std::ranges::any_of(presses_, isPasting)) {
     const char* const text = ImGui::GetClipboardText();

@@ -96,6 +96,16 @@ Window::Window(GLFWwindow* window) : window_(window) {
   glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
 }
 
+void Window::takeEvents(double most_s) {
+  asked_at_ = std::chrono::steady_clock::now();
+  if (most_s > 0) {
+    glfwWaitEventsTimeout(most_s);
+  } else {
+    glfwPollEvents();
+  }
+  answered_at_ = std::chrono::steady_clock::now();
+}
+
 Window& Window::of(GLFWwindow* window) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
@@ -122,7 +132,12 @@ void Window::onButton(GLFWwindow* window, int button, int action, int /*modifier
   Window& self = of(window);
   self.news_ = true;
   const auto kind = action == GLFW_PRESS ? InputEvent::Kind::press : InputEvent::Kind::release;
-  self.input_.add({kind, static_cast<std::size_t>(button), self.mouse_x_, self.mouse_y_, {}});
+  InputEvent event{kind, static_cast<std::size_t>(button), self.mouse_x_, self.mouse_y_, {}};
+  // What came while a frame was drawn is told at once.
+  constexpr std::chrono::milliseconds kAtOnce(5);
+  event.to = std::chrono::steady_clock::now();
+  event.from = event.to - self.asked_at_ < kAtOnce ? self.answered_at_ : event.to;
+  self.input_.add(event);
 }
 
 void Window::onWheel(GLFWwindow* window, double /*across*/, double /*down*/) { onNews(window); }

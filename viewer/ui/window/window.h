@@ -50,6 +50,8 @@ class Window final : public RenderContext {
   /// Shows framebuffer 0. Waits for the display when `paced`.
   void swap();
   void setPaced(bool paced);
+  /// Takes the events that came, waiting for one for at most so many seconds; 0: does not wait.
+  void takeEvents(double most_s);
   /// Mouse and key events for frames to take one by one. Includes keys released before a frame,
   /// which polling would miss when a frame takes long.
   InputQueue& input() { return input_; }
@@ -74,6 +76,7 @@ class Window final : public RenderContext {
   InputQueue input_;
   double mouse_x_ = 0, mouse_y_ = 0;  // of the last event, in window units
   bool news_ = false;
+  SteadyTime asked_at_{}, answered_at_{};  // of the last takeEvents()
 };
 
 }  // namespace rocinante

@@ -42,6 +42,18 @@ Status doAgain(const std::string& lines, FrameInput& input) {
   return {};
 }
 
+TEST(InputLines, SayThatAClickIsTheSecondOfTwo) {
+  FrameInput click;
+  click.down[0] = true;
+  click.again = true;
+  EXPECT_EQ(inputLines({}, click), "button left down again\n");
+  FrameInput input;
+  ASSERT_TRUE(doAgain("button left down again\n", input));
+  EXPECT_TRUE(input.again);
+  input.endFrame();
+  EXPECT_FALSE(input.again);
+}
+
 TEST(InputLines, SayWhatChangedAndNothingElse) {
   EXPECT_EQ(inputLines({}, dragging()),
             "window-size 640 480 1.25\nmouse 320 200\nbutton middle down\nhold shift\n");
@@ -149,6 +161,8 @@ TEST(InputCommands, RefuseWhatNoMouseAndNoKeyboardDoes) {
   for (const auto& [line, fault] : std::initializer_list<std::pair<const char*, const char*>>{
            {"mouse 1e300 0", "`1e300` must be from -100000 to 100000"},
            {"mouse nan 0", "`nan` is not a number"},
+           {"button left up again", "only a button that goes down can go down `again`"},
+           {"button left down twice", "only a button that goes down can go down `again`"},
            {"button left sideways", "`sideways` is neither down nor up"},
            {"button sixth down", "`sixth` is not a button: left, right, middle, fourth, fifth"},
            {"wheel 100000", "`100000` must be from -1000 to 1000"},

@@ -57,6 +57,51 @@ TEST(InputQueue, ALineOfTextSeesEachEditingKeyInAFrameOfItsOwn) {
   EXPECT_EQ(queue.nextFrame(true).keys.size(), 3U);
 }
 
+TEST(InputQueue, ADoubleClickIsToldByWhenItCameNotByItsFrames) {
+  using std::chrono::milliseconds;
+  const auto secondIsAgain = [](milliseconds apart, std::size_t second,
+                                milliseconds unknown = milliseconds(0)) {
+    InputQueue queue;
+    const SteadyTime at{}, later = at + apart;
+    queue.add({Kind::press, 0, 5, 5, {}, at, at});
+    queue.add({Kind::release, 0, 5, 5, {}, at, at});
+    queue.add({Kind::press, second, 5, 5, {}, later - unknown, later});
+    queue.add({Kind::release, second, 5, 5, {}, later, later});
+    EXPECT_FALSE(queue.nextFrame().again);
+    EXPECT_FALSE(queue.nextFrame().again);
+    bool again = false;
+    while (queue.pending()) {
+      const InputState seen = queue.nextFrame();
+      EXPECT_TRUE(!seen.again || seen.down[second]);
+      again = again || seen.again;
+    }
+    return again;
+  };
+  EXPECT_TRUE(secondIsAgain(milliseconds(100), 0));
+  EXPECT_FALSE(secondIsAgain(milliseconds(300), 0));
+  EXPECT_TRUE(secondIsAgain(milliseconds(300), 0, milliseconds(1)))
+      << "a frame was drawn meanwhile";
+  EXPECT_FALSE(secondIsAgain(milliseconds(100), 1));
+}
+
+TEST(InputQueue, AButtonGoesDownWhereAKeyOrClickBeforeItHasArrangedAll) {
+  InputQueue queue;
+  queue.add({Kind::key, 0, 0, 0, {258, false, false, false}});
+  queue.add({Kind::move, 0, 40, 5, {}});
+  queue.add({Kind::press, 0, 40, 5, {}});
+  queue.add({Kind::release, 0, 40, 5, {}});
+  queue.add({Kind::press, 0, 40, 5, {}});
+  EXPECT_EQ(queue.nextFrame().keys.size(), 1U);
+  const InputState between = queue.nextFrame();
+  EXPECT_EQ(between.x, 40);
+  EXPECT_FALSE(between.anyDown());
+  EXPECT_TRUE(queue.nextFrame().anyDown());
+  EXPECT_FALSE(queue.nextFrame().anyDown());
+  EXPECT_FALSE(queue.nextFrame().anyDown());
+  EXPECT_TRUE(queue.pending());
+  EXPECT_TRUE(queue.nextFrame().anyDown());
+}
+
 TEST(InputQueue, TheLastMoveOfADragIsSeenWithTheButtonDown) {
   InputQueue queue;
   queue.add({Kind::press, 0, 100, 100, {}});
@@ -71,7 +116,7 @@ TEST(InputQueue, TheLastMoveOfADragIsSeenWithTheButtonDown) {
   EXPECT_FALSE(queue.pending());
 }
 
-TEST(InputQueue, TwoClicksAtTwoPlacesAreFourFrames) {
+TEST(InputQueue, TwoClicksAtTwoPlacesAreFourFramesAndOneBetween) {
   InputQueue queue;
   for (const double x : {10., 500.}) {
     queue.add({Kind::move, 0, x, 5, {}});
@@ -79,6 +124,9 @@ TEST(InputQueue, TwoClicksAtTwoPlacesAreFourFrames) {
     queue.add({Kind::release, 0, x, 5, {}});
   }
   for (const double x : {10., 500.}) {
+    if (x == 500) {
+      EXPECT_FALSE(queue.nextFrame().anyDown());
+    }
     for (const bool down : {true, false}) {
       const InputState state = queue.nextFrame();
       EXPECT_EQ(state.down[0], down);
@@ -106,6 +154,7 @@ TEST(InputQueue, KeysKeepTheirPlaceAmongClicks) {
   key(3);
   queue.add({Kind::move, 0, 90, 5, {}});
   EXPECT_EQ(queue.nextFrame().keys.size(), 2U);
+  EXPECT_FALSE(queue.nextFrame().anyDown());
   EXPECT_TRUE(queue.nextFrame().down[0]);
   EXPECT_TRUE(queue.thisFrame().keys.empty());
   EXPECT_FALSE(queue.nextFrame().down[0]);
