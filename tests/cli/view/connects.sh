@@ -15,7 +15,7 @@ seek 5s
 frame 2
 screenshot log.png
 disconnect
-await-line what this session kept would be deleted: \`save\` it before, or \`disconnect forget\`
+await-line what this session kept would be deleted: \`save\` what you need, then \`disconnect forget\`
 live
 await 1.5s
 connect 127.0.0.1:$port

@@ -55,11 +55,12 @@ ContentRequest connectionOf(std::vector<std::string> endpoints, const ContentReq
   return request;
 }
 
-ContentRequest withoutConnection(const ContentRequest& shown) {
+ContentRequest withoutConnection(const ContentRequest& shown, bool forgets) {
   ContentRequest request = optionsOf(shown);
   request.cell = shown.cell;
   if (!shown.cell.empty()) request.styles = shown.styles;
-  request.leaving = ContentRequest::Leaving::ends;
+  using Leaving = ContentRequest::Leaving;
+  request.leaving = forgets ? Leaving::ends : Leaving::ends_unheard;
   return request;
 }
 

@@ -25,8 +25,13 @@ struct ContentRequest {
   /// Endpoints as they were typed, which become `live` when it is loaded: a name is looked up.
   std::vector<std::string> connect;
   /// What becomes of a live session that is shown: it goes on behind what is shown then, ends, or
-  /// goes on with this cell.
-  enum class Leaving { stays_behind, ends, goes_along } leaving = Leaving::stays_behind;
+  /// goes on with this cell. Holds for one change: LeftSessions::leave() makes it the first again.
+  enum class Leaving {
+    stays_behind,
+    ends_unheard,  ///< one that has heard something by then stays instead
+    ends,          ///< with what it kept
+    goes_along,
+  } leaving = Leaving::stays_behind;
   std::string trust;
   std::string decoders;             ///< of a live session: a file; empty: those of the cell
   KeepLimits keep;                  ///< of a live session
@@ -58,8 +63,8 @@ Result<ContentRequest> requestOf(const std::vector<std::filesystem::path>& files
                                  const ContentRequest& shown);
 /// A live session of the cell that is shown, with the program's options for it.
 ContentRequest connectionOf(std::vector<std::string> endpoints, const ContentRequest& shown);
-/// The cell of a live session at rest.
-ContentRequest withoutConnection(const ContentRequest& shown);
+/// The cell of a live session at rest. `forgets`: the session ends even if it has heard something.
+ContentRequest withoutConnection(const ContentRequest& shown, bool forgets);
 /// Makes `live` of what was typed to connect to, if anything was: looks up names. bad_argument, or
 /// refused when a name is not found.
 Status readEndpoints(ContentRequest& request);

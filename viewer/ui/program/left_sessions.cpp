@@ -22,24 +22,20 @@ bool hasHeard(const ViewModel& model) {
 }
 
 void LeftSessions::leave(std::unique_ptr<ViewContent> content, ViewContent& next) {
-  if (!content->model->isLive()) return;
-  switch (next.request.leaving) {
-    case ContentRequest::Leaving::ends:
-      return;
-    case ContentRequest::Leaving::goes_along:
-      next.model->takeLive(*content->model);
-      next.request.live = content->request.live;
-      next.request.connect = content->request.connect;
-      return;
-    case ContentRequest::Leaving::stays_behind:
-      return add(std::move(content));
-  }
-}
-
-void LeftSessions::add(std::unique_ptr<ViewContent> content) {
+  using Leaving = ContentRequest::Leaving;
+  // Of this change alone: when the next one comes back, it brings nothing along.
+  const Leaving leaving = std::exchange(next.request.leaving, Leaving::stays_behind);
   ViewModel& model = *content->model;
-  if (!hasHeard(model)) return;
   model.hand.stopDriving();
+  model.publishing.end(std::chrono::steady_clock::now(), std::chrono::system_clock::now());
+  if (!model.isLive() || leaving == Leaving::ends) return;
+  if (leaving == Leaving::goes_along) {
+    next.model->takeLive(model);
+    next.request.live = content->request.live;
+    next.request.connect = content->request.connect;
+    return;
+  }
+  if (!hasHeard(model)) return;
   model.viewer.hover = {};  // its texture is the window's
   model.viewer.was_shown = true;
   model.viewer.panels.open.shown = model.viewer.panels.palette.shown = false;

@@ -21,9 +21,10 @@ class LeftSessions {
   static constexpr std::size_t kMost = 3;
 
   bool empty() const { return contents_.empty(); }
-  bool full() const { return contents_.size() >= kMost; }
-  /// Content gives way to the next one, which says what becomes of it if it is live: it stays here
-  /// and sends nothing any more, but ends if it has heard nothing; it goes along; or it ends.
+  std::size_t size() const { return contents_.size(); }
+  /// Content gives way to the next one and sends nothing any more: others get its farewell. The
+  /// next one says what becomes of it if it is live, this once: it stays here, but ends if it has
+  /// heard nothing; it goes along; or it ends. One that stays is added even beyond kMost.
   void leave(std::unique_ptr<ViewContent> content, ViewContent& next);
   /// Their endpoints, as endpointsText(), the one that was shown last first.
   std::vector<std::string> names() const;
@@ -38,8 +39,6 @@ class LeftSessions {
   void tend(SteadyTime now);
 
  private:
-  void add(std::unique_ptr<ViewContent> content);
-
   std::vector<std::unique_ptr<ViewContent>> contents_;  ///< the one shown last first
   std::optional<SteadyTime> tended_;
 };

@@ -40,6 +40,12 @@ bool isOwnPort(const Error& error) {
 
 Error badEndpoint(std::string what) { return {ErrorKind::bad_argument, std::move(what), {}}; }
 
+constexpr const char* kWayOut = "`save` what you need, then `disconnect forget`";
+
+Error wouldBeLost() {
+  return badEndpoint(fmt::format("what this session kept would be deleted: {}", kWayOut));
+}
+
 }  // namespace
 
 Opening::Opening(ContentLoader& loader, LeftSessions& left, ViewModel& model,
@@ -58,27 +64,33 @@ Status Opening::begin() {
   return {};
 }
 
-Status Opening::mayLeave() const {
-  if (!left_.full() || !hasHeard(model_)) return {};
-  return Error{ErrorKind::refused,
-               fmt::format("this window keeps {} live sessions: `disconnect` one before",
-                           LeftSessions::kMost + 1),
-               {}};
+Status Opening::mayLeave(const ContentRequest& next) const {
+  using Leaving = ContentRequest::Leaving;
+  if (next.leaving == Leaving::goes_along || next.leaving == Leaving::ends) return {};
+  // With a new session beside it, one that has heard nothing yet counts: by the time that the new
+  // one is there, both may have heard something.
+  const bool stays = next.connect.empty() ? hasHeard(model_) : model_.isLive();
+  if (!stays) return {};
+  if (next.leaving == Leaving::ends_unheard) return wouldBeLost();
+  if (left_.size() < LeftSessions::kMost) return {};
+  return Error{
+      ErrorKind::refused,
+      fmt::format("this window keeps {} live sessions: {}", LeftSessions::kMost + 1, kWayOut),
+      {}};
 }
 
 Status Opening::open(const std::vector<std::filesystem::path>& files) {
   if (files.empty()) return {};
   if (auto begun = begin(); !begun) return begun;
-  if (auto may = mayLeave(); !may) return may;
   auto request = requestOf(files, shown_);
   if (!request.ok()) return request.error();
+  if (auto may = mayLeave(*request); !may) return may;
   loader_.start(std::move(*request));
   return {};
 }
 
 Status Opening::connect(const std::vector<std::string>& endpoints) {
   if (auto begun = begin(); !begun) return begun;
-  if (auto may = mayLeave(); !may) return may;
   const std::string text = fmt::format("{}", fmt::join(endpoints, " "));
   if (model_.isLive() && (shown_.connect == endpoints || endpointsText(shown_) == text)) {
     return badEndpoint("this window listens at " + typedText(endpoints) + " already");
@@ -86,6 +98,7 @@ Status Opening::connect(const std::vector<std::string>& endpoints) {
   back_ = left_.find(endpoints);
   if (back_) return {};
   ContentRequest request = connectionOf(endpoints, shown_);
+  if (auto may = mayLeave(request); !may) return may;
   if (!model_.viewer.is_empty) {
     request.hide = pathsOfLive(model_.cell(), model_.hiddenPaths());
     request.show = pathsOfLive(model_.cell(), model_.shownPaths());
@@ -97,7 +110,6 @@ Status Opening::connect(const std::vector<std::string>& endpoints) {
 
 Status Opening::goBack() {
   if (auto begun = begin(); !begun) return begun;
-  if (auto may = mayLeave(); !may) return may;
   if (left_.empty()) return badEndpoint("no live session goes on behind what is shown");
   back_ = 0;
   return {};
@@ -107,12 +119,9 @@ Status Opening::disconnect(bool forgets) {
   if (auto begun = begin(); !begun) return begun;
   const bool is_shown = model_.isLive();
   if (!is_shown && left_.empty()) return badEndpoint("this window listens nowhere");
-  if (!forgets && hasHeard(is_shown ? model_ : left_.model(0))) {
-    return badEndpoint(
-        "what this session kept would be deleted: `save` it before, or `disconnect forget`");
-  }
+  if (!forgets && hasHeard(is_shown ? model_ : left_.model(0))) return wouldBeLost();
   if (is_shown) {
-    loader_.start(withoutConnection(shown_));
+    loader_.start(withoutConnection(shown_, forgets));
   } else {
     left_.forget(0);
     tellLeft();
@@ -132,6 +141,14 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
   if (!result) return loaded;
   loaded.emplace();
   if (result->ok()) {
+    const ContentRequest& next = (*result)->request;
+    // What is shown may have heard something only meanwhile.
+    if (auto may = mayLeave(next); !may) {
+      const bool shows = next.leaving != ContentRequest::Leaving::ends_unheard;
+      loaded->fault =
+          (shows ? plainText(next.title()) + " is not shown: " : std::string()) + may.error().what;
+      return loaded;
+    }
     loaded->content = std::make_unique<ViewContent>(std::move(**result));
   } else if (model_.viewer.is_empty && !model_.viewer.panels.open.used) {
     return result->error();

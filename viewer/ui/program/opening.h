@@ -27,7 +27,8 @@ class Opening {
   /// Shows the live session that was left last. bad_argument when there is none.
   Status goBack();
   /// Ends the live session that is shown, of which the cell at rest stays, or else the one that was
-  /// left last. `forgets`: also one that has heard something, which is refused otherwise.
+  /// left last. `forgets`: also one that has heard something; otherwise that is refused, here or in
+  /// take() if it hears it meanwhile.
   Status disconnect(bool forgets);
 
   /// What came of it, once it has come.
@@ -46,8 +47,9 @@ class Opening {
 
  private:
   Status begin();
-  /// Whether what is shown may give way.
-  Status mayLeave() const;
+  /// Whether the live session that is shown may give way to what is asked for, or has come by now:
+  /// nothing that it heard is lost, and there is room for it behind that.
+  Status mayLeave(const ContentRequest& next) const;
   void tellLeft() { model_.viewer.panels.open.left = left_.names(); }
 
   ContentLoader& loader_;

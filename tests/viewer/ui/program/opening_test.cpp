@@ -5,16 +5,23 @@
 #include <chrono>
 #include <functional>
 #include <thread>
+#include <utility>
 
 #include "core/net/udp_socket.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/kept_datagrams.h"
 #include "tests/viewer/support/test_session.h"
 
 namespace rocinante {
 namespace {
 
 using namespace std::chrono_literals;
+
+constexpr const char* kWouldBeLost =
+    "what this session kept would be deleted: `save` what you need, then `disconnect forget`";
+constexpr const char* kFull =
+    "this window keeps 4 live sessions: `save` what you need, then `disconnect forget`";
 
 SteadyTime presentTime() { return std::chrono::steady_clock::now(); }
 
@@ -36,6 +43,7 @@ class OpeningInAWindow : public testing::Test {
     Opening opening(loader_, left_, model(), content_->request);
     const Status begun = ask(opening);
     if (!begun) return begun.error().what;
+    if (const auto meanwhile = std::exchange(meanwhile_, nullptr)) meanwhile();
     auto loaded = opening.take(true);
     if (!loaded.ok()) return loaded.error().text();
     if (!*loaded) return "nothing";
@@ -72,6 +80,24 @@ class OpeningInAWindow : public testing::Test {
       std::this_thread::sleep_for(5ms);
     }
   }
+  /// Connects, and waits until something is heard; the endpoint.
+  std::string connectAndHear() {
+    std::string endpoint = unusedAddress();
+    connect({endpoint});
+    hear(endpoint);
+    return endpoint;
+  }
+  void hear(const std::string& endpoint) {
+    say(endpoint, "pose box 1 2 3 0 0 0 1\n", [&] { return hasHeard(model()); });
+  }
+  /// Leaves three that have heard something; their endpoints, the one shown last first.
+  std::vector<std::string> leaveThree() {
+    std::vector<std::string> endpoints;
+    for (int i = 0; i < 3; ++i) endpoints.insert(endpoints.begin(), connectAndHear());
+    EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
+    EXPECT_EQ(left_.names(), endpoints);
+    return endpoints;
+  }
   double turn() {
     const DeviceState* const arm = model().state().findDevice("arm");
     return arm != nullptr && arm->joints ? arm->joints->value.front() : -1;
@@ -82,6 +108,7 @@ class OpeningInAWindow : public testing::Test {
   ContentLoader loader_;
   LeftSessions left_;
   std::unique_ptr<ViewContent> content_ = std::make_unique<ViewContent>(emptyContent());
+  std::function<void()> meanwhile_;  ///< what happens once while something is loaded
   int sequence_ = 0;
 };
 
@@ -137,6 +164,22 @@ TEST_F(OpeningInAWindow, ACellTakesTheLiveSessionAlong) {
   EXPECT_GE(model().live()->datagrams, heard);
   say(endpoint, "joints arm 0.25\n", [&] { return turn() == 0.25 && model().cursor() != nullptr; });
   EXPECT_EQ(endpointsText(content_->request), endpoint);
+  // Gone back to, it takes nothing along any more.
+  const ViewModel* const taken_along = &model();
+  const std::string second = unusedAddress();
+  EXPECT_EQ(connect({second}), "arm.urdf");
+  EXPECT_EQ(left_.names(), std::vector<std::string>{endpoint});
+  hear(second);
+  EXPECT_EQ(goBack(), "arm.urdf");
+  EXPECT_EQ(&model(), taken_along);
+  EXPECT_EQ(endpointsText(content_->request), endpoint);
+  EXPECT_EQ(left_.names(), std::vector<std::string>{second});
+  ASSERT_TRUE(model().update(presentTime()).ok());
+  EXPECT_EQ(turn(), 0.25);
+  ASSERT_NE(model().cursor(), nullptr) << "its past is there";
+  const std::uint64_t before = model().live()->datagrams;
+  say(endpoint, "joints arm 0.75\n", [&] { return turn() == 0.75; });
+  EXPECT_GT(model().live()->datagrams, before);
 }
 
 TEST_F(OpeningInAWindow, DisconnectingAsksBeforeSomethingIsLost) {
@@ -146,8 +189,6 @@ TEST_F(OpeningInAWindow, DisconnectingAsksBeforeSomethingIsLost) {
   EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
   EXPECT_EQ(connect({endpoint}), "arm.urdf");
   say(endpoint, "joints arm 0.5\n", [&] { return turn() == 0.5; });
-  constexpr const char* kWouldBeLost =
-      "what this session kept would be deleted: `save` it before, or `disconnect forget`";
   EXPECT_EQ(disconnect(false), kWouldBeLost);
   EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
   EXPECT_EQ(disconnect(false), kWouldBeLost) << "of the one behind it";
@@ -158,6 +199,49 @@ TEST_F(OpeningInAWindow, DisconnectingAsksBeforeSomethingIsLost) {
   EXPECT_EQ(connect({endpoint}), "arm.urdf");
   EXPECT_EQ(disconnect(false), "arm.urdf") << "nothing was heard";
   EXPECT_FALSE(model().isLive());
+  EXPECT_TRUE(left_.empty());
+}
+
+TEST_F(OpeningInAWindow, WhatIsHeardWhileASessionEndsIsLostOnlyWhenItIsToBeForgotten) {
+  const std::string endpoint = unusedAddress();
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(connect({endpoint}), "arm.urdf");
+  meanwhile_ = [&] { hear(endpoint); };
+  const ViewModel* const shown = &model();
+  EXPECT_EQ(disconnect(false), kWouldBeLost);
+  EXPECT_EQ(&model(), shown);
+  EXPECT_TRUE(hasHeard(model()));
+  EXPECT_EQ(disconnect(true), "arm.urdf");
+  EXPECT_FALSE(model().isLive());
+  EXPECT_EQ(connect({endpoint}), "arm.urdf");
+  meanwhile_ = [&] { hear(endpoint); };
+  EXPECT_EQ(disconnect(true), "arm.urdf");
+  EXPECT_FALSE(model().isLive());
+  EXPECT_TRUE(left_.empty());
+}
+
+TEST_F(OpeningInAWindow, WhatIsHeardJustBeforeASessionEndsGoesOnBehind) {
+  const std::string endpoint = connectAndHear();
+  auto next = std::make_unique<ViewContent>(emptyContent());
+  next->request = withoutConnection(content_->request, false);
+  left_.leave(std::move(content_), *next);
+  content_ = std::move(next);
+  EXPECT_EQ(left_.names(), std::vector<std::string>{endpoint});
+  EXPECT_EQ(content_->request.leaving, ContentRequest::Leaving::stays_behind) << "held for once";
+}
+
+TEST_F(OpeningInAWindow, OthersGetTheFarewellOfASessionThatIsLeft) {
+  connectAndHear();
+  const auto kept = std::make_shared<test::KeptDatagrams::Kept>();
+  ASSERT_TRUE(model().publishing.begin(std::make_unique<test::KeptDatagrams>(kept), {"ann", "r"}));
+  model().publishing.sendDue(model().cameraView(), presentTime(), WallTime(1s));
+  ASSERT_FALSE(kept->texts.empty());
+  EXPECT_NE(kept->texts.back().find("view ann "), std::string::npos);
+  kept->texts.clear();
+  EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
+  EXPECT_EQ(left_.model(0).publishing.active(), nullptr);
+  ASSERT_FALSE(kept->texts.empty());
+  EXPECT_TRUE(kept->texts.back().ends_with(" restated part=end1:1/1\n")) << kept->texts.back();
 }
 
 TEST_F(OpeningInAWindow, AWindowKeepsFourLiveSessions) {
@@ -166,12 +250,65 @@ TEST_F(OpeningInAWindow, AWindowKeepsFourLiveSessions) {
     EXPECT_EQ(connect({endpoint}), endpoint);
     say(endpoint, "pose box 1 2 3 0 0 0 1\n", [&] { return model().scene().findDevice("box"); });
   }
-  EXPECT_EQ(connect({unusedAddress()}),
-            "this window keeps 4 live sessions: `disconnect` one before");
-  EXPECT_EQ(open({folder_ / "s.mcap"}),
-            "this window keeps 4 live sessions: `disconnect` one before");
+  EXPECT_EQ(connect({unusedAddress()}), kFull);
+  EXPECT_EQ(open({folder_ / "s.mcap"}), kFull);
   EXPECT_EQ(disconnect(true), "an empty window");
   EXPECT_EQ(left_.names().size(), 3U);
+}
+
+TEST_F(OpeningInAWindow, WithFourLiveSessionsOneGoesFromEachToEach) {
+  const std::vector<std::string> left = leaveThree();
+  const std::string fourth = connectAndHear();
+  EXPECT_EQ(goBack(), left[0]);
+  EXPECT_EQ(left_.names(), (std::vector<std::string>{fourth, left[1], left[2]}));
+  EXPECT_EQ(connect({left[2]}), left[2]);
+  EXPECT_EQ(left_.names(), (std::vector<std::string>{left[0], fourth, left[1]}));
+  EXPECT_EQ(connect({left[2]}), "this window listens at " + left[2] + " already");
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(endpointsText(content_->request), left[2]) << "it went along";
+  EXPECT_EQ(left_.names(), (std::vector<std::string>{left[0], fourth, left[1]}));
+  EXPECT_EQ(goBack(), left[0]);
+  EXPECT_EQ(left_.names(), (std::vector<std::string>{left[2], fourth, left[1]}));
+}
+
+TEST_F(OpeningInAWindow, AFourthThatIsHeardWhileSomethingIsLoadedStays) {
+  const std::vector<std::string> left = leaveThree();
+  const std::string fourth = unusedAddress();
+  connect({fourth});
+  ASSERT_TRUE(model().isLive());
+  const ViewModel* const shown = &model();
+  EXPECT_EQ(connect({unusedAddress()}), kFull) << "both may be heard before it is there";
+  meanwhile_ = [&] { hear(fourth); };
+  EXPECT_EQ(open({folder_ / "s.mcap"}), std::string("s.mcap is not shown: ") + kFull);
+  EXPECT_EQ(&model(), shown);
+  EXPECT_TRUE(hasHeard(model()));
+  EXPECT_EQ(left_.names(), left);
+}
+
+TEST_F(OpeningInAWindow, AFourthThatIsHeardWhileItEndsStays) {
+  const std::vector<std::string> left = leaveThree();
+  const std::string fourth = unusedAddress();
+  connect({fourth});
+  const ViewModel* const shown = &model();
+  meanwhile_ = [&] { hear(fourth); };
+  EXPECT_EQ(disconnect(false), kWouldBeLost);
+  EXPECT_EQ(&model(), shown);
+  EXPECT_EQ(left_.names(), left);
+  EXPECT_EQ(disconnect(true), "an empty window");
+  EXPECT_EQ(left_.names(), left);
+}
+
+TEST_F(OpeningInAWindow, AFourthThatHasHeardNothingGivesWay) {
+  const std::vector<std::string> left = leaveThree();
+  connect({unusedAddress()});
+  EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
+  EXPECT_EQ(left_.names(), left);
+  connect({unusedAddress()});
+  disconnect(false);
+  EXPECT_FALSE(model().isLive());
+  EXPECT_EQ(left_.names(), left);
+  connectAndHear();
+  EXPECT_EQ(left_.names(), left);
 }
 
 TEST_F(OpeningInAWindow, BadEndpointsAreSentencesAndWhatIsShownStays) {

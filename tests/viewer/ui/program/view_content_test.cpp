@@ -95,7 +95,8 @@ TEST_F(OpenedFiles, OfALiveWindowKeepWhatConcernsLiveSessions) {
   const ContentRequest again = connectionOf({":5000"}, *log);
   EXPECT_EQ(again.trust, "keys.trust");
   EXPECT_EQ(again.keep.bytes, 1U);
-  EXPECT_EQ(withoutConnection(live).leaving, Leaving::ends);
+  EXPECT_EQ(withoutConnection(live, false).leaving, Leaving::ends_unheard);
+  EXPECT_EQ(withoutConnection(live, true).leaving, Leaving::ends);
 }
 
 TEST(LooksLikeEndpoint, ButNotLikeAFile) {
