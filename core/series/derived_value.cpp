@@ -355,6 +355,12 @@ Nanoseconds reachOf(const std::set<SeriesKey>& keys) {
   return most;
 }
 
+std::optional<LogTime> leadOf(const std::set<SeriesKey>& keys, LogTime from, LogTime start) {
+  const Nanoseconds reach = reachOf(keys);
+  if (reach.count() == 0 || from <= start || from - start <= reach) return std::nullopt;
+  return from - reach;
+}
+
 DerivedValue::DerivedValue(const SeriesKey& key)
     : root_(std::make_unique<Node>(key)), stated_(statedOf(key)) {
   root_->addLeaves(leaves_);

@@ -46,6 +46,10 @@ std::vector<SeriesKey> statedOf(const SeriesKey& key);
 /// How far back the samples may lie that values need beside the last.
 Nanoseconds reachOf(const std::set<SeriesKey>& keys);
 
+/// Where to begin in a log, so that what is derived is known at `from`: with the state there, and
+/// the messages behind it. Empty: at `start` of the log, or nothing is derived.
+std::optional<LogTime> leadOf(const std::set<SeriesKey>& keys, LogTime from, LogTime start);
+
 /// A derived value as samples come. A gap in one of its values is a gap of it, and its samples come
 /// with theirs, those of a mean also between them. Bounded memory.
 class DerivedValue {

@@ -112,18 +112,13 @@ class Rows {
   std::uint64_t count_ = 0;
 };
 
-std::set<SeriesKey> derivedOf(const SeriesTable& table) {
-  std::set<SeriesKey> derived;
-  for (const SeriesKey& key : table.keys) {
-    if (key.kind == SeriesKey::Kind::derived) derived.insert(key);
-  }
-  return derived;
-}
-
 /// What is derived as the table's rows are made, which begins where the log is read from; null:
 /// nothing.
 std::unique_ptr<SeriesScan> derivedScan(const SeriesTable& table) {
-  std::set<SeriesKey> keys = derivedOf(table);
+  std::set<SeriesKey> keys;
+  for (const SeriesKey& key : table.keys) {
+    if (key.kind == SeriesKey::Kind::derived) keys.insert(key);
+  }
   if (keys.empty()) return nullptr;
   SeriesScan::Options options;
   options.from = table.lead ? table.lead->first : table.from;
@@ -139,12 +134,6 @@ std::unique_ptr<SeriesScan> derivedScan(const SeriesTable& table) {
 }
 
 }  // namespace
-
-std::optional<LogTime> leadOf(const SeriesTable& table, LogTime start) {
-  const Nanoseconds reach = reachOf(derivedOf(table));
-  if (reach.count() == 0 || table.from <= start || table.from - start <= reach) return std::nullopt;
-  return table.from - reach;
-}
 
 Result<std::uint64_t> writeSeriesTable(const SeriesTable& table, SessionState before,
                                        LogReader& log, const std::filesystem::path& path) {

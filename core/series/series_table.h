@@ -25,7 +25,7 @@ struct SeriesTable {
   LogTime from{}, until{};
   PositionalNames names;
   const Cell* cell = nullptr;  ///< of links; borrowed
-  /// Of derived values: the state at leadOf().
+  /// Of derived values: the state at leadOf() (derived_value.h).
   std::optional<std::pair<LogTime, SessionState>> lead{};
   /// Asked now and then; when it returns false, nothing is written. May be empty.
   std::function<bool()> goes_on;
@@ -33,10 +33,6 @@ struct SeriesTable {
 
 /// The largest table: it is made in memory.
 inline constexpr std::size_t kMaxTableBytes = std::size_t{256} << 20U;
-
-/// Where derived values of the table begin, so that they know what they need at `from`. Empty: at
-/// `start` of the log, or there are none.
-std::optional<LogTime> leadOf(const SeriesTable& table, LogTime start);
 
 /// The number of rows. `before`: the state at `from`. bad_argument for a key that is of no device,
 /// or when the table would be too large; refused when it was told to stop; else why the file cannot

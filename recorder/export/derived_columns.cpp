@@ -115,17 +115,15 @@ Status DerivedColumns::begin(MomentWalk& session, LogTime from) {
   log_ = std::move(*opened);
   const LogTime start = log_->summary().start;
   const std::set<SeriesKey> keys(keys_.begin(), keys_.end());
-  const Nanoseconds reach = reachOf(keys);
   derived_ = scanOf(keys, start);
-  if (from <= start || from - start <= reach) {
-    if (Status there = log_->rewind(); !there) return there;
-  } else {
-    const LogTime first = from - reach;
-    const Result<const SessionState*> state = session.stateAt(first);
+  const auto lead = leadOf(keys, from, start);
+  if (lead) {
+    const Result<const SessionState*> state = session.stateAt(*lead);
     if (!state) return state.error();
-    if (Status there = log_->seek(first + Nanoseconds(1)); !there) return there;
-    derived_->beginWith(**state, first);
+    derived_->beginWith(**state, *lead);
   }
+  const Status there = lead ? log_->seek(*lead + Nanoseconds(1)) : log_->rewind();
+  if (!there) return there;
   auto next = log_->next();
   if (!next.ok()) return next.error();
   next_ = *std::move(next);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/atomic_file.h"
+#include "core/series/derived_value.h"
 #include "tests/core/series/spoken_log.h"
 #include "tests/support/temporary_folder.h"
 
@@ -25,6 +26,10 @@ class Table : public testing::Test {
     auto reader = LogReader::open(folder_ / "s.mcap");
     EXPECT_TRUE(reader.ok());
     return writeSeriesTable(table, SessionState(), *reader, folder_ / "t.csv");
+  }
+
+  static std::optional<LogTime> leadOf(const SeriesTable& table) {
+    return rocinante::leadOf({table.keys.begin(), table.keys.end()}, table.from, spokenTime(0));
   }
 
   const test::TemporaryFolder folder_;
@@ -87,7 +92,7 @@ TEST_F(Table, KnowsWhatIsDerivedWhereItBegins) {
                 *parseSeriesKey("other.j - arm.j1")};
   table.from = spokenTime(150);
   table.until = spokenTime(350);
-  EXPECT_FALSE(leadOf(table, spokenTime(0)).has_value());
+  EXPECT_FALSE(leadOf(table).has_value());
   const std::string expected =
       "t,\"d/dt arm.j1\",\"mean 0.1 tray:x\",\"other.j - arm.j1\"\n"
       "0.15,2.0000000000000004,,0.7\n"
@@ -101,14 +106,14 @@ TEST_F(Table, ReadsNoFurtherBackThanDerivedValuesReach) {
   SeriesTable table;
   table.keys = {*parseSeriesKey("arm.j1")};
   table.from = spokenTime(100'000);
-  EXPECT_FALSE(leadOf(table, spokenTime(0)).has_value());
+  EXPECT_FALSE(leadOf(table).has_value());
   table.keys.push_back(*parseSeriesKey("mean 2 d/dt arm.j1"));
-  const auto lead = leadOf(table, spokenTime(0));
+  const auto lead = leadOf(table);
   ASSERT_TRUE(lead.has_value());
   EXPECT_LT(*lead, spokenTime(98'000));
   EXPECT_GT(*lead, spokenTime(50'000));
   table.keys.push_back(*parseSeriesKey("mean 3600 arm.j1"));
-  EXPECT_FALSE(leadOf(table, spokenTime(0)).has_value());
+  EXPECT_FALSE(leadOf(table).has_value());
 }
 
 }  // namespace

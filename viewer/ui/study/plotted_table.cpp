@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <utility>
 
 #include "core/log/log_reader.h"
+#include "core/series/derived_value.h"
 #include "core/series/series_table.h"
 #include "viewer/ui/study/study_picture.h"
 
@@ -18,7 +20,8 @@ Result<std::string> writePlottedTable(const TableWish& wish, const TableSource& 
                     .names = source.names,
                     .cell = &source.cell,
                     .goes_on = source.goes_on};
-  if (const auto lead = leadOf(table, source.start)) {
+  const std::set<SeriesKey> columns(table.keys.begin(), table.keys.end());
+  if (const auto lead = leadOf(columns, table.from, source.start)) {
     auto state = source.state_at(*lead);
     if (!state.ok()) return state.error();
     table.lead.emplace(*lead, std::move(*state));
