@@ -4,10 +4,8 @@
 #include <utility>
 
 #include "core/cell/view_path.h"
-#include "core/math/transform.h"
 #include "core/session/marks.h"
 #include "core/session/moment_name.h"
-#include "viewer/view/camera_choice.h"
 
 namespace rocinante {
 
@@ -155,35 +153,6 @@ Result<bool> ViewModel::update(SteadyTime now) {
   return lookForNearest() || changed;
 }
 
-bool ViewModel::lookForNearest() {
-  NearestWish wish{selected.device, viewer.reference.device};
-  if (wish.other == wish.device) wish.other.clear();
-  const bool wanted = viewer.nearest_wanted && !wish.device.empty();
-  if (wanted) {
-    if (!nearest_) nearest_ = std::make_unique<NearestStudy>(*cell_);
-    if (nearest_asked_ != wish || nearest_is_old_) {
-      if (study_waits) nearest_->wait();
-      if (nearest_->ask(wish, *state_, shownTime())) {
-        nearest_asked_ = wish;
-        nearest_is_old_ = false;
-      }
-      if (study_waits) nearest_->wait();
-    }
-  }
-  nearest_found_ = wanted ? nearest_->found() : std::nullopt;
-  if (nearest_found_ && nearest_found_->wish != wish) nearest_found_.reset();
-  // A line of another moment would end in the air.
-  std::optional<ClearanceLine> line;
-  if (nearest_found_ && !nearest_found_->other.empty() && !nearest_is_old_ &&
-      nearest_found_->moment == shownTime()) {
-    const NearestFound& found = *nearest_found_;
-    line = ClearanceLine{found.on_device, found.on_other, found.distance_m, found.distance_m > 0};
-  }
-  const bool changed = line != extras_.nearest;
-  extras_.nearest = line;
-  return changed;
-}
-
 Status ViewModel::pose(LogTime moment) {
   scene_ = poses_->pose(*state_);
   prepareExtras(style_, *cell_, scene_, *state_, clearances_, extras_);
@@ -255,71 +224,6 @@ Result<Pose> ViewModel::movablePose(const std::string& device) const {
   const DeviceState* const said = received_->findDevice(device);
   if (said != nullptr && said->pose) return refused("packets say where the device is");
   return posed->pose;
-}
-
-LogStudy* ViewModel::study() {
-  if (!session_ || study_delayed) return nullptr;
-  if (!study_) {
-    // A growing session is read from its first piece on.
-    const LogReader& log = log_grows_ ? session_->logAt(session_->start()) : session_->log();
-    study_ = std::make_unique<LogStudy>(*cell_, log.name(), log_grows_);
-  }
-  study_->waits = study_waits;
-  return study_.get();
-}
-
-LogStudy* ViewModel::studyBeside() {
-  if (!beside_ || study_delayed) return nullptr;
-  if (!study_beside_) {
-    study_beside_ = std::make_unique<LogStudy>(*cell_, beside_->session().log().name());
-  }
-  study_beside_->waits = study_waits;
-  return study_beside_.get();
-}
-
-const PartingStudy* ViewModel::partings() {
-  if (!beside_ || study_delayed) return nullptr;
-  if (!partings_) {
-    partings_ = std::make_unique<PartingStudy>(
-        *cell_, session_->log().name(), beside_->session().log().name(), beside_->alignment());
-  }
-  if (study_waits) partings_->wait();
-  return partings_.get();
-}
-
-const FindingsStudy* ViewModel::findings() {
-  // What is still being written would be judged by its first moments.
-  if (!session_ || !viewer.findings_wanted || log_grows_) return nullptr;
-  if (!judged_) {
-    // One thread after the other: two cores also have to draw.
-    if (viewer.picture == nullptr || (study_ && study_->isBusy())) return nullptr;
-    judged_ = std::make_unique<FindingsStudy>(*cell_, session_->log().name());
-  }
-  if (study_waits) judged_->wait();
-  judged_seen_ = judged_->isFinished();
-  return judged_.get();
-}
-
-void ViewModel::listenAround() {
-  if (!survey_) {
-    survey_ = std::make_unique<EndpointSurvey>(usualEndpoints());
-  } else if (!survey_->isListening()) {
-    survey_->listen();
-  }
-  if (study_waits) survey_->wait();
-}
-
-bool ViewModel::hasStudyNews() const {
-  return (survey_ && survey_->takeNews()) || (nearest_ && nearest_->takeNews()) ||
-         (study_ && study_->hasNews()) || (judged_ && !judged_seen_ && judged_->isFinished()) ||
-         (study_beside_ && study_beside_->hasNews()) || (partings_ && partings_->takeNews());
-}
-
-bool ViewModel::isStudyBusy() const {
-  return (survey_ && survey_->isListening()) || (nearest_ && nearest_->isBusy()) ||
-         (study_ && study_->isBusy()) || (judged_ && !judged_->isFinished()) ||
-         (study_beside_ && study_beside_->isBusy()) || (partings_ && !partings_->isFinished()) ||
-         (study_ && viewer.findings_wanted && !judged_ && !log_grows_);
 }
 
 Status ViewModel::addMark(const std::string& text) {
@@ -403,103 +307,6 @@ void ViewModel::pickPoint(const Selection& link, const Vec3& point) {
     style.measures.push_back(std::move(*measure));
     setStyle(style);
   }
-}
-
-void ViewModel::toggleFollowing() {
-  followed_ = followed_.device.empty() ? selected : Selection();
-  followed_at_.reset();
-  follow();
-}
-
-void ViewModel::follow() {
-  if (followed_.device.empty()) return;
-  const auto space = scene_.find(followed_.device, followed_.link);
-  if (!space) return followed_at_.reset();
-  const Vec3 at = positionOf(*space);
-  if (followed_at_ && at != *followed_at_) holdCamera().shift(at - *followed_at_);
-  followed_at_ = at;
-}
-
-CameraView ViewModel::cameraView() {
-  if (hasBuiltInCamera()) return *named_view_;
-  if (!camera_name_.empty()) {
-    auto view = chooseCamera(camera_name_, scene_);
-    if (view.ok()) {
-      viewer.panels.complaint.clear();
-      named_view_ = *view;
-      return *view;
-    }
-    // A removed view or carrier, as of a window that closed: keep the present camera.
-    viewer.panels.complaint = view.error().text();
-    camera_name_.clear();
-    if (named_view_) turntable_ = Turntable(*named_view_);
-  }
-  return turntable_.view();
-}
-
-void ViewModel::useCamera(const std::string& name) {
-  camera_name_ = name;
-  named_view_.reset();
-  has_built_in_ = false;
-  followed_ = {};
-}
-
-void ViewModel::useBuiltInCamera(const std::string& name, const CameraView& view) {
-  useCamera(name);
-  named_view_ = view;
-  has_built_in_ = true;
-}
-
-void ViewModel::addCamera(CellCamera camera) {
-  camera_name_ = camera.name;
-  has_built_in_ = false;
-  cell_->cameras.push_back(std::move(camera));
-  // Cameras are posed with the scene. What cannot be read was said when it was shown.
-  static_cast<void>(pose(shownTime()));
-}
-
-void ViewModel::resetCamera() {
-  turntable_ = Turntable();
-  followed_ = {};
-  has_built_in_ = false;
-  camera_name_ = cell_->cameras.empty() ? std::string() : cell_->cameras.front().name;
-}
-
-Turntable& ViewModel::holdCamera() {
-  if (!camera_name_.empty()) {
-    turntable_ = Turntable(cameraView());
-    camera_name_.clear();
-  }
-  return turntable_;
-}
-
-void ViewModel::fit(const std::vector<Vec3>& points, int width, int height) {
-  holdCamera().fit(points, width, height);
-}
-
-std::vector<std::string> ViewModel::viewsOfOthers() const {
-  std::vector<std::string> names;
-  for (const PosedCamera& camera : scene_.cameras) {
-    if (camera.of_session) names.push_back(camera.name);
-  }
-  return names;
-}
-
-std::string ViewModel::watched() const {
-  const PosedCamera* const camera = scene_.findCamera(camera_name_);
-  return camera != nullptr && camera->of_session ? camera_name_ : std::string();
-}
-
-void ViewModel::stopWatching() {
-  if (!watched().empty()) holdCamera();
-}
-
-std::vector<std::string> ViewModel::cameraNames() const {
-  std::vector<std::string> names;
-  for (const PosedCamera& camera : scene_.cameras) {
-    if (std::ranges::find(names, camera.name) == names.end()) names.push_back(camera.name);
-  }
-  return names;
 }
 
 bool ViewModel::setVisible(const std::string& path, std::optional<bool> visible) {
