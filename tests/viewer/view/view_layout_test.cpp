@@ -6,34 +6,15 @@
 
 #include "core/base/atomic_file.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/layout_text.h"
 
 namespace rocinante {
 namespace {
 
-constexpr char kText[] = R"(# A layout of rocinante view: --layout, or the command `layout`.
-format = 1
-theme = "light"
-camera = "over"
-plots = ["arm.turn", "signal - state", "arm/tip:y over arm/tip:x"]
-plots_height = 240.0
-plots_hidden = true
-insets = ["over:bottom-left:160x120px"]
-
-[[panel]]
-name = "device"
-right = 10.0
-top = 20.5
-
-[[panel]]
-name = "left"
-width = 320.0
-collapsed = true
-)";
-
 TEST(ViewLayouts, AreWrittenAndReadAgain) {
-  const auto read = ViewLayout::parse(kText, "l.layout.toml");
+  const auto read = ViewLayout::parse(test::kLayoutText, "l.layout.toml");
   ASSERT_TRUE(read.ok()) << read.error().text();
-  EXPECT_EQ(read->text(), kText);
+  EXPECT_EQ(read->text(), test::kLayoutText);
 }
 
 TEST(ViewLayouts, AreRefusedWithTheirPlace) {

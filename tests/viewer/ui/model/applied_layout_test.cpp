@@ -2,61 +2,33 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cell/cell.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/viewer/support/test_session.h"
+#include "tests/viewer/support/arm_model.h"
+#include "tests/viewer/support/layout_text.h"
 
 namespace rocinante {
 namespace {
 
-constexpr char kText[] = R"(# A layout of rocinante view: --layout, or the command `layout`.
-format = 1
-theme = "light"
-camera = "over"
-plots = ["arm.turn", "signal - state", "arm:x over d/dt arm.turn"]
-plots_height = 240.0
-plots_hidden = true
-insets = ["over:bottom-left:160x120px"]
-
-[[panel]]
-name = "device"
-right = 10.0
-top = 20.5
-
-[[panel]]
-name = "left"
-width = 320.0
-collapsed = true
-)";
-
 class Layouts : public testing::Test {
  protected:
-  void SetUp() override {
-    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
-    test::writeText(folder_ / "cell.toml",
-                    "format = 1\n[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n"
-                    "[[camera]]\nname = \"over\"\neye = [4, -4, 3]\ntarget = [0, 0, 0]\n"
-                    "[[inset]]\ncamera = \"over\"\n");
-    model_.emplace(std::move(*ViewModel::make(std::move(*loadCell(folder_ / "cell.toml", {})),
-                                              std::nullopt, std::nullopt, {}, {})));
-    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
-  }
-
   const test::TemporaryFolder folder_;
-  std::optional<ViewModel> model_;
+  const std::unique_ptr<ViewModel> model_ =
+      test::modelOfArm(folder_,
+                       "[[camera]]\nname = \"over\"\neye = [4, -4, 3]\ntarget = [0, 0, 0]\n"
+                       "[[inset]]\ncamera = \"over\"\n");
 };
 
 TEST_F(Layouts, AreWhatTheWindowHas) {
-  const auto read = ViewLayout::parse(kText, "l.layout.toml");
+  const auto read = ViewLayout::parse(test::kLayoutText, "l.layout.toml");
   EXPECT_TRUE(applyLayout(*read, *model_).empty());
   EXPECT_TRUE(model_->viewer.panels.is_light);
   EXPECT_EQ(model_->cameraName(), "over");
   EXPECT_TRUE(model_->viewer.plots.hidden);
   EXPECT_EQ(model_->viewer.plots.curves().size(), 2U);
-  ASSERT_EQ(model_->viewer.plots.paths().size(), 1U);
+  ASSERT_EQ(model_->viewer.plots.paths().size(), 2U);
   EXPECT_EQ(model_->viewer.plots.paths()[0].text(), "arm:x over d/dt arm.turn");
+  EXPECT_EQ(model_->viewer.plots.paths()[1].text(), "arm/hand:y over arm/hand:x");
   EXPECT_EQ(model_->viewer.plots.height, 240) << "that of the layout, not of a first path";
-  EXPECT_EQ(layoutOf(*model_).text(), kText);
+  EXPECT_EQ(layoutOf(*model_).text(), test::kLayoutText);
 }
 
 TEST_F(Layouts, NameWhatAWindowHasNot) {

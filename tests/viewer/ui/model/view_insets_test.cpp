@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cell/cell.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/viewer/support/test_session.h"
+#include "tests/viewer/support/arm_model.h"
 #include "viewer/ui/commands/command.h"
 
 namespace rocinante {
@@ -14,15 +12,6 @@ namespace {
 class InsetsByMouse : public testing::Test {
  protected:
   void SetUp() override {
-    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
-    test::writeText(folder_ / "cell.toml",
-                    "format = 1\n[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n"
-                    "[[camera]]\nname = \"front\"\neye = [0, -4, 1]\ntarget = [0, 0, 0]\n"
-                    "[[camera]]\nname = \"over\"\neye = [4, -4, 3]\ntarget = [0, 0, 0]\n"
-                    "[[inset]]\ncamera = \"over\"\ntitle = \"from above\"\n");
-    model_.emplace(std::move(*ViewModel::make(std::move(*loadCell(folder_ / "cell.toml", {})),
-                                              std::nullopt, std::nullopt, {}, {})));
-    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
     model_->resetCamera();
     model_->viewer.inset_places = {{0, {548, 12, 240, 180}, {}}};
   }
@@ -36,7 +25,11 @@ class InsetsByMouse : public testing::Test {
   }
 
   const test::TemporaryFolder folder_;
-  std::optional<ViewModel> model_;
+  const std::unique_ptr<ViewModel> model_ =
+      test::modelOfArm(folder_,
+                       "[[camera]]\nname = \"front\"\neye = [0, -4, 1]\ntarget = [0, 0, 0]\n"
+                       "[[camera]]\nname = \"over\"\neye = [4, -4, 3]\ntarget = [0, 0, 0]\n"
+                       "[[inset]]\ncamera = \"over\"\ntitle = \"from above\"\n");
 };
 
 TEST_F(InsetsByMouse, AreGrabbedWhereTheyAre) {

@@ -4,12 +4,9 @@
 #include <imgui.h>
 
 #include <functional>
-#include <memory>
 
-#include "tests/support/temporary_folder.h"
-#include "tests/viewer/support/test_session.h"
+#include "tests/viewer/support/arm_window.h"
 #include "viewer/ui/panels/picture_lines.h"
-#include "viewer/ui/window/interface_context.h"
 
 namespace rocinante {
 namespace {
@@ -44,19 +41,9 @@ TEST(Panels, OfTensOfThousandsOfEventsDrawWhatThereIsRoomFor) {
   EXPECT_LT(drawnCorners(*model), 20'000);
 }
 
-/// A model and a context of ImGui, whose frames come when the test says so.
-class DrawnPanels : public testing::Test {
+/// Of 1280x720; each frame has the panels that the test draws.
+class DrawnPanels : public test::ArmWindow {
  protected:
-  void SetUp() override {
-    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
-    auto cell = loadCell(folder_ / "arm.urdf", {});
-    ASSERT_TRUE(cell.ok());
-    auto model = ViewModel::make(std::move(*cell), std::nullopt, std::nullopt, {}, {});
-    ASSERT_TRUE(model.ok());
-    model_ = std::make_unique<ViewModel>(std::move(*model));
-    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
-    ImGui::GetIO().Fonts->Build();
-  }
   /// Frames with what `draw` draws, the last one with the left button down there.
   void frames(const std::function<void()>& draw,
               std::optional<std::pair<double, double>> clicked = {}) {
@@ -72,10 +59,6 @@ class DrawnPanels : public testing::Test {
     interface_.beginFrame(1280, 720, &input);
     ImGui::Render();
   }
-
-  test::TemporaryFolder folder_;
-  InterfaceContext interface_{nullptr};
-  std::unique_ptr<ViewModel> model_;
 };
 
 TEST_F(DrawnPanels, ALineOverThePictureIsDismissedByAClick) {

@@ -7,29 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/support/temporary_folder.h"
-#include "tests/viewer/support/test_session.h"
+#include "tests/viewer/support/arm_window.h"
 #include "viewer/ui/panels/panels.h"
-#include "viewer/ui/program/user_input.h"
-#include "viewer/ui/window/frame_input.h"
-#include "viewer/ui/window/interface_context.h"
 
 namespace rocinante {
 namespace {
 
-/// A window whose frames come when the test says so, with what was typed since the last one.
-class TypedLines : public testing::Test {
+/// Of 1280x720 with all panels; each frame has what was typed since the last one.
+class TypedLines : public test::ArmWindow {
  protected:
-  void SetUp() override {
-    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
-    auto cell = loadCell(folder_ / "arm.urdf", {});
-    ASSERT_TRUE(cell.ok());
-    auto model = ViewModel::make(std::move(*cell), std::nullopt, std::nullopt, {}, {});
-    ASSERT_TRUE(model.ok());
-    model_ = std::make_unique<ViewModel>(std::move(*model));
-    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
-    ImGui::GetIO().Fonts->Build();
-  }
   ViewerRequests frame(const std::string& letters, const std::vector<KeyPress>& presses = {}) {
     for (const char letter : letters) {
       ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
@@ -42,9 +28,6 @@ class TypedLines : public testing::Test {
     return requests;
   }
 
-  test::TemporaryFolder folder_;
-  InterfaceContext interface_{nullptr};
-  std::unique_ptr<ViewModel> model_;
   const KeyPress ctrl_p_{GLFW_KEY_P, false, false, true}, ctrl_o_{GLFW_KEY_O, false, false, true};
   const KeyPress enter_{GLFW_KEY_ENTER};
 };

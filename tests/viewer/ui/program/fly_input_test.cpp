@@ -5,51 +5,26 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include <memory>
-
-#include "tests/support/temporary_folder.h"
-#include "tests/viewer/support/test_session.h"
-#include "viewer/ui/program/user_input.h"
-#include "viewer/ui/window/interface_context.h"
+#include "tests/viewer/support/arm_window.h"
 
 namespace rocinante {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// A window of 800x600 without panels, with a frame each 20 ms.
-class FlyInput : public testing::Test {
+/// With a frame each 20 ms.
+class FlyInput : public test::ArmWindow {
  protected:
-  void SetUp() override {
-    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
-    auto cell = loadCell(folder_ / "arm.urdf", {});
-    ASSERT_TRUE(cell.ok());
-    auto model = ViewModel::make(std::move(*cell), std::nullopt, std::nullopt, {}, {});
-    ASSERT_TRUE(model.ok());
-    model_ = std::make_unique<ViewModel>(std::move(*model));
-    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
-    ImGui::GetIO().Fonts->Build();
+  FlyInput() {
     model_->viewer.fly.setSceneSize(6);
-    model_->viewer.picture_part = {0, 0, 800, 600};
     input_.mouse = {400, 300};
     frame();
   }
   ViewerRequests frame() {
     now_ += 20ms;
-    interface_.beginFrame(800, 600, &input_);
-    ViewerRequests requests;
-    static_cast<void>(applyUserInput(*model_, now_, interface_.presses(), requests));
-    ImGui::Render();
-    input_.endFrame();
-    return requests;
+    return ArmWindow::frame();
   }
   Vec3 eye() { return model_->cameraView().eye; }
-
-  test::TemporaryFolder folder_;
-  InterfaceContext interface_{nullptr};
-  std::unique_ptr<ViewModel> model_;
-  FrameInput input_;
-  SteadyTime now_{1h};
 };
 
 TEST_F(FlyInput, AKeyMovesTheViewOnlyWithTheRightButton) {

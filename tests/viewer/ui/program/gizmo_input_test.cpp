@@ -4,54 +4,22 @@
 #include <imgui.h>
 
 #include <cmath>
-#include <memory>
 
-#include "tests/support/temporary_folder.h"
-#include "tests/viewer/support/test_session.h"
-#include "viewer/ui/program/user_input.h"
-#include "viewer/ui/window/interface_context.h"
+#include "tests/viewer/support/arm_window.h"
 
 namespace rocinante {
 namespace {
 
-/// A window of 800x600 without panels; the selected arm stands at the origin.
-class GizmoInput : public testing::Test {
+/// The selected arm stands at the origin.
+class GizmoInput : public test::ArmWindow {
  protected:
-  void SetUp() override {
-    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
-    test::writeText(folder_ / "cell.toml",
-                    "format = 1\n[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n"
-                    "[[camera]]\nname = \"front\"\neye = [3, -4, 5]\ntarget = [0, 0, 0]\n");
-    auto cell = loadCell(folder_ / "cell.toml", {});
-    ASSERT_TRUE(cell.ok());
-    auto model = ViewModel::make(std::move(*cell), std::nullopt, std::nullopt, {}, {});
-    ASSERT_TRUE(model.ok());
-    model_ = std::make_unique<ViewModel>(std::move(*model));
-    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
-    ImGui::GetIO().Fonts->Build();
+  GizmoInput() : ArmWindow("[[camera]]\nname = \"front\"\neye = [3, -4, 5]\ntarget = [0, 0, 0]\n") {
     model_->selected = {"arm", ""};
     model_->viewer.gizmo.shown = true;
-    model_->viewer.picture_part = {0, 0, 800, 600};
     frame();
-  }
-  void frame() {
-    interface_.beginFrame(800, 600, &input_);
-    ViewerRequests requests;
-    clicked_ = applyUserInput(*model_, SteadyTime{}, {}, requests).has_value();
-    ImGui::Render();
-    input_.endFrame();
-    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
   }
   Vec2 pixelOf(const Vec3& world) const {
     return *PicturePlaces(model_->cameraView(), 800, 600).pixelOf(world);
-  }
-  void moveTo(const Vec2& at) {
-    input_.mouse = {at.x, at.y};
-    frame();
-  }
-  void press(bool down) {
-    input_.down[0] = down;
-    frame();
   }
   /// The tip of the arrow along x.
   double tip() const {
@@ -59,12 +27,6 @@ class GizmoInput : public testing::Test {
     return gizmoOf(*model_, places, kGizmoArrowPx)->size_m;
   }
   double x() const { return model_->scene().findDevice("arm")->base[3].x; }
-
-  test::TemporaryFolder folder_;
-  InterfaceContext interface_{nullptr};
-  std::unique_ptr<ViewModel> model_;
-  FrameInput input_;
-  bool clicked_ = false;
 };
 
 TEST_F(GizmoInput, AnArrowMovesAlongItsAxisByStepsAndIsOneUndo) {
