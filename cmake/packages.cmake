@@ -76,7 +76,7 @@ function(rocinante_package component name)
   file(WRITE ${papers}/copyright "${text}")
   string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
   file(WRITE ${papers}/changelog.Debian "rocinante (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) \
-${os_VERSION_CODENAME}; urgency=medium\n\n  * What is new is told in /usr/share/doc/rocinante/CHANGELOG.md.\n\n \
+${os_VERSION_CODENAME}; urgency=medium\n\n  * See /usr/share/doc/rocinante/CHANGELOG.md.\n\n \
 -- ${ROCINANTE_PACKAGE_MAINTAINER}  ${date}\n")
   install(FILES ${papers}/copyright ${papers}/changelog.Debian DESTINATION share/doc/${name}
     COMPONENT ${component} EXCLUDE_FROM_ALL)

@@ -304,13 +304,16 @@ std::string faultOf(std::string_view text, int depth) {
     const std::string_view number = firstWord(*of);
     if (number.size() == of->size()) return "`mean` needs SECONDS VALUE";
     if (!takeSeconds(*of)) {
-      return fmt::format("`{}` is no number of SECONDS from 1e-9 to {}: mean SECONDS VALUE", number,
-                         std::chrono::duration_cast<std::chrono::seconds>(kMostMean).count());
+      return fmt::format("SECONDS is a number from 1e-9 to {}, not `{}`: mean SECONDS VALUE",
+                         std::chrono::duration_cast<std::chrono::seconds>(kMostMean).count(),
+                         number);
     }
   }
   if (std::string deeper = faultOf(*of, depth + 1); !deeper.empty()) return deeper;
-  return fmt::format("`{}` is no joint, pose, link or signal that has a {}", *of,
-                     is_mean ? "mean" : "derivative");
+  return fmt::format(
+      "`{}` has no {}: use DEVICE.JOINT, DEVICE:x, DEVICE/LINK:x, signal PATH NAME or what is "
+      "derived of them",
+      *of, is_mean ? "mean" : "derivative");
 }
 
 }  // namespace

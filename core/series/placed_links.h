@@ -14,8 +14,8 @@
 
 namespace rocinante {
 
-/// not_found, with what there is or what was probably meant, when neither the cell nor `state` has
-/// the device or the link of a key of a link, or those of its frame.
+/// not_found, with the known names or the one that was probably meant, when neither the cell nor
+/// `state` has the device or the link of a key of a link, or those of its frame.
 Status checkLink(const Cell& cell, const SessionState& state, const SeriesKey& key);
 
 /// Links as keys name them, in the world or in the frame of another device or link, in one state

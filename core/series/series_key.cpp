@@ -94,6 +94,10 @@ std::optional<SeriesKey> parseSeriesKey(std::string_view text) {
   return parseStatedKey(text);
 }
 
+std::string notPlotted(std::string_view text) {
+  return "`" + std::string(text) + "` cannot be plotted: it is not the name of a value";
+}
+
 std::optional<SeriesKey> parseStatedKey(std::string_view text) {
   if (auto rate = countKey(text, "rate", SeriesKey::Kind::rate)) return rate;
   if (auto loss = countKey(text, "loss", SeriesKey::Kind::loss)) return loss;

@@ -52,7 +52,9 @@ std::array<double, 7> poseNumbers(const Pose& pose);
 /// Reads text(). The first point, the first slash and the last colon separate. Empty when it is
 /// none of these.
 std::optional<SeriesKey> parseSeriesKey(std::string_view text);
-/// The same, but for derived ones.
+/// The sentence for a text that it does not read.
+std::string notPlotted(std::string_view text);
+/// As parseSeriesKey(), but for derived ones.
 std::optional<SeriesKey> parseStatedKey(std::string_view text);
 
 /// The two texts of `VALUE over VALUE`, as they were written, where both are values; empty for

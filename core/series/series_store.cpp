@@ -41,7 +41,7 @@ bool SeriesStore::makeTextRoom(std::size_t bytes) {
   return true;
 }
 
-/// Halves bins until so many series fit.
+/// Halves bins until `count` series fit.
 void SeriesStore::fit(std::size_t count) {
   // By what they may take, since the last sample of each may come at the end.
   static_assert(sizeof(StateBin) == sizeof(ValueBin));

@@ -28,7 +28,7 @@ function takeAway(piece) {
 function inflatedStream(id) {
   const stream = new DecompressionStream("gzip");
   const writer = stream.writable.getWriter();
-  const toldBelow = (written) => written.catch(() => {});  // whoever reads is told
+  const toldBelow = (written) => written.catch(() => {});  // the reader fails with it
   let piece = element(id);
   if (!piece) throw fault("the page was cut: it has no " + id);
   for (; piece; piece = takeAway(piece)) {

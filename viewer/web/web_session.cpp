@@ -309,7 +309,7 @@ Status WebSession::addInset(const std::string& text) {
 
 Status WebSession::choosePlot(const std::string& name) {
   if (!parseSeriesKey(name)) {
-    return Error{ErrorKind::bad_argument, "'" + name + "' is no value that can be plotted", {}};
+    return Error{ErrorKind::bad_argument, notPlotted(name), {}};
   }
   if (std::ranges::find(chosen_, name) == chosen_.end()) chosen_.push_back(name);
   return {};

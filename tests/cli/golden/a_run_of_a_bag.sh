@@ -30,7 +30,7 @@ run --log swing=other.csv | sed 's/beyond.*//'
 sed 's/^cell/log = "again.csv"\ncell/' runs.toml >own.toml
 rocinante golden run own.toml --json own.json
 python3 -c 'import json; print(json.load(open("own.json"))["runs"][0]["log"].split("/")[-1])'
-# What was lost on the way is told.
+# What was lost on the way is named.
 printf '1,2,3,4\n' >>again.csv
 run --log swing=again.csv
 run --log swing=runs.toml | sed 's/:.*//'

@@ -1,5 +1,5 @@
 # States are bands with their texts, numbers curves with the limits of the cell, in the plots; what no
-# packet states is refused with what there is.
+# packet states is refused with the names that the log has.
 export ASAN_OPTIONS=detect_leaks=0
 cat >arm.urdf <<'URDF'
 <robot name="arm"><link name="base"><visual><geometry><box size="0.3 0.3 0.2"/></geometry></visual></link>

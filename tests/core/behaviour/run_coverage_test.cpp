@@ -216,7 +216,7 @@ TEST_F(RunCoverageTest, TheEndOfALogComesBeforeWhatItCauses) {
   const RunJudgement judged = judgeRun({}, {&*accepted}, *run);
   EXPECT_TRUE(judged.rule.starts_with("the log ends 7.0 s before the accepted one"))
       << textOfFindings(judged);
-  // What was different before it is told before it.
+  // What was different before it comes before it.
   cut.joint("gantry", 0, 5, 6, plus(0.1));
   const auto moved = trackOf(cell, cut);
   ASSERT_TRUE(moved.ok());

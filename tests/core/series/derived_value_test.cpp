@@ -241,19 +241,23 @@ TEST(DerivedValue, AMeanIsKnownAtAnyMoment) {
 
 TEST(DerivedValue, WhatIsNoneSaysWhy) {
   EXPECT_EQ(derivationFault("mean nan arm.a"),
-            "`nan` is no number of SECONDS from 1e-9 to 3600: mean SECONDS VALUE");
+            "SECONDS is a number from 1e-9 to 3600, not `nan`: mean SECONDS VALUE");
   for (const char* wrong : {"inf", "0", "-1", "3601", "1e-10", "1e308", "arm.a", "0x1", "1s"}) {
     const std::string fault = derivationFault("mean " + std::string(wrong) + " arm.a");
-    EXPECT_TRUE(fault.starts_with("`" + std::string(wrong) + "` is no number of SECONDS")) << fault;
+    EXPECT_EQ(fault, "SECONDS is a number from 1e-9 to 3600, not `" + std::string(wrong) +
+                         "`: mean SECONDS VALUE");
   }
   EXPECT_EQ(derivationFault("d/dt mean nan arm.a"), derivationFault("mean nan arm.a"));
   EXPECT_EQ(derivationFault("mean"), "`mean` needs SECONDS VALUE");
   EXPECT_EQ(derivationFault("mean 0.5"), "`mean` needs SECONDS VALUE");
   EXPECT_EQ(derivationFault("d/dt"), "`d/dt` needs a VALUE");
-  EXPECT_EQ(derivationFault("d/dt rate"),
-            "`rate` is no joint, pose, link or signal that has a derivative");
+  EXPECT_EQ(
+      derivationFault("d/dt rate"),
+      "`rate` has no derivative: use DEVICE.JOINT, DEVICE:x, DEVICE/LINK:x, signal PATH NAME or "
+      "what is derived of them");
   EXPECT_EQ(derivationFault("mean 1 arm"),
-            "`arm` is no joint, pose, link or signal that has a mean");
+            "`arm` has no mean: use DEVICE.JOINT, DEVICE:x, DEVICE/LINK:x, signal PATH NAME or "
+            "what is derived of them");
   EXPECT_EQ(derivationFault("d/dt d/dt d/dt d/dt d/dt arm.a"),
             "a value is derived at most 4 times");
   for (const char* fine : {"arm.a", "d/dt arm.a", "mean 0.5 d/dt arm.a", "arm.a - arm.b", "meaning",

@@ -34,7 +34,7 @@ std::string addressAfter(Program& relay, const std::string& word) {
   return line.substr(at, line.find_first_of(" ,;", at) - at);
 }
 
-/// A subscriber that asks when it is told to, and keeps count of what it hears.
+/// A subscriber that asks on request, and keeps count of what it hears.
 class TrueSubscriber {
  public:
   explicit TrueSubscriber(const std::string& relay)

@@ -185,7 +185,7 @@ TEST_F(LogTable, HasWhatIsDerivedInTheWordsOfThePlots) {
             "`signal arm mode` is a text, and a text has no derivative");
   EXPECT_EQ(derivedOf({"d/dt arm.c"}), "no packet states `arm.c`: did you mean `arm.a`?");
   EXPECT_EQ(derivedOf({"mean 0 arm.a"}),
-            "`0` is no number of SECONDS from 1e-9 to 3600: mean SECONDS VALUE");
+            "SECONDS is a number from 1e-9 to 3600, not `0`: mean SECONDS VALUE");
   EXPECT_EQ(derivedOf({"arm.a"}), "`arm.a` is not d/dt VALUE, mean SECONDS VALUE or VALUE - VALUE");
   EXPECT_EQ(derivedOf({"d/dt arm/a:x"}), "needs a cell: the log carries none, --cell CELL");
 }

@@ -50,7 +50,7 @@ TEST(SignalRows, OfADeviceItsLinksAndOfNone) {
   EXPECT_EQ(rows[1].owner, "plc");
   EXPECT_TRUE(rows[1].isPlotted());
   EXPECT_EQ(signalRows("arm", signals, "tool 0", 10).size(), 1U);
-  EXPECT_EQ(signalRows("arm", signals, "", 1).size(), 1U) << "at most so many";
+  EXPECT_EQ(signalRows("arm", signals, "", 1).size(), 1U) << "at most one row";
   EXPECT_EQ(signalRows("", signals, "", 10)[0].series.text(), "signal - mode");
 }
 

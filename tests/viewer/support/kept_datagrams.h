@@ -9,7 +9,7 @@
 
 namespace rocinante::test {
 
-/// Keeps what is sent; refuses while it is told to.
+/// Keeps what is sent; refuses while asked to.
 class KeptDatagrams final : public DatagramSink {
  public:
   struct Kept {

@@ -69,10 +69,10 @@ Status panView(CommandWords words, const CommandStage& stage) {
 Status lookFromSide(CommandWords words, const CommandStage& stage) {
   const auto side = viewSideOf(words);
   if (!side) {
-    return badWord(
-        fmt::format("`{}` is no side: top or bottom, front or back, left or right, or "
-                    "isometric",
-                    fmt::join(words, " ")));
+    return badWord(fmt::format(
+        "the view cannot be from `{}`: use one or more of top or bottom, front or back, "
+        "left or right; or isometric",
+        fmt::join(words, " ")));
   }
   stage.model.holdCamera().lookFrom(directionFrom(*side));
   return {};

@@ -113,7 +113,7 @@ Status foldEdge(CommandWords words, const CommandStage& stage) {
     places.peeked.clear();
     return {};
   }
-  return badWord(fmt::format("`{}` is no edge: left, right or bottom", words[0]));
+  return badWord(fmt::format("`{}` is not left, right or bottom", words[0]));
 }
 
 Status setPictureWidth(CommandWords words, const CommandStage& stage) {
@@ -163,7 +163,8 @@ std::vector<std::string> tabChoices(const ViewModel& model) {
 Status openTab(CommandWords words, const CommandStage& stage) {
   const std::vector<std::string> tabs = tabChoices(stage.model);
   if (std::ranges::find(tabs, words[0]) == tabs.end()) {
-    return badWord(fmt::format("`{}` is none of the tabs {}", words[0], fmt::join(tabs, ", ")));
+    return badWord(
+        fmt::format("there is no tab `{}` now; there are {}", words[0], fmt::join(tabs, ", ")));
   }
   std::string name = words[0];
   name[0] = static_cast<char>(name[0] - 'a' + 'A');

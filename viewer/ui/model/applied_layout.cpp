@@ -16,10 +16,7 @@ namespace {
 Result<SeriesKey> plottedKey(const std::string& text, const std::string& plotted,
                              const ViewModel& model) {
   auto key = parseSeriesKey(text);
-  if (!key) {
-    return Error{
-        ErrorKind::not_found, fmt::format("`{}` is no value that can be plotted", plotted), {}};
-  }
+  if (!key) return Error{ErrorKind::not_found, notPlotted(plotted), {}};
   if (key->isOfDevice() && model.scene().findDevice(key->name) == nullptr) {
     return Error{ErrorKind::not_found,
                  fmt::format("no device is named `{}`, so `{}` is not plotted", key->name, plotted),
@@ -39,7 +36,7 @@ std::string addPlot(const std::string& text, ViewModel& model) {
     const auto x = plottedKey(path->second, text, model);
     if (!x.ok()) return x.error().what;
     if (!y->isValue() || !x->isValue()) {
-      return fmt::format("`{}` counts packets, and is no plot of one value over another", text);
+      return fmt::format("`{}` is not plotted: counts of packets have no x-y plot", text);
     }
     has_room = board.addPath(*y, *x);
   } else {

@@ -136,7 +136,7 @@ PoseKey rotationKey(const TomlNode* pose, const Quat& turn) {
   return {"rpy_deg", {degreesOf(rpy.x), degreesOf(rpy.y), degreesOf(rpy.z)}};
 }
 
-/// Replaces the numbers of the list that are others; false when it is no list of as many.
+/// Replaces the numbers of the list that differ; false when it has more or fewer of them.
 bool editList(std::string_view text, const TomlNode& list, const PoseKey& key,
               std::vector<Edit>& edits) {
   if (list.items.size() != key.numbers.size()) return false;

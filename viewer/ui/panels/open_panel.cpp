@@ -147,7 +147,7 @@ bool drawEndpoint(const EndpointLine& line, bool chosen) {
   const std::string where = plainText(line.endpoints);
   explain(("listen at " + where + "\n" + line.note).c_str());
   ImGui::SameLine(left);
-  // The whole is told above.
+  // The tooltip has the whole.
   const float room = ImGui::GetContentRegionAvail().x;
   const std::string note = cutInMiddle(line.note, room, drawnWidth);
   ImGui::TextUnformatted(note.c_str());

@@ -35,7 +35,7 @@ inline float drawnWidth(std::string_view text) {
   return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 /// Draws a text in the rest of the line, or in `room` pixels: where it has none, its middle is cut
-/// out, and the whole is told on hover.
+/// out, and hovering shows the whole.
 void drawCut(const std::string& text, PanelColor color = PanelColor::text, float room = 0);
 
 /// How far a list must be scrolled to show a row whole, from `scroll`: not at all when it is seen,

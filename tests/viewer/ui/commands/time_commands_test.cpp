@@ -180,8 +180,10 @@ TEST_F(TimeCommands, NothingIsDerivedOfATextOrOverNoTime) {
   EXPECT_EQ(run("plot signal arm load - signal arm mode"),
             "`signal arm mode` is a text, and a text has no difference");
   EXPECT_EQ(run("plot mean nan arm.turn"),
-            "`nan` is no number of SECONDS from 1e-9 to 3600: mean SECONDS VALUE");
-  EXPECT_EQ(run("plot mean 0.5 arm"), "`arm` is no joint, pose, link or signal that has a mean");
+            "SECONDS is a number from 1e-9 to 3600, not `nan`: mean SECONDS VALUE");
+  EXPECT_EQ(run("plot mean 0.5 arm"),
+            "`arm` has no mean: use DEVICE.JOINT, DEVICE:x, DEVICE/LINK:x, signal PATH NAME or "
+            "what is derived of them");
   EXPECT_EQ(model_->viewer.plots.curves().size(), 2U);
 }
 

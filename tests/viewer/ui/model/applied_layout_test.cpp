@@ -41,9 +41,9 @@ TEST_F(Layouts, NameWhatAWindowHasNot) {
   EXPECT_EQ(applyLayout(*read, *model_),
             (std::vector<std::string>{
                 "there is no camera `none`", "no device is named `leg`, so `leg.1` is not plotted",
-                "`?` is no value that can be plotted",
+                "`?` cannot be plotted: it is not the name of a value",
                 "no device is named `leg`, so `arm.turn over leg.1` is not plotted",
-                "`rate over arm.turn` counts packets, and is no plot of one value over another",
+                "`rate over arm.turn` is not plotted: counts of packets have no x-y plot",
                 "there is no camera `none` for an inset",
                 "`` is not an inset: use CAMERA or CAMERA:CORNER, as map:top-left"}));
   EXPECT_EQ(model_->viewer.plots.curves().size(), 1U);

@@ -19,7 +19,7 @@ Endpoint quietEndpoint() {
   return endpoint;
 }
 
-/// Sends until the survey has heard so many datagrams, or is over.
+/// Sends until the survey has heard 20 datagrams, or is over.
 void sendUntilHeard(EndpointSurvey& survey, const Endpoint& to,
                     const std::vector<std::string>& texts) {
   auto sender = UdpSender::open(to);
