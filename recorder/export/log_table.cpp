@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
-#include "core/packet/item_text.h"
-#include "core/packet/packet_limits.h"
 #include "recorder/export/exports.h"
 #include "recorder/export/session_census.h"
 
@@ -42,58 +38,17 @@ class PassProgress {
   std::uint64_t count_ = 0;
 };
 
-/// Signals of which numbers are said in several units: their columns hold both.
-class SignalUnits {
- public:
-  void take(LogTime time, const Packet& packet) {
-    for (const Statement& statement : packet.statements) {
-      // `signals` goes on in the unit that was said last.
-      const bool says_unit = statement.kind == StatementKind::signal && !statement.is_default &&
-                             statement.signal_kinds.front() == SignalKind::number;
-      if (!says_unit) continue;
-      key_.clear();
-      for (const std::string_view part :
-           {statement.path.first, statement.path.second, statement.names.front()}) {
-        key_.append(part).push_back('\0');
-      }
-      auto found = units_.find(key_);
-      if (found == units_.end()) {
-        if (units_.size() == limits::kSignals) continue;
-        const PathView& path = statement.path;
-        std::string name = signalNameText(
-            path.first, {std::string(path.second), std::string(statement.names.front())});
-        found =
-            units_.emplace(key_, Unit{std::move(name), std::string(statement.unit), {}, {}}).first;
-      }
-      Unit& unit = found->second;
-      if (unit.other_at || statement.unit == unit.first) continue;
-      unit.other = statement.unit;
-      unit.other_at = time;
-    }
+void addSeveralUnits(Account& account, const SessionTable& table, LogTime origin) {
+  const auto word = [](const std::string& unit) { return unit.empty() ? "no unit" : unit; };
+  for (const SessionTable::SeveralUnits& each : table.severalUnits()) {
+    account.leaveOut({.kind = "unit",
+                      .name = each.column,
+                      .reason = fmt::format("its column has numbers in {} and in {}",
+                                            word(each.first), word(each.other)),
+                      .first = fmt::format("{:.3f} s", secondsOf(each.other_at - origin)),
+                      .severity = Severity::warning});
   }
-
-  void addTo(Account& account, const std::vector<std::string>& columns, LogTime origin) const {
-    const auto word = [](const std::string& unit) { return unit.empty() ? "no unit" : unit; };
-    for (const auto& [key, unit] : units_) {
-      if (!unit.other_at || std::ranges::find(columns, unit.name) == columns.end()) continue;
-      account.leaveOut({.kind = "unit",
-                        .name = unit.name,
-                        .reason = fmt::format("its column has numbers in {} and in {}",
-                                              word(unit.first), word(unit.other)),
-                        .first = fmt::format("{:.3f} s", secondsOf(*unit.other_at - origin)),
-                        .severity = Severity::warning});
-    }
-  }
-
- private:
-  struct Unit {
-    std::string name;  ///< of its column
-    std::string first, other;
-    std::optional<LogTime> other_at;
-  };
-  std::map<std::string, Unit, std::less<>> units_;  ///< by path and name
-  std::string key_;
-};
+}
 
 bool sameBits(const std::vector<double>& a, const std::vector<double>& b) {
   // NaN equals NaN here: both are empty fields.
@@ -128,10 +83,8 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
     return finding.at(moment);
   };
   SessionCensus census;
-  SignalUnits units;
   const auto count = [&](const LogMessage& message, const Packet* packet) -> Status {
     census.take(message, packet);
-    if (options.signals && packet != nullptr) units.take(message.log_time, *packet);
     if (derived != nullptr) derived->notice(message);
     return {};
   };
@@ -180,6 +133,7 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
       if (report.rows > 0 && sameBits(values, former)) return {};
       former = values;
     }
+    table.noticeUnits(state, moment);
     ++report.rows;
     return writer.row(moment - log.origin, values);
   };
@@ -212,7 +166,7 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
   }
   if (Status ended = writer.end(); !ended) return ended.error();
   // The first that is named: it is in the numbers.
-  units.addTo(report.left_out, report.columns, log.origin);
+  addSeveralUnits(report.left_out, table, log.origin);
   const std::vector<StatementKind> without_column = {
       StatementKind::show,   StatementKind::hide,  StatementKind::color, StatementKind::line,
       StatementKind::points, StatementKind::label, StatementKind::event, StatementKind::view};

@@ -65,28 +65,66 @@ void SessionTable::noticeSignals(const std::string& device, const Signals& said,
   for (const auto& [name, item] : said) {
     const bool is_text = item.value.kind == SignalKind::text;
     SignalColumns& known = is_text ? texts_[device] : columns;
-    if (!known.contains(name)) known.emplace(name, 0);
+    known.try_emplace(name);
   }
 }
 
 void SessionTable::layOutSignals(const std::string& device, SignalColumns& columns) {
   std::size_t place = 0;
   for (auto& [name, column] : columns) {
-    column = place++;
+    column.place = place++;
     columns_.push_back(signalNameText(device, name));
   }
 }
 
-void SessionTable::fillSignals(const SignalColumns& columns, const Signals& said,
-                               std::span<double> row) {
+template <class Columns, class Visit>
+void SessionTable::eachSignal(Columns& columns, const Signals& said, Visit visit) {
   // Both are sorted by name: one pass, without searching.
   auto column = columns.begin();
   for (const auto& [name, item] : said) {
     while (column != columns.end() && SignalOrder()(column->first, name)) ++column;
     if (column == columns.end()) break;
     const bool is_number = item.value.kind != SignalKind::text;
-    if (is_number && column->first == name) row[column->second] = item.value.number;
+    if (is_number && column->first == name) visit(column->second, item.value);
   }
+}
+
+void SessionTable::fillSignals(const SignalColumns& columns, const Signals& said,
+                               std::span<double> row) {
+  eachSignal(columns, said, [row](const SignalColumn& column, const SignalValue& value) {
+    row[column.place] = value.number;
+  });
+}
+
+void SessionTable::noticeUnits(const SessionState& state, LogTime moment) {
+  if (!with_signals_) return;
+  const auto notice = [moment](SignalColumn& column, const SignalValue& value) {
+    if (value.kind != SignalKind::number || column.other_at) return;
+    if (!column.unit) column.unit = value.unit;
+    if (*column.unit == value.unit) return;
+    column.other_unit = value.unit;
+    column.other_at = moment;
+  };
+  for (auto& [name, device] : devices_) {
+    if (device.signals.empty()) continue;
+    const DeviceState* const now = state.findDevice(name);
+    if (now != nullptr && !isRemoved(*now)) eachSignal(device.signals, now->signals, notice);
+  }
+  if (!of_none_.empty()) eachSignal(of_none_, state.signals(), notice);
+}
+
+std::vector<SessionTable::SeveralUnits> SessionTable::severalUnits() const {
+  std::vector<SeveralUnits> all;
+  const auto add = [&all](const std::string& device, const SignalColumns& columns) {
+    for (const auto& [name, column] : columns) {
+      if (!column.other_at) continue;
+      all.push_back(
+          {signalNameText(device, name), *column.unit, column.other_unit, *column.other_at});
+    }
+  };
+  for (const auto& [name, device] : devices_) add(name, device.signals);
+  add({}, of_none_);
+  return all;
 }
 
 /// Of the device itself in the cell, or the one that `add` names.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -45,7 +46,17 @@ class SessionTable {
   bool wasWritten(const SessionState& state, LogTime moment);
   /// `row` is as long as columns().
   void fill(const SessionState& state, std::span<double> row);
+  /// Of a row that is written: the units of its numbers.
+  void noticeUnits(const SessionState& state, LogTime moment);
 
+  /// A column that has numbers in several units.
+  struct SeveralUnits {
+    std::string column;
+    std::string first, other;  ///< empty: none was stated
+    LogTime other_at;          ///< the first row in another one
+  };
+  /// In order of the columns.
+  std::vector<SeveralUnits> severalUnits() const;
   /// What the reader of the table should know: sentences, found by layOut() and fill(). Not a loss:
   /// names that the session does not tell, columns that `source --csv` would read differently.
   std::vector<std::string> remarks() const;
@@ -59,8 +70,14 @@ class SessionTable {
   std::string otherDevices() const;
 
  private:
-  /// The columns of signals, in order, each with its place among them.
-  using SignalColumns = std::map<SignalName, std::size_t, SignalOrder>;
+  struct SignalColumn {
+    std::size_t place = 0;  ///< among those of the device
+    std::optional<std::string> unit;
+    std::string other_unit;
+    std::optional<LogTime> other_at;
+  };
+  /// The columns of signals, in order.
+  using SignalColumns = std::map<SignalName, SignalColumn, SignalOrder>;
   struct Device {
     const Model* model = nullptr;
     std::vector<std::string> joints;                 ///< in the order of their columns
@@ -81,6 +98,9 @@ class SessionTable {
   void addJoint(Device& device, std::string_view joint);
   void noticeSignals(const std::string& device, const Signals& said, SignalColumns& columns);
   void layOutSignals(const std::string& device, SignalColumns& columns);
+  /// Calls visit(column, value) for each number and boolean that has a column.
+  template <class Columns, class Visit>
+  static void eachSignal(Columns& columns, const Signals& said, Visit visit);
   static void fillSignals(const SignalColumns& columns, const Signals& said, std::span<double> row);
   void fillJoints(const Device& device, const DeviceState& state, std::span<double> row) const;
   void fillPose(const std::string& name, const SessionState& state, const PoseValue& pose,

@@ -37,6 +37,7 @@ class LogTable : public testing::Test {
   struct Made {
     std::string csv;
     std::vector<std::string> remarks, gaps;
+    std::string left_out;
   };
 
   Made tableOf(const std::vector<Said>& all, TableOptions options = {}, const Cell* cell = nullptr,
@@ -50,7 +51,7 @@ class LogTable : public testing::Test {
     auto session = MomentWalk::open(log);
     EXPECT_TRUE(session.ok());
     if (options.until == LogTime{}) options.until = LogTime::max();
-    SessionTable table(cell, std::move(devices));
+    SessionTable table(cell, std::move(devices), options.signals);
     Made made;
     const auto writer = makeCsvTable([&](ByteView bytes) -> Status {
       made.csv += textOf(bytes);
@@ -58,6 +59,7 @@ class LogTable : public testing::Test {
     });
     const auto report = writeTable(*session, table, *writer, options);
     if (!report.ok()) made.csv = report.error().what;
+    if (report.ok()) made.left_out = accountSentence(report->left_out);
     made.remarks = table.remarks();
     made.gaps = table.gaps();
     return made;
@@ -201,6 +203,55 @@ TEST_F(LogTable, DerivesOfLinksAndOfJointsByTheirPlaces) {
   EXPECT_THAT(derivedOf({"d/dt arm.2"}),
               HasSubstr("t,arm.1,arm.2,d/dt arm.2\n0,0,0,\n1,0,0.5,0.5\n"))
       << "named as the columns are";
+}
+
+TEST_F(LogTable, SaysWhereAColumnGoesOnInAnotherUnit) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  const auto at = [](std::int64_t seconds) {
+    return LogTime(Nanoseconds(test::kWrittenOrigin + seconds * kSecond));
+  };
+  const std::vector<Said> all = {{kSecond, "RK1 s 0 -\nsignal arm load 5 N\n"},
+                                 {12 * kSecond, "RK1 s 1 -\nsignal arm load 5 kN\n"},
+                                 {14 * kSecond, "RK1 s 2 -\nsignal arm load 6 N\n"}};
+  const std::string several =
+      "left out: 1 unit `signal arm load` (its column has numbers in N and in kN; at 12.000 s)";
+  TableOptions options;
+  options.signals = true;
+  EXPECT_EQ(tableOf(all, options).left_out, several);
+  options.rows = TableOptions::Rows::grid;
+  options.every = std::chrono::seconds(1);
+  options.from = at(10);
+  options.until = at(14);
+  const Made grid = tableOf(all, options);
+  EXPECT_EQ(grid.csv, "t,signal arm load\n10,5\n11,5\n12,5\n13,5\n");
+  EXPECT_EQ(grid.left_out, several) << "its first rows hold what was said before them";
+  options.from = at(12);
+  EXPECT_EQ(tableOf(all, options).left_out, "") << "every row is in kN";
+  options.from = at(11);
+  options.every = std::chrono::seconds(3);
+  options.until = at(15);
+  EXPECT_EQ(tableOf(all, options).left_out, "") << "no row falls between the two";
+  options = {};
+  options.signals = true;
+  options.rows = TableOptions::Rows::changed;
+  options.until = at(14);
+  EXPECT_EQ(tableOf(all, options).left_out, "") << "5 kN makes no row after 5 N";
+}
+
+TEST_F(LogTable, CountsNoUnitThatNoCellHas) {
+  TableOptions options;
+  options.signals = true;
+  const Made made = tableOf({{0, "RK1 s 5 -\nsignal arm load 5 N\nsignal - load 1 N\n"},
+                             {10, "RK1 s 4 -\nsignal arm load 5 kN\n"},  // late
+                             {20, "RK1 s 5 -\nsignal arm load 5 kg\n"},  // that number again
+                             {30, "RK1 s 6 -\nsignals arm load=6\n"},
+                             {40, "RK1 s 7 -\nsignal arm load true\nsignal - load 2\n"},
+                             {50, "RK1 s 8 -\nsignal arm load 7 N\n"}},
+                            options);
+  EXPECT_EQ(made.left_out,
+            "left out: 1 unit `signal - load` (its column has numbers in N and in no unit; at "
+            "0.000 s)");
+  EXPECT_THAT(made.csv, HasSubstr("\n0.00000005,7,2\n"));
 }
 
 TEST_F(LogTable, AGridHoldsTheLastValue) {
