@@ -4,10 +4,7 @@ namespace rocinante {
 
 std::string SignalTopics::nameOf(const SignalOwner& owner) {
   const std::string wanted = topicOf("/signals", ownerText(owner));
-  std::string given = wanted;
-  for (int number = 2; !given_.insert(given).second; ++number) {
-    given = wanted + "_" + std::to_string(number);
-  }
+  std::string given = given_.take(wanted);
   if (given != wanted) {
     const auto& [device, link] = owner;
     const std::string whose =

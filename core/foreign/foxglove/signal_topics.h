@@ -2,11 +2,11 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 
 #include "core/foreign/foxglove/signal_json.h"
+#include "core/foreign/session/given_names.h"
 #include "core/foreign/session/message_sink.h"
 #include "core/foreign/session/session_format.h"
 #include "core/report/account.h"
@@ -35,7 +35,7 @@ class SignalTopics {
   std::string nameOf(const SignalOwner& owner);
 
   std::map<SignalOwner, Topic> topics_;
-  std::set<std::string> given_;
+  GivenNames given_;
   Account left_out_;
 };
 

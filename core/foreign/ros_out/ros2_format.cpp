@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "core/foreign/ros_out/cdr_writer.h"
+#include "core/foreign/session/exported_mcap.h"
+#include "core/foreign/session/given_names.h"
 #include "core/packet/channel_names.h"
 
 namespace rocinante {
@@ -120,9 +121,9 @@ class Ros2Format final : public SessionFormat {
     for (const NamedValue& value : values) writer.put(value.value);
     putAll(writer, values, &NamedValue::velocity);
     putAll(writer, values, &NamedValue::effort);
-    return out.write("/" + uniqueName(device) + "/joint_states",
-                     ros2Schema("sensor_msgs/msg/JointState"), time, message_,
-                     metadataOf({device, {}, {}, {}}));
+    const Place& place = placeOf(device);
+    return out.write("/" + place.topic + "/joint_states", ros2Schema("sensor_msgs/msg/JointState"),
+                     time, message_, place.metadata);
   }
 
   Status drawings(MessageSink& out, LogTime time, const std::string& source,
@@ -141,7 +142,7 @@ class Ros2Format final : public SessionFormat {
     CdrWriter writer(message_);
     writer.count(markers.size());
     for (const MarkerParts& marker : markers) putMarker(writer, time, marker);
-    return out.write("/" + uniqueName(source) + "/markers",
+    return out.write("/" + placeOf(source).topic + "/markers",
                      ros2Schema("visualization_msgs/msg/MarkerArray"), time, message_);
   }
 
@@ -174,10 +175,10 @@ class Ros2Format final : public SessionFormat {
       if (value.kind == SignalKind::number) writer.put(value.number);
       if (value.kind == SignalKind::boolean) writer.put(value.number != 0);
       if (value.kind == SignalKind::text) writer.text(value.text);
-      const ChannelNames is = {owner.first, owner.second, std::string(signal.name), value.unit};
+      const Place& place =
+          placeOf({{owner.first, owner.second, std::string(signal.name), value.unit}, value.kind});
       const MessageSchema& schema = ros2Schema(kTypes[static_cast<std::size_t>(value.kind)]);
-      Status written =
-          out.write(signalTopic(is, value.kind), schema, time, message_, metadataOf(is));
+      Status written = out.write(place.topic, schema, time, message_, place.metadata);
       if (!written) return written;
     }
     return {};
@@ -207,7 +208,7 @@ class Ros2Format final : public SessionFormat {
                      std::string_view urdf) override {
     CdrWriter writer(message_);
     writer.text(urdf);
-    return out.write("/" + uniqueName(device) + "/robot_description",
+    return out.write("/" + placeOf(device).topic + "/robot_description",
                      ros2Schema("std_msgs/msg/String"), time, message_);
   }
 
@@ -239,57 +240,70 @@ class Ros2Format final : public SessionFormat {
     }
   }
 
-  /// Two names that ROS would write alike get numbers.
-  std::string uniqueName(const std::string& name) {
-    const auto known = names_.find(name);
-    if (known != names_.end()) return known->second;
+  /// A channel of signals: one type and one unit.
+  using SignalKey = std::pair<ChannelNames, SignalKind>;
+  struct Place {
+    std::string topic;         ///< of a device or a source: its part of one
+    ChannelMetadata metadata;  ///< what the topic's name cannot hold
+  };
+
+  /// Of a device or a source; valid until the next call. Names that ROS would write alike get
+  /// numbers.
+  const Place& placeOf(const std::string& name) {
+    const auto known = places_.find(name);
+    if (known != places_.end()) return known->second;
     const std::string wanted = rosName(name);
-    std::string given = wanted;
-    for (int number = 2; !given_.insert(given).second; ++number) {
-      given = wanted + "_" + std::to_string(number);
-    }
-    return names_.emplace(name, given).first->second;
+    // Each has a channel, and the file no more of them: no need to know those beyond.
+    if (places_.size() == ExportedMcap::kMostChannels) return beyond_ = {given_.free(wanted), {}};
+    return places_.emplace(name, Place{given_.take(wanted), channelMetadata({name, {}, {}, {}})})
+        .first->second;
   }
 
-  /// What a topic's name cannot hold.
-  const ChannelMetadata& metadataOf(const ChannelNames& is) {
-    const auto [place, is_new] = metadata_.try_emplace(is);
-    if (is_new) place->second = channelMetadata(is);
-    return place->second;
-  }
-
-  /// A topic has one type and unit: a signal that changes them gets another one, and so does a
+  /// The same of a signal. One that changes its type or its unit gets another topic, and so does a
   /// second one whose names ROS would write alike.
-  const std::string& signalTopic(const ChannelNames& is, SignalKind kind) {
-    auto [place, is_new] = signal_topics_.try_emplace({is, kind});
-    std::string& made = place->second;
-    if (!is_new) return made;
+  const Place& placeOf(const SignalKey& key) {
+    const auto known = signal_places_.find(key);
+    if (known != signal_places_.end()) return known->second;
+    const ChannelNames& is = key.first;
     std::string wanted = "/signals";
     for (const std::string_view part :
          {std::string_view(is.device), std::string_view(is.link), std::string_view(is.signal)}) {
       if (!part.empty()) wanted += "/" + rosName(part);
     }
-    made = wanted;
-    for (int number = 2; !given_topics_.insert(made).second; ++number) {
-      made = wanted + "_" + std::to_string(number);
+    if (signal_places_.size() == ExportedMcap::kMostChannels) {
+      return beyond_ = {given_signals_.free(wanted), {}};
     }
-    if (made != wanted) {
+    const auto made =
+        signal_places_.emplace(key, Place{given_signals_.take(wanted), channelMetadata(is)}).first;
+    const std::string& topic = made->second.topic;
+    if (topic != wanted) {
       left_out_.leaveOut({.kind = "topic",
                           .name = wanted,
-                          .reason = "it is another signal's, or of another type: `" +
-                                    ownerText({is.device, is.link}) + " " + is.signal + "` is on " +
-                                    made});
+                          .reason = whyOther(*signal_of_.at(wanted), key) + " is on " + topic});
     }
-    return made;
+    signal_of_.emplace(topic, &made->first);
+    return made->second;
+  }
+
+  /// Why `other` is not on the topic that `has` has.
+  static std::string whyOther(const SignalKey& has, const SignalKey& other) {
+    const ChannelNames& is = other.first;
+    const std::string name = "`" + ownerText({is.device, is.link}) + " " + is.signal + "`";
+    ChannelNames same = has.first;
+    same.unit = is.unit;
+    if (same != is) return "it is another signal's: " + name;
+    if (has.second != other.second) return "it is of another type: " + name;
+    return "it is in another unit: " + name + (is.unit.empty() ? " without one" : " in " + is.unit);
   }
 
   Bytes message_;
   Account left_out_;
-  std::map<std::pair<ChannelNames, SignalKind>, std::string> signal_topics_;
-  std::set<std::string> given_topics_;
-  std::map<ChannelNames, ChannelMetadata> metadata_;
-  std::map<std::string, std::string> names_;  ///< as ROS has them
-  std::set<std::string> given_;
+  std::map<SignalKey, Place> signal_places_;
+  std::map<std::string_view, const SignalKey*> signal_of_;  ///< by topic; both of signal_places_
+  GivenNames given_signals_;
+  std::map<std::string, Place> places_;  ///< by name
+  GivenNames given_;
+  Place beyond_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 
 #include "core/foreign/foxglove/foxglove_format.h"
@@ -11,6 +12,7 @@
 #include "core/foreign/ros_out/cdr_writer.h"
 #include "core/foreign/ros_out/ros2_format.h"
 #include "core/foreign/session/exported_mcap.h"
+#include "core/foreign/session/given_names.h"
 #include "core/foreign/session/session_format.h"
 #include "core/packet/packet_text.h"
 
@@ -199,11 +201,10 @@ TEST(Ros2Signals, HaveATopicOfOneTypeEach) {
                               "/signals/arm/tool0/a_b_2 std_msgs/msg/Float64 000000000000F03F"));
   Account account;
   format->addLeftOut(account);
-  EXPECT_EQ(
-      accountSentence(account),
-      "left out: 1 topic `/signals/arm/mode` (it is another signal's, or of another type: "
-      "`arm mode` is on /signals/arm/mode_2), 1 topic `/signals/arm/tool0/a_b` (it is another "
-      "signal's, or of another type: `arm/tool0 a_b` is on /signals/arm/tool0/a_b_2)");
+  EXPECT_EQ(accountSentence(account),
+            "left out: 1 topic `/signals/arm/mode` (it is of another type: `arm mode` is on "
+            "/signals/arm/mode_2), 1 topic `/signals/arm/tool0/a_b` (it is another signal's: "
+            "`arm/tool0 a_b` is on /signals/arm/tool0/a_b_2)");
 }
 
 TEST(Ros2Signals, HaveATopicForEachUnitAndTheirNamesBesideIt) {
@@ -235,6 +236,90 @@ TEST(Ros2Signals, HaveATopicForEachUnitAndTheirNamesBesideIt) {
                                    "/signals/arm/tool0/a_b_2 rocinante.name=a%20b "
                                    "rocinante.path=arm/tool0 rocinante.unit=g",
                                    kilograms, "/arm_1/joint_states rocinante.path=arm%201"));
+}
+
+TEST(Ros2Signals, SayWhyTheirTopicHasANumber) {
+  const auto format = makeRos2Format();
+  NotingSink sink;
+  const auto say = [&](std::string_view name, const SignalValue& value) {
+    const SaidSignal said{name, &value, true};
+    ASSERT_TRUE(format->signals(sink, LogTime{}, {"arm", ""}, std::span(&said, 1), false).ok());
+  };
+  say("load", {SignalKind::number, 1, {}, "kg"});
+  say("load", {SignalKind::number, 1, {}, "N"});
+  say("load", {SignalKind::number, 1, {}, ""});
+  say("load", {SignalKind::boolean, 1, {}, {}});
+  say("load_2", {SignalKind::number, 1, {}, "N"});  // the topic that the newtons got
+  Account account;
+  format->addLeftOut(account);
+  std::vector<std::string> reasons;
+  for (const LeftOut& each : account.leftOut()) reasons.push_back(each.name + ": " + each.reason);
+  EXPECT_THAT(
+      reasons,
+      testing::ElementsAre(
+          "/signals/arm/load: it is in another unit: `arm load` in N is on /signals/arm/load_2",
+          "/signals/arm/load: it is in another unit: `arm load` without one is on "
+          "/signals/arm/load_3",
+          "/signals/arm/load: it is of another type: `arm load` is on /signals/arm/load_4",
+          "/signals/arm/load_2: it is another signal's: `arm load_2` is on "
+          "/signals/arm/load_2_2"));
+}
+
+/// Which topics there are.
+class TopicSink final : public MessageSink {
+ public:
+  Status write(std::string_view topic, const MessageSchema&, LogTime, ByteView,
+               const std::map<std::string, std::string>&) override {
+    topics.emplace(topic);
+    return {};
+  }
+  std::set<std::string> topics;
+};
+
+TEST(Ros2Signals, BeyondTheChannelsOfAFileNoTopicIsKept) {
+  const auto format = makeRos2Format();
+  TopicSink sink;
+  constexpr std::size_t kMore = ExportedMcap::kMostChannels + 1'000;
+  for (std::size_t i = 0; i < kMore; ++i) {
+    const SignalValue value{SignalKind::number, 1, {}, "u" + std::to_string(i)};
+    const SaidSignal said{"load", &value, true};
+    ASSERT_TRUE(format->signals(sink, LogTime{}, {"arm", ""}, std::span(&said, 1), false).ok());
+  }
+  EXPECT_EQ(sink.topics.size(), ExportedMcap::kMostChannels + 1)
+      << "all that are beyond come on one topic, which is no channel's: the file counts them";
+  EXPECT_TRUE(sink.topics.contains("/signals/arm/load_65535"));
+  EXPECT_TRUE(sink.topics.contains("/signals/arm/load_65536"));
+  Account account;
+  format->addLeftOut(account);
+  EXPECT_EQ(account.total(), ExportedMcap::kMostChannels - 1)
+      << "none is said to be on a topic that the file has not";
+}
+
+TEST(Ros2Joints, BeyondTheChannelsOfAFileNoDeviceIsKept) {
+  const auto format = makeRos2Format();
+  TopicSink sink;
+  const std::vector<NamedValue> joints = {{"a", 1}};
+  for (std::size_t i = 0; i < ExportedMcap::kMostChannels + 1'000; ++i) {
+    std::string name;  // ROS writes all of them alike
+    for (std::size_t bit = 0; bit < 17; ++bit) name += (i >> bit & 1U) != 0 ? '-' : '.';
+    ASSERT_TRUE(format->joints(sink, LogTime{}, name, joints).ok());
+  }
+  EXPECT_EQ(sink.topics.size(), ExportedMcap::kMostChannels + 1);
+}
+
+TEST(GivenNames, CostTheSameHoweverManyAreAlike) {
+  GivenNames names;
+  EXPECT_EQ(names.take("load_3"), "load_3");
+  EXPECT_EQ(names.take("load"), "load");
+  EXPECT_EQ(names.free("load"), "load_2");
+  EXPECT_EQ(names.take("load"), "load_2");
+  EXPECT_EQ(names.take("load"), "load_4");
+  EXPECT_EQ(names.take("load_3"), "load_3_2");
+  const std::uint64_t before = names.lookups();
+  for (int i = 5; i < 2'000; ++i) EXPECT_EQ(names.take("load"), "load_" + std::to_string(i));
+  EXPECT_LE(names.lookups() - before, 3U * 2'000U);
+  EXPECT_EQ(names.free("load"), "load_2000");
+  EXPECT_EQ(names.size(), 2'000U);
 }
 
 /// Owners and names that are one text when they are written behind each other.
