@@ -260,10 +260,11 @@ class FoxgloveFormat final : public SessionFormat {
     return true;
   }
 
+  bool wantsAllSignals() const override { return signal_messages_ == SignalMessages::whole; }
+
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
                  std::span<const SaidSignal> said, bool wants_all) override {
-    return signals_.write(out, time, owner, said,
-                          wants_all || signal_messages_ == SignalMessages::whole);
+    return signals_.write(out, time, owner, said, wants_all || wantsAllSignals());
   }
 
   void addLeftOut(Account& account) const override { account.add(signals_.leftOut()); }

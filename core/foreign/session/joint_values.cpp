@@ -63,15 +63,16 @@ std::set<std::string, std::less<>> addSpeedsAndEfforts(const DeviceState& state,
   constexpr std::array<std::pair<std::string_view, double NamedValue::*>, 2> kQuantities = {
       {{".velocity", &NamedValue::velocity}, {".effort", &NamedValue::effort}}};
   std::set<std::string, std::less<>> added;
-  for (const auto& [signal, item] : state.signals) {
-    if (!signal.link.empty() || item.value.kind != SignalKind::number) continue;
+  if (state.signals.empty()) return added;
+  std::string name;
+  for (NamedValue& value : values) {
     for (const auto& [ending, quantity] : kQuantities) {
-      if (!signal.name.ends_with(ending)) continue;
-      const std::string_view joint(signal.name.data(), signal.name.size() - ending.size());
-      const auto found = std::ranges::find(values, joint, &NamedValue::name);
-      if (found == values.end()) continue;
-      (*found).*quantity = item.value.number;
-      added.insert(signal.name);
+      name.assign(value.name).append(ending);
+      const auto signal = state.signals.find(SignalNameView({}, name));
+      if (signal == state.signals.end()) continue;
+      if (signal->second.value.kind != SignalKind::number) continue;
+      // Of two values of one name, by position and by name, the first has it.
+      if (added.insert(name).second) value.*quantity = signal->second.value.number;
     }
   }
   return added;

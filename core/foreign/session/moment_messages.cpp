@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/math/transform.h"
+#include "core/packet/packet_limits.h"
 
 namespace rocinante {
 namespace {
@@ -21,6 +22,7 @@ MomentMessages::MomentMessages(const Cell* cell, SessionFormat& format)
 }
 
 void MomentMessages::notice(const Packet& packet) {
+  ++packets_;
   bool draws = packet.header.part.has_value() || packet.header.reset;
   // A source that restarts has drawn nothing yet.
   const auto kept = kept_.find(packet.header.source);
@@ -39,6 +41,7 @@ void MomentMessages::notice(const Packet& packet) {
       case StatementKind::signal:
       case StatementKind::signals:
         if (statement.path.first.empty()) bare_said_ = true;
+        noticeSignals(statement);
         break;
       default:
         break;
@@ -46,6 +49,23 @@ void MomentMessages::notice(const Packet& packet) {
   }
   if (draws) drawn_.insert(std::string(packet.header.source));
   if (packet.header.part || packet.header.reset) bare_said_ = true;
+}
+
+void MomentMessages::noticeSignals(const Statement& statement) {
+  // A cancelled one is missing from the state: areNoticed() counts.
+  if (all_noticed_ || statement.is_default || format_.wantsAllSignals()) return;
+  auto& of_owner =
+      noticed_[{std::string(statement.path.first), std::string(statement.path.second)}];
+  for (const std::string_view name : statement.names) {
+    if (of_owner.contains(name)) continue;
+    // More than a state can have: what a stranger names takes no more memory.
+    if (noticed_count_ == limits::kSignals) {
+      all_noticed_ = true;
+      return;
+    }
+    of_owner.emplace(name);
+    ++noticed_count_;
+  }
 }
 
 Status MomentMessages::moment(MessageSink& out, LogTime time, const SessionState& state) {
@@ -128,10 +148,21 @@ Status MomentMessages::signals(MessageSink& out, LogTime time, const SessionStat
   // Those of no device have no last_write: packets tell, or that there are others than before.
   std::uint64_t applied = 0;
   for (const auto& [source, counts] : state.counts()) applied += counts.packets + counts.by_others;
-  const bool counts_anew = applied < std::exchange(applied_, applied);
+  const std::uint64_t applied_before = std::exchange(applied_, applied);
+  const bool counts_anew = applied < applied_before;
+  // A state that was read from a keyframe may hold what no packet said.
+  const bool is_other =
+      counts_anew || applied > applied_before + std::exchange(packets_, std::uint64_t{0});
   const std::size_t before = std::exchange(bare_signals_, state.signals().size());
-  Status written;
-  if (std::exchange(bare_said_, false) || counts_anew || before != bare_signals_) {
+  const bool is_bare_said = std::exchange(bare_said_, false);
+  const bool are_noticed =
+      !format_.wantsAllSignals() && !is_other && !all_noticed_ && areNoticed(state);
+  Status written = are_noticed ? noticedSignals(out, time, state) : Status();
+  noticed_.clear();
+  noticed_count_ = 0;
+  all_noticed_ = false;
+  if (are_noticed) return written;
+  if (is_bare_said || counts_anew || before != bare_signals_ || !format_.wantsAllSignals()) {
     written = signalsOf(out, time, {}, state.signals());
   }
   for (const auto& [name, device] : state.devices()) {
@@ -154,16 +185,73 @@ Status MomentMessages::signals(MessageSink& out, LogTime time, const SessionStat
     written = format_.signals(out, time, each->first, {}, true);
     each = signals_said_.erase(each);
   }
+  said_count_ = 0;
+  for (const auto& [owner, said] : signals_said_) said_count_ += said.by_name.size();
   return written;
+}
+
+bool MomentMessages::areNoticed(const SessionState& state) const {
+  // What was said and what packets added since are all that the state can have: when they are as
+  // many, nothing has gone.
+  std::size_t count = said_count_;
+  for (const auto& [owner, names] : noticed_) {
+    const auto said = signals_said_.find(owner);
+    for (const std::string& name : names) {
+      if (said != signals_said_.end() && said->second.by_name.contains(name)) continue;
+      if (state.findSignal(owner.first, {owner.second, name}) != nullptr) ++count;
+    }
+  }
+  return count == state.signalCount();
+}
+
+Status MomentMessages::noticedSignals(MessageSink& out, LogTime time, const SessionState& state) {
+  std::vector<SaidSignal> news;
+  for (const auto& [owner, names] : noticed_) {
+    news.clear();
+    bool is_first = false;
+    for (const std::string& name : names) {
+      const Item<SignalValue>* const item = state.findSignal(owner.first, {owner.second, name});
+      if (item == nullptr) continue;
+      SignalsSaid& said = signals_said_[owner];
+      is_first |= said.by_name.empty();
+      said.newest = std::max(said.newest, item->said.packet);
+      const std::size_t before = said.by_name.size();
+      const bool is_new = said.take(name, *item, false);
+      said_count_ += said.by_name.size() - before;
+      if (is_new) news.push_back({name, &item->value, true, isInJoints(owner, name)});
+    }
+    if (news.empty()) continue;
+    if (Status written = format_.signals(out, time, owner, news, is_first); !written) {
+      return written;
+    }
+  }
+  return {};
+}
+
+bool MomentMessages::SignalsSaid::take(const std::string& name, const Item<SignalValue>& item,
+                                       bool counts_anew) {
+  const auto [kept, is_unknown] = by_name.try_emplace(name, item);
+  Item<SignalValue>& before = kept->second;
+  const bool is_said = !counts_anew && item.said.packet > before.said.packet;
+  const bool is_new = is_unknown || is_said || item.value != before.value;
+  before.said = item.said;
+  if (is_new) before.value = item.value;
+  return is_new;
+}
+
+bool MomentMessages::isInJoints(const SignalOwner& owner, std::string_view name) const {
+  if (!owner.second.empty()) return false;
+  const auto known = known_.find(owner.first);
+  return known != known_.end() && known->second.in_joints.contains(name);
 }
 
 Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::string& device,
                                  const Signals& signals) {
-  const auto known = known_.find(device);
   std::vector<SaidSignal> all;
   for (auto first = signals.begin(); first != signals.end();) {
-    const std::string& link = first->first.link;
-    SignalsSaid& said = signals_said_[{device, link}];
+    const SignalOwner owner{device, first->first.link};
+    const std::string& link = owner.second;
+    SignalsSaid& said = signals_said_[owner];
     std::uint64_t newest = 0;
     auto last = first;
     for (; last != signals.end() && last->first.link == link; ++last) {
@@ -177,16 +265,9 @@ Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::stri
     all.clear();
     for (; first != last; ++first) {
       const auto& [name, item] = *first;
-      const auto [kept, is_unknown] = said.by_name.try_emplace(name.name, item);
-      Item<SignalValue>& before = kept->second;
-      const bool is_said = !counts_anew && item.said.packet > before.said.packet;
-      const bool is_new = is_unknown || is_said || item.value != before.value;
-      before.said = item.said;
-      if (is_new) before.value = item.value;
+      const bool is_new = said.take(name.name, item, counts_anew);
       is_due |= is_new;
-      const bool in_joints =
-          link.empty() && known != known_.end() && known->second.in_joints.contains(name.name);
-      all.push_back({name.name, &item.value, is_new, in_joints});
+      all.push_back({name.name, &item.value, is_new, isInJoints(owner, name.name)});
     }
     if (said.by_name.size() != all.size()) {
       is_due = wants_all = true;
@@ -195,8 +276,9 @@ Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::stri
       });
     }
     if (!is_due) continue;
-    Status written = format_.signals(out, time, {device, link}, all, wants_all);
-    if (!written) return written;
+    if (Status written = format_.signals(out, time, owner, all, wants_all); !written) {
+      return written;
+    }
   }
   return {};
 }

@@ -46,6 +46,9 @@ class MomentMessages {
   struct SignalsSaid {
     std::uint64_t newest = 0;  ///< packet
     std::map<std::string, Item<SignalValue>, std::less<>> by_name;
+
+    /// Whether it was said since it was taken last, or has changed.
+    bool take(const std::string& name, const Item<SignalValue>& item, bool counts_anew);
   };
   /// The drawings of a source as they were written last.
   struct Drawn {
@@ -62,6 +65,11 @@ class MomentMessages {
   Status signals(MessageSink& out, LogTime time, const SessionState& state);
   Status signalsOf(MessageSink& out, LogTime time, const std::string& device,
                    const Signals& signals);
+  void noticeSignals(const Statement& statement);
+  /// No other signal came, changed or went since the last moment than noticed ones.
+  bool areNoticed(const SessionState& state) const;
+  Status noticedSignals(MessageSink& out, LogTime time, const SessionState& state);
+  bool isInJoints(const SignalOwner& owner, std::string_view name) const;
   Status drawings(MessageSink& out, LogTime time, const SessionState& state);
 
   const Cell* cell_;
@@ -70,10 +78,16 @@ class MomentMessages {
   std::map<std::string, Known, std::less<>> known_;
   std::map<std::string, const Model*, std::less<>> models_;
   std::map<SignalOwner, SignalsSaid> signals_said_;
-  bool bare_said_ = true;         ///< signals of no device may have changed
-  std::size_t bare_signals_ = 0;  ///< how many there were at the last moment
-  std::uint64_t applied_ = 0;     ///< packets, as of the last moment
-  std::set<std::string> drawn_;   ///< sources whose drawings may have changed
+  std::size_t said_count_ = 0;  ///< signals in signals_said_
+  /// Of packets since the last moment.
+  std::map<SignalOwner, std::set<std::string, std::less<>>> noticed_;
+  std::size_t noticed_count_ = 0;  ///< names in noticed_, at most limits::kSignals
+  bool all_noticed_ = false;       ///< they were more
+  std::uint64_t packets_ = 0;      ///< noticed since the last moment
+  bool bare_said_ = true;          ///< signals of no device may have changed
+  std::size_t bare_signals_ = 0;   ///< how many there were at the last moment
+  std::uint64_t applied_ = 0;      ///< packets, as of the last moment
+  std::set<std::string> drawn_;    ///< sources whose drawings may have changed
   bool all_drawn_ = false;
   bool has_begun_ = false;
   LogTime before_ = LogTime::min();                 ///< the last moment

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -439,6 +440,17 @@ TEST(Ros2Signals, SpeedsAndEffortsAreThoseOfTheJoints) {
   EXPECT_THAT(sink.notes[0], testing::EndsWith("02000000000000000000F03F0000000000000040"
                                                "0200000000000000000000000000F87F0000000000000840"
                                                "00000000"));
+}
+
+TEST(Ros2Signals, AreThoseOfTheFirstValueOfAName) {
+  DeviceState state;
+  state.signals[{"", "1.velocity"}].value = number(3);
+  state.signals[{"tip", "2.velocity"}].value = number(4);  // of a link: no joint's
+  std::vector<NamedValue> values = {{"1", 0}, {"2", 0}, {"1", 0}};
+  EXPECT_THAT(addSpeedsAndEfforts(state, values), testing::ElementsAre("1.velocity"));
+  EXPECT_EQ(values[0].velocity, 3);
+  EXPECT_TRUE(std::isnan(values[1].velocity));
+  EXPECT_TRUE(std::isnan(values[2].velocity));
 }
 
 TEST(ConnectedRuns, AGapEndsARun) {

@@ -1,6 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include "recorder/export/exports.h"
 #include "tests/recorder/export/written_session.h"
 #include "tests/support/temporary_folder.h"
@@ -13,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Notes what it is told, a line each.
+/// Notes its calls, a line each.
 class NotingFormat final : public SessionFormat {
  public:
   explicit NotingFormat(Nanoseconds last = {}) : last_(last) {}
@@ -63,7 +69,10 @@ class NotingFormat final : public SessionFormat {
     return {};
   }
 
+  bool wantsAllSignals() const override { return wants_all_signals; }
+
   bool has_signals = false;
+  bool wants_all_signals = true;
   std::string known_;
 
   std::vector<std::string> notes;
@@ -138,6 +147,103 @@ TEST_F(MessageExport, SaysAllSignalsOfAnOwnerWhenOneIsSaid) {
   EXPECT_EQ(accountSentence(exported(all, without).left_out),
             "left out: 4 statements `signal` (signals are not exported), "
             "3 statements `signals` (signals are not exported)");
+}
+
+TEST_F(MessageExport, GivesOnlyNewSignalsToAFormatThatWantsNoOther) {
+  NotingFormat format;
+  format.has_signals = true;
+  format.wants_all_signals = false;
+  exported({{0, "RK1 s 0 -\nsignals arm b=1 a=2\nsignal arm/tip f 3 N\nsignal - on true\n"},
+            {10, "RK1 s 1 -\nsignals arm a=2\n"},
+            {20, "RK1 s 2 -\njoint arm j=1\nsignals arm j.velocity=5 k.effort=6\n"},
+            {25, "RK1 s 1 -\nsignals arm a=3\n"},  // late
+            {30, "RK1 s 3 -\nsignal arm b default\nsignal - on default\n"},
+            {35, "RK1 s 4 -\nsignals arm c=1\nsignals - n=1\nsignal arm/tip f 3 N\n"},
+            {40, "RK1 s 5 -\nremove arm\nsignals arm c=1\n"}},
+           format);
+  EXPECT_THAT(
+      format.notes,
+      ElementsAre("0 all signals - on!", "0 all signals arm a! b!", "0 all signals arm/tip f!",
+                  "10 signals arm a!", "20 joints arm j=1", "20 signals arm j.velocity!* k.effort!",
+                  "30 joints arm j=1", "30 all signals arm a j.velocity* k.effort",
+                  "30 all signals -", "35 joints arm j=1", "35 all signals - n!",
+                  "35 signals arm c!", "35 signals arm/tip f!", "40 all signals arm c!",
+                  "40 all signals arm/tip"));
+}
+
+TEST_F(MessageExport, EachMessageOfManySignalsHasTheNewOne) {
+  NotingFormat format;
+  format.has_signals = true;
+  format.wants_all_signals = false;
+  constexpr int kSignals = 3'000;
+  std::vector<Said> all;
+  for (int i = 0; i < kSignals; ++i) {
+    const std::string number = std::to_string(i);
+    all.push_back({i, "RK1 s " + number + " -\nsignals arm n" + number + "=1\n"});
+  }
+  exported(all, format);
+  ASSERT_EQ(format.notes.size(), std::size_t{kSignals});
+  EXPECT_EQ(format.notes.front(), "0 all signals arm n0!");
+  EXPECT_EQ(format.notes.back(), "2999 signals arm n2999!");
+}
+
+/// As a format sees them that has no use for others than new ones.
+std::vector<std::string> newSignals(const std::vector<std::string>& notes) {
+  std::vector<std::string> shorter;
+  for (const std::string& note : notes) {
+    if (note.find(" all signals ") != note.npos || note.find(" signals ") == note.npos) {
+      shorter.push_back(note);
+      continue;
+    }
+    std::istringstream words(note);
+    std::string time, what, owner, line;
+    words >> time >> what >> owner;
+    line = time + " " + what + " " + owner;
+    for (std::string word; words >> word;) {
+      if (word.find('!') != word.npos) line += " " + word;
+    }
+    shorter.push_back(line);
+  }
+  return shorter;
+}
+
+TEST_F(MessageExport, NewSignalsAreThoseOfAFormatThatWantsAll) {
+  std::mt19937 random(38);  // the same each time: a failure can be looked at
+  const auto below = [&](unsigned count) { return static_cast<unsigned>(random() % count); };
+  const std::vector<std::string> owners = {"-", "arm", "arm/tip", "leg"};
+  for (int session = 0; session < 12; ++session) {
+    std::vector<Said> all;
+    std::array<unsigned, 2> sequences{};
+    for (int i = 0; i < 150; ++i) {
+      const unsigned source = below(2);
+      const unsigned sequence = sequences[source]++;
+      // Now and then one that is late; several at one time.
+      std::string text = "RK1 s" + std::to_string(source) + " " +
+                         std::to_string(below(9) == 0 ? sequence / 2 : sequence) + " -\n";
+      for (unsigned line = 0; line <= below(3); ++line) {
+        const std::string& owner = owners[below(4)];
+        const std::string name(1, static_cast<char>('a' + below(5)));
+        const unsigned kind = below(12);
+        if (kind == 0) {
+          text += "signal " + owner + " " + name + " default\n";
+        } else if (kind == 1 && owner != "-") {
+          text += "remove " + owner.substr(0, 3) + "\n";
+        } else if (kind == 2) {
+          text += "signal " + owner + " " + name + " \"t" + std::to_string(below(3)) + "\"\n";
+        } else {
+          text += "signals " + owner + " " + name + "=" + std::to_string(below(3)) + "\n";
+        }
+      }
+      all.push_back({i / 2 * 10, text});
+    }
+    NotingFormat whole, news;
+    whole.has_signals = news.has_signals = true;
+    news.wants_all_signals = false;
+    exported(all, whole);
+    exported(all, news);
+    EXPECT_EQ(newSignals(news.notes), newSignals(whole.notes)) << session;
+    EXPECT_GT(news.notes.size(), 100U);
+  }
 }
 
 TEST_F(MessageExport, AKeyframeSaysNoSignalAndHidesNone) {
