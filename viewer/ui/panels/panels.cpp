@@ -100,7 +100,7 @@ void drawTimePanels(ViewModel& model, const DockLayout& layout, SteadyTime now) 
 /// Where lines over the picture stand: between its upper insets and the cube, or below them where
 /// that is too narrow.
 PanelRectangle noticeRoom(ViewModel& model, const PanelRectangle& picture) {
-  constexpr float kLeastWidth = 240;
+  constexpr float kLeastNoticeWidth = 240;
   const float margin = px(kPanelMargin);
   float left = margin, right = picture.width - margin, below = margin;
   std::vector<PixelRectangle> taken;
@@ -121,7 +121,7 @@ PanelRectangle noticeRoom(ViewModel& model, const PanelRectangle& picture) {
     below = std::max(below, static_cast<float>(part.y + part.height) + margin);
   }
   float top = margin;
-  if (right - left < px(kLeastWidth)) {
+  if (right - left < px(kLeastNoticeWidth)) {
     left = margin;
     right = picture.width - margin;
     top = below;

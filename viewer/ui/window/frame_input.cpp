@@ -142,7 +142,7 @@ FrameInput seenInput() {
 
 void tellInput(ImGuiIO& io, const FrameInput& input) {
   tellMouse(io, input.down, input.mouse);
-  tellDoubleClick(io, input.again);
+  tellDoubleClick(io, input.again, ImGuiIO().MouseDoubleClickTime);
 #if IMGUI_VERSION_NUM >= 18700
   if (input.wheel != 0 || input.wheel_across != 0) {
     io.AddMouseWheelEvent(static_cast<float>(input.wheel_across), static_cast<float>(input.wheel));
@@ -190,10 +190,9 @@ void tellMouse(ImGuiIO& io, const std::array<bool, 5>& down,
 #endif
 }
 
-void tellDoubleClick(ImGuiIO& io, bool again) {
-  static const float usual = ImGuiIO().MouseDoubleClickTime;
+void tellDoubleClick(ImGuiIO& io, bool again, float otherwise_s) {
   constexpr float kHoweverLate = 1e9F;
-  io.MouseDoubleClickTime = again ? kHoweverLate : usual;
+  io.MouseDoubleClickTime = again ? kHoweverLate : otherwise_s;
 }
 
 bool tellKey(ImGuiIO& io, int glfw, bool down) {

@@ -44,8 +44,8 @@ void nameKeys(ImGuiIO& io);
 void tellMouse(ImGuiIO& io, const std::array<bool, 5>& down,
                const std::optional<std::pair<double, double>>& at);
 /// Whether the button that goes down in the coming frame is the second one of a double click: then
-/// it is, however late its frame. Otherwise the frames' own times say it.
-void tellDoubleClick(ImGuiIO& io, bool again);
+/// it is, however late its frame. Otherwise it is where both went down less than that apart.
+void tellDoubleClick(ImGuiIO& io, bool again, float otherwise_s);
 /// The same of a key; false when Dear ImGui does not ask for it.
 bool tellKey(ImGuiIO& io, int glfw, bool down);
 /// The same of a key that does something to a line of text while Ctrl is held, and of Ctrl.

@@ -32,6 +32,7 @@ const InputState& InputQueue::nextFrame(bool types) {
   bool moved = false;
   const bool arranged = std::exchange(arranges_, false);
   state_.again = false;
+  state_.letters.clear();
   const std::vector<KeyPress> before = std::exchange(state_.keys, {});
   const auto waits = [&](const KeyPress& press) {
     if (!types || press.repeated || !edits(press)) return false;
@@ -44,9 +45,15 @@ const InputState& InputQueue::nextFrame(bool types) {
     if (event.kind == InputEvent::Kind::release && moved) break;
     if (event.kind == InputEvent::Kind::press && arranged) break;
     const bool is_key = event.kind == InputEvent::Kind::key;
-    if (!is_key && !state_.keys.empty()) break;
+    const bool is_letter = event.kind == InputEvent::Kind::letter;
+    if (!is_key && !is_letter && !(state_.keys.empty() && state_.letters.empty())) break;
     if (is_key && waits(event.pressed)) break;
+    if (is_letter && types && std::ranges::any_of(state_.keys, edits)) break;
     events_.pop_front();
+    if (is_letter) {
+      state_.letters.push_back(event.letter);
+      continue;
+    }
     if (is_key) {
       state_.keys.push_back(event.pressed);
       arranges_ = true;
@@ -62,12 +69,23 @@ const InputState& InputQueue::nextFrame(bool types) {
     state_.down[event.button] = goes_down;
     if (goes_down) {
       const auto last = std::exchange(pressed_at_[event.button], event.to);
-      state_.again = last && event.from - *last < kDoubleClick;
+      const SteadyTime probably = event.from + (event.to - event.from) / 2;
+      state_.again = last && probably - *last < kDoubleClick;
     }
     arranges_ = !goes_down;
     break;
   }
   return state_;
+}
+
+std::vector<int> InputQueue::waitingKeys() const {
+  std::vector<int> keys;
+  for (const InputEvent& event : events_) {
+    if (event.kind == InputEvent::Kind::key && !event.pressed.repeated) {
+      keys.push_back(event.pressed.key);
+    }
+  }
+  return keys;
 }
 
 }  // namespace rocinante

@@ -19,11 +19,12 @@ struct KeyPress {
 };
 
 struct InputEvent {
-  enum class Kind { move, press, release, key };
+  enum class Kind { move, press, release, key, letter };
   Kind kind = Kind::move;
   std::size_t button = 0;   ///< of a press or release: 0 is the left one
   double x = 0, y = 0;      ///< pointer position then, in window units
   KeyPress pressed{};       ///< of a key
+  unsigned letter = 0;      ///< Unicode
   SteadyTime from{}, to{};  ///< between these it came
 };
 
@@ -33,7 +34,8 @@ struct InputState {
   /// The button that goes down in this frame may have gone down soon after it did before: both are
   /// a double click, however late their frames are.
   bool again = false;
-  std::vector<KeyPress> keys;  ///< of this frame, in order
+  std::vector<KeyPress> keys;     ///< of this frame, in order
+  std::vector<unsigned> letters;  ///< typed in this frame, in order; Unicode
   bool anyDown() const;
 };
 
@@ -47,11 +49,14 @@ class InputQueue {
   void add(const InputEvent& event);
   /// The input of the next frame; valid until the next call. `types`: a line of text has the
   /// keyboard. It obeys one editing key in a frame (erase, enter, an arrow), and only one that was
-  /// up in the frame before: each gets a frame, with one between two of the same. Repeats of a held
-  /// key stay together.
+  /// up in the frame before: each gets a frame, with one between two of the same. What is typed
+  /// after one comes in a later frame, since the line takes letters first. Repeats of a held key
+  /// stay together.
   const InputState& nextFrame(bool types = false);
   /// The last result of nextFrame().
   const InputState& thisFrame() const { return state_; }
+  /// Keys that went down, which no frame has seen so far.
+  std::vector<int> waitingKeys() const;
   /// True when events are left for another frame.
   bool pending() const { return !events_.empty(); }
 

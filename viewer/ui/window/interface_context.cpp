@@ -45,6 +45,7 @@ InterfaceContext::InterfaceContext(Window* window) : window_(window) {
   useScale(1);
   if (window_ != nullptr) {
     ImGui_ImplGlfw_InitForOpenGL(window_->handle(), true);
+    window_->takeLetters();
   } else {
     nameKeys(ImGui::GetIO());
   }
@@ -99,6 +100,11 @@ void InterfaceContext::tellKeys(const std::vector<KeyPress>& presses) {
       told_keys_.push_back(press.key);
     }
   }
+  // Dear ImGui's own callbacks say that a key is down while its press still waits for a frame.
+  for (const int key : window_->input().waitingKeys()) {
+    if (std::ranges::find(presses, key, &KeyPress::key) != presses.end()) continue;
+    if (!tellKey(io, key, false)) tellShortcut(io, key, false, control);
+  }
 }
 
 /// The backend reads the present mouse and buttons: for a click between two frames it would report
@@ -115,8 +121,9 @@ void InterfaceContext::tellWindow(double width, double height) {
           y * static_cast<float>(height) / io.DisplaySize.y};
   }
   tellMouse(io, seen.down, at);
-  tellDoubleClick(io, seen.again);
+  tellDoubleClick(io, seen.again, 0);
   tellKeys(seen.keys);
+  for (const unsigned letter : seen.letters) io.AddInputCharacter(letter);
   presses_ = seen.keys;
 }
 

@@ -91,9 +91,19 @@ Window::Window(GLFWwindow* window) : window_(window) {
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* one, int, int) { onNews(one); });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* one, int) { onNews(one); });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* one, int) { onNews(one); });
-  glfwSetCharCallback(window_, [](GLFWwindow* one, unsigned) { onNews(one); });
   glfwSetDropCallback(window_, onDrop);
   glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
+  answered_at_ = std::chrono::steady_clock::now();
+}
+
+void Window::takeLetters() {
+  glfwSetCharCallback(window_, [](GLFWwindow* one, unsigned letter) {
+    onNews(one);
+    InputEvent event;
+    event.kind = InputEvent::Kind::letter;
+    event.letter = letter;
+    of(one).input_.add(event);
+  });
 }
 
 void Window::takeEvents(double most_s) {

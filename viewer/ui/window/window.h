@@ -52,6 +52,8 @@ class Window final : public RenderContext {
   void setPaced(bool paced);
   /// Takes the events that came, waiting for one for at most so many seconds; 0: does not wait.
   void takeEvents(double most_s);
+  /// From now on letters are events, and Dear ImGui's own callback does not hear of them.
+  void takeLetters();
   /// Mouse and key events for frames to take one by one. Includes keys released before a frame,
   /// which polling would miss when a frame takes long.
   InputQueue& input() { return input_; }
