@@ -61,6 +61,11 @@ void Governor::begin(int rung, double cost_ms) {
   forget();
 }
 
+void Governor::beginAt(int rung) {
+  step_ = std::max(rung + (settings_.drops_looks ? 1 : 0), finest_);
+  forget();
+}
+
 double Governor::bestCostOf(int step) const {
   if (!settings_.drops_looks) return kDetailRungs[static_cast<std::size_t>(step)].best_cost;
   return step == 0 ? kBestCostWithLooks

@@ -51,6 +51,8 @@ class Governor {
   /// Begins where a frame should hold the target, by the cost of one on `rung` without dear looks
   /// that was drawn to measure it. Before frameDrawn().
   void begin(int rung, double cost_ms);
+  /// Begins on that rung, without dear looks where they may be left out.
+  void beginAt(int rung);
   /// Takes the cost of the frame just drawn on rung(), with looks or without, and returns the rung
   /// of the next one.
   int frameDrawn(double cost_ms);

@@ -62,6 +62,12 @@ void DetailChoice::begin(int rung, double cost_ms) {
   rung_ = existingRung(governor_.rung());
 }
 
+void DetailChoice::beginAt(int rung) {
+  if (fixed_) return;
+  governor_.beginAt(rung);
+  rung_ = existingRung(governor_.rung());
+}
+
 void DetailChoice::tell(ViewerStatus& status) const {
   status.rung = rung_;
   status.rung_fixed = fixed_;

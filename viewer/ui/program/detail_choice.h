@@ -33,6 +33,9 @@ class DetailChoice {
   void frameDrawn(double cost_ms);
   /// Begins where a frame should be in time, by the cost of one on `rung` without dear looks.
   void begin(int rung, double cost_ms);
+  /// Begins on that rung, without dear looks.
+  void beginAt(int rung);
+  double targetMs() const { return 1000 / target_fps_; }
   /// A frame that took so long that its look is not drawn any more, if there was one.
   std::optional<Governor::Runaway> takeRunaway() { return governor_.takeRunaway(); }
   /// What is drawn changed: size, meshes.

@@ -15,8 +15,8 @@ class FrameTally {
   FrameTally() = default;
   explicit FrameTally(FrameJournal journal) : journal_(std::move(journal)) {}
 
-  /// A frame was drawn in `times`; `counts`: with its scene, whose stages are parts of them. Returns
-  /// the whole cost of one with a scene, in ms.
+  /// A frame was drawn in `times`; `counts`: with its scene, whose stages are parts of them.
+  /// Returns the whole cost of one with a scene, in ms.
   std::optional<double> drawn(const std::optional<DrawCounts>& counts, FrameTimes times,
                               SteadyTime now, ViewerStatus& status);
   /// The scene was not drawn for a while.

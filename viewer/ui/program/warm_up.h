@@ -18,8 +18,18 @@ class WarmUp {
   bool done() const { return step_ == Step::done; }
 
  private:
-  enum class Step { compile, measure, chosen, click, done };
-  Step step_ = Step::compile;
+  /// What is tried: each is drawn once to compile, and again to be measured.
+  struct Trial {
+    int rung = 0;
+    bool drops_looks = true;
+  };
+  void measured(double cost_ms, DetailChoice& detail);
+
+  std::optional<Trial> trial_;  ///< empty: not begun
+  bool is_compiled_ = false;
+  bool is_estimate_ = true;  ///< the trial is not yet that of a choice
+  enum class Step { frames, click, done };
+  Step step_ = Step::frames;
 };
 
 }  // namespace rocinante

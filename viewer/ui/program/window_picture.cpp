@@ -124,13 +124,15 @@ Result<double> WindowPicture::drawAside(const RenderStyle& style, int rung) {
   return took.count();
 }
 
-Status WindowPicture::tryClick() {
+Status WindowPicture::tryClick(int rung) {
   const auto met = pick({terms_.width / 2.0, terms_.height / 2.0, false});
   if (!met.ok()) return met.error();
   RenderStyle its = style();
   its.shadows = its.contact = false;
-  if (its.outlined.empty() && *met) its.outlined.push_back((*met)->name.device);
-  const auto drawn = drawAside(its, kCoarsestRung);
+  // What is outlined by the first click is not known; that something is, has to be compiled.
+  const auto& devices = model_.scene().devices;
+  if (its.outlined.empty() && !devices.empty()) its.outlined.push_back(devices.front().name);
+  const auto drawn = drawAside(its, rung);
   return drawn.ok() ? Status() : drawn.error();
 }
 

@@ -56,8 +56,9 @@ class WindowPicture {
   /// Draws the last frame on that rung beside the shown picture; its cost in ms, which contains all
   /// that the driver had to compile.
   Result<double> tryFrame(int rung, bool drops_looks);
-  /// Looks for what a click in the picture's middle would meet, and outlines it beside the picture.
-  Status tryClick();
+  /// Looks for what a click in the picture's middle would meet, and outlines it on that rung beside
+  /// the picture.
+  Status tryClick(int rung);
 
   /// Points for fitted views: everything, or the selection.
   std::vector<Vec3> corners(bool of_selection) const;
