@@ -35,7 +35,10 @@ bool isOnPicture(const ViewModel& model, const ImVec2& at) {
 }
 
 /// What is held was pressed beside the picture; or nothing is held, and the mouse is beside it.
+/// What began on the picture goes on.
 bool isBeside(const ViewModel& model) {
+  const GizmoState& gizmo = model.viewer.gizmo;
+  if (model.viewer.fly.active() || (gizmo.shown && gizmo.drag)) return false;
   const ImGuiIO& io = ImGui::GetIO();
   bool any_held = false;
   for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
@@ -48,7 +51,7 @@ bool isBeside(const ViewModel& model) {
 
 std::optional<PictureClick> applyMouse(ViewModel& model) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantCaptureMouse || isBeside(model)) return std::nullopt;
+  if (io.WantCaptureMouse) return std::nullopt;
   const auto [x, y] = inPicture(model);
   const int width_px = model.viewer.picture_part.width;
   const int height_px = model.viewer.picture_part.height;
@@ -119,8 +122,9 @@ std::optional<PicturePlace> mouseOnPicture(const ViewModel& model) {
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now,
                                            std::span<const KeyPress> presses,
                                            ViewerRequests& requests) {
-  const bool flies = applyFlying(model, now, model.viewer.picture_part.height, requests);
-  const bool is_taken = flies || applyGizmo(model);
+  const bool beside = isBeside(model);
+  const bool flies = !beside && applyFlying(model, now, model.viewer.picture_part.height, requests);
+  const bool is_taken = beside || flies || applyGizmo(model);
   const auto click = is_taken ? std::nullopt : applyMouse(model);
   const ImGuiIO& io = ImGui::GetIO();
   // Whatever has the keyboard, Esc ends driving.

@@ -84,6 +84,29 @@ TEST_F(FlyInput, InAFlightTheMouseLooksAroundAndItsWheelChangesTheSpeed) {
   EXPECT_DOUBLE_EQ(model_->viewer.fly.speed(), 1.25);
 }
 
+TEST_F(FlyInput, BesideThePictureNobodyFliesButWhoBeganOnIt) {
+  model_->viewer.picture_part = {200, 0, 600, 500};
+  input_.mouse = {100, 300};
+  frame();
+  const Vec3 before = eye();
+  input_.down[1] = true;
+  input_.held = {GLFW_KEY_W};
+  EXPECT_FALSE(frame().measure_scene);
+  frame();
+  EXPECT_EQ(eye(), before);
+  EXPECT_FALSE(model_->viewer.fly.active());
+  input_.down[1] = false;
+  input_.mouse = {400, 300};
+  frame();
+  input_.down[1] = true;
+  frame();
+  input_.mouse = {100, 300};
+  frame();
+  const Vec3 beside = eye();
+  frame();
+  EXPECT_NE(eye(), beside);
+}
+
 TEST_F(FlyInput, WhoTypesDoesNotFly) {
   model_->viewer.panels.palette.shown = true;
   input_.down[1] = true;

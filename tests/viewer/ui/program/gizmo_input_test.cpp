@@ -59,6 +59,29 @@ TEST_F(GizmoInput, WithoutStepsItMovesFreely) {
   EXPECT_NEAR(x(), 0.513, 0.03);  // the mouse is on whole pixels
 }
 
+TEST_F(GizmoInput, AnArrowThatLiesBesideThePictureIsNotGrabbed) {
+  // So narrow that its tip is out of it, and its middle is not.
+  model_->viewer.picture_part = {400, 0, 60, 600};
+  frame();
+  const PicturePlaces places(model_->cameraView(), 60, 600);
+  const double tip_m = gizmoOf(*model_, places, kGizmoArrowPx)->size_m;
+  const Vec2 from(400, 0);
+  const Vec2 tip = *places.pixelOf({tip_m, 0, 0}) + from;
+  ASSERT_TRUE(tip.x < 400 || tip.x >= 460);
+  moveTo(tip);
+  press(true);
+  EXPECT_FALSE(model_->viewer.gizmo.drag.has_value());
+  press(false);
+  // Grabbed on the picture it goes on beside it.
+  moveTo(*places.pixelOf({tip_m * 0.3, 0, 0}) + from);
+  press(true);
+  ASSERT_TRUE(model_->viewer.gizmo.drag.has_value());
+  moveTo(*places.pixelOf({tip_m * 0.3 + 0.52, 0, 0}) + from);
+  press(false);
+  EXPECT_FALSE(model_->viewer.gizmo.drag.has_value());
+  EXPECT_NEAR(x(), 0.5, 1e-6);
+}
+
 TEST_F(GizmoInput, BesideTheHandlesThePictureHasTheMouse) {
   moveTo({30, 30});
   press(true);
