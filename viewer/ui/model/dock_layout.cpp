@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace rocinante {
 namespace {
@@ -111,6 +112,21 @@ DockLayout dockLayout(const DockWish& wish, float width, float height) {
   const float until = width - sides.right - layout.right.strip.width;
   layout.picture = {from, 0, std::max(1.0F, until - from), std::max(1.0F, bottom)};
   return layout;
+}
+
+bool isPeekNeedless(DockWish wish, float width, float height) {
+  const std::string peeked = std::exchange(wish.peeked, {});
+  const DockLayout layout = dockLayout(wish, width, height);
+  if (peeked == nameOf(DockEdge::left)) return layout.left.strip.width <= 0;
+  if (peeked == nameOf(DockEdge::right)) return layout.right.strip.width <= 0;
+  if (peeked == nameOf(DockEdge::bottom)) return layout.time_strip.height <= 0;
+  // Plots that are hidden are not looked at.
+  return peeked != kPlotsPeek || wish.plots_folded || layout.plots_strip.height <= 0;
+}
+
+void closeEdge(PanelPlaces& places, DockEdge edge) {
+  const bool peeked = std::exchange(places.peeked, {}) == nameOf(edge);
+  if (!peeked) places.places[nameOf(edge)].collapsed = true;
 }
 
 }  // namespace rocinante

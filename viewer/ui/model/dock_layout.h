@@ -61,4 +61,11 @@ constexpr float kLeastPlotsHeight = 90;
 /// 38 % of the width, and the least sizes above while the window has them. Pure.
 DockLayout dockLayout(const DockWish& wish, float width, float height);
 
+/// Whether what is peeked at stands in a window of that size without that, or is not there at all.
+/// True when nothing is peeked at. Pure.
+bool isPeekNeedless(DockWish wish, float width, float height);
+
+/// Folds an edge. One that is only peeked at is left as the user had it: folded, or without room.
+void closeEdge(PanelPlaces& places, DockEdge edge);
+
 }  // namespace rocinante

@@ -91,17 +91,22 @@ void addArrow(ImDrawList& list, ImVec2 middle, ImVec2 towards, ImU32 color) {
                          color);
 }
 
-/// A folded edge is opened where there is room, else looked at at the picture's cost.
-void open(PanelPlaces& places, DockEdge edge, bool peeked) {
+/// A folded edge is opened where there is room (endNeedlessPeek), else looked at at the picture's
+/// cost.
+void open(PanelPlaces& places, DockEdge edge) {
   const auto place = places.places.find(nameOf(edge));
   if (place != places.places.end()) place->second.collapsed = false;
-  places.peeked = peeked ? std::string() : nameOf(edge);
+  places.peeked = nameOf(edge);
 }
 
 void drawStrip(PanelPlaces& places, DockEdge edge, const DockedSide& side, const char* title) {
   if (side.strip.width <= 0) return;
   drawBareButton(title, side.strip, [&](ImDrawList& list, bool pressed) {
-    if (pressed) open(places, edge, side.peeked);
+    if (pressed && side.peeked) {
+      closeEdge(places, edge);
+    } else if (pressed) {
+      open(places, edge);
+    }
     const bool hovered = ImGui::IsItemHovered();
     if (hovered)
       list.AddRectFilled(cornerOf(side.strip), farCornerOf(side.strip),
@@ -135,8 +140,7 @@ void drawGutter(PanelPlaces& places, DockEdge edge, const DockedSide& side) {
                        (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
                         (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !dragged && over_handle));
     if (folds) {
-      places.peeked.clear();
-      places.places[nameOf(edge)].collapsed = !side.peeked;
+      closeEdge(places, edge);
     } else if (ImGui::IsItemActive() && dragged) {
       const float wide = edge == DockEdge::left ? io.MousePos.x - side.panel.x
                                                 : side.panel.x + side.panel.width - io.MousePos.x;
@@ -221,6 +225,12 @@ DockLayout dockLayoutOf(const ViewModel& model, float width, float height, float
           scaled(units.picture, unit)};
 }
 
+void endNeedlessPeek(ViewModel& model, float width, float height, float unit) {
+  PanelState& panels = model.viewer.panels;
+  if (!panels.shown || model.viewer.is_empty) return;
+  if (isPeekNeedless(wishOf(model), width / unit, height / unit)) panels.places.peeked.clear();
+}
+
 PixelRectangle picturePart(const DockLayout& layout) {
   const PanelRectangle& part = layout.picture;
   return {static_cast<int>(part.x), static_cast<int>(part.y),
@@ -248,7 +258,7 @@ void drawDocks(ViewModel& model, const DockLayout& layout) {
   }
   const char* const bottom = nameOf(DockEdge::bottom);
   if (drawBand("Time", layout.time_strip, wouldOpen(model, &DockLayout::time, bottom))) {
-    open(places, DockEdge::bottom, false);
+    open(places, DockEdge::bottom);
   }
 }
 

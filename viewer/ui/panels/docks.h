@@ -10,6 +10,10 @@ namespace rocinante {
 /// Where everything stands in a window of that size in pixels, `unit` of them to an interface unit.
 DockLayout dockLayoutOf(const ViewModel& model, float width, float height, float unit);
 
+/// In a window of that size nothing is looked at any more that has room without it: it yields again
+/// when the window becomes smaller. Before dockLayoutOf().
+void endNeedlessPeek(ViewModel& model, float width, float height, float unit);
+
 /// The part of the window that the picture gets, in whole pixels.
 PixelRectangle picturePart(const DockLayout& layout);
 

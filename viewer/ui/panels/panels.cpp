@@ -136,8 +136,9 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
                           ViewerRequests& requests) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   model.viewer.hover.wanted.reset();
-  DockLayout layout = dockLayoutOf(model, size.x, size.y, px(1));
   PanelState& panels = model.viewer.panels;
+  endNeedlessPeek(model, size.x, size.y, px(1));
+  DockLayout layout = dockLayoutOf(model, size.x, size.y, px(1));
   if (!panels.wanted_tab.empty() && layout.left.strip.width > 0 && !layout.left.peeked) {
     panels.places.peeked = nameOf(DockEdge::left);
     layout = dockLayoutOf(model, size.x, size.y, px(1));

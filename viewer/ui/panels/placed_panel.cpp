@@ -182,8 +182,11 @@ void PlacedPanel::follow() {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   if (background && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    const std::string folded = moved_ ? name_ : std::string(nameOf(home_.edge));
-    places_.places[folded].collapsed = moved_ ? !collapsed_ : places_.peeked != folded;
+    if (moved_) {
+      places_.places[name_].collapsed = !collapsed_;
+    } else {
+      closeEdge(places_, home_.edge);
+    }
     places_.peeked.clear();
     places_.grabbed.clear();
   } else if (background && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {

@@ -273,9 +273,7 @@ void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
   drawTrack(model, cursor, axis, top, now);
   const bool on_background = ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered();
   if (on_background && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    PanelPlaces& places = model.viewer.panels.places;
-    places.places[nameOf(DockEdge::bottom)].collapsed = true;
-    places.peeked.clear();
+    closeEdge(model.viewer.panels.places, DockEdge::bottom);
   }
   ImGui::End();
 }

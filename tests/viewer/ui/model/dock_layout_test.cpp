@@ -97,6 +97,40 @@ TEST(DockLayout, WhatHasNoRoomIsLookedAtAtThePicturesCost) {
   EXPECT_TRUE(isThere(dockLayout(wish, 480, 200).plots_strip));
 }
 
+TEST(DockLayout, NothingIsPeekedAtThatHasRoom) {
+  DockWish wish = usualWish();
+  for (const char* peeked : {"", "left", "right", "bottom", kPlotsPeek}) {
+    wish.peeked = peeked;
+    EXPECT_TRUE(isPeekNeedless(wish, 1280, 720)) << peeked;
+    EXPECT_EQ(isPeekNeedless(wish, 480, 150), wish.peeked.empty()) << peeked;
+  }
+  wish.peeked = "right";
+  EXPECT_FALSE(isPeekNeedless(wish, 640, 720));
+  wish.peeked = "left";
+  EXPECT_TRUE(isPeekNeedless(wish, 640, 720));
+  wish.left.folded = true;
+  EXPECT_FALSE(isPeekNeedless(wish, 1280, 720));
+  wish.left.width = 0;
+  EXPECT_TRUE(isPeekNeedless(wish, 1280, 720)) << "nothing stands there";
+  wish.peeked = kPlotsPeek;
+  wish.plots_folded = true;
+  EXPECT_TRUE(isPeekNeedless(wish, 480, 150)) << "hidden plots are not looked at";
+}
+
+TEST(DockLayout, AnEdgeThatIsOnlyPeekedAtClosesAsTheUserHadIt) {
+  PanelPlaces places;
+  places.peeked = "bottom";
+  closeEdge(places, DockEdge::bottom);
+  EXPECT_TRUE(places.peeked.empty());
+  EXPECT_EQ(places.find("bottom"), nullptr);
+  places.places["left"].collapsed = true;
+  places.peeked = "left";
+  closeEdge(places, DockEdge::left);
+  EXPECT_TRUE(places.places["left"].collapsed);
+  closeEdge(places, DockEdge::bottom);
+  EXPECT_TRUE(places.places["bottom"].collapsed);
+}
+
 RC_GTEST_PROP(DockLayout, NothingOverlapsAndAllOfTheWindowIsGiven, ()) {
   const auto upTo = [](int most) { return static_cast<float>(*rc::gen::inRange(0, most)); };
   DockWish wish;

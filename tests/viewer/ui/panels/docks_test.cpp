@@ -1,0 +1,153 @@
+#include "viewer/ui/panels/docks.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "tests/viewer/support/arm_window.h"
+#include "viewer/ui/panels/panels.h"
+
+namespace rocinante {
+namespace {
+
+/// A window with all panels round the arm's session, whose size the test says.
+class Docks : public test::ArmWindow {
+ protected:
+  Docks() {
+    test::writeArmSession(folder_ / "arm.mcap");
+    auto cell = loadCell(folder_ / "arm.urdf", {});
+    auto session = Timeline::open(folder_ / "arm.mcap");
+    model_ = std::make_unique<ViewModel>(
+        ViewModel::make(std::move(cell.value()), std::move(session.value()), std::nullopt, {}, {})
+            .value());
+    EXPECT_TRUE(model_->update(now_).ok());
+  }
+  void frames(int count = 3) {
+    for (int i = 0; i < count; ++i) {
+      interface_.beginFrame(width_, height_, &input_);
+      ViewerRequests requests;
+      drawPanels(*model_, ViewerStatus(), now_, requests);
+      ImGui::Render();
+      input_.endFrame();
+    }
+  }
+  void resize(int width, int height) {
+    width_ = width;
+    height_ = height;
+    frames();
+  }
+  /// `again`: as the second one of a double click.
+  void click(double x, double y, bool again = false) {
+    input_.mouse = {x, y};
+    frames(again ? 1 : 30);  // longer than between the clicks of a double one
+    input_.down[0] = true;
+    input_.again = again;
+    frames(1);
+    input_.down[0] = false;
+    frames(1);
+  }
+  void doubleClick(double x, double y) {
+    click(x, y);
+    click(x, y, true);
+    frames();
+  }
+  DockLayout layout() {
+    return dockLayoutOf(*model_, static_cast<float>(width_), static_cast<float>(height_), 1);
+  }
+  PanelPlaces& places() { return model_->viewer.panels.places; }
+
+  int width_ = 1280, height_ = 720;
+};
+
+TEST_F(Docks, ASideOpenedByItsStripFoldsByTheNextDoubleClick) {
+  places().places["left"].collapsed = true;
+  frames();
+  ASSERT_GT(layout().left.strip.width, 0);
+  click(11, 300);
+  frames();
+  ASSERT_GT(layout().left.panel.width, 0);
+  EXPECT_FALSE(layout().left.peeked);
+  doubleClick(150, 560);
+  EXPECT_TRUE(places().places["left"].collapsed);
+  EXPECT_GT(layout().left.strip.width, 0);
+}
+
+TEST_F(Docks, WhatWasOpenedInALargeWindowYieldsInASmallOne) {
+  places().places["left"].collapsed = places().places["bottom"].collapsed = true;
+  frames();
+  click(11, 300);
+  frames();
+  resize(480, 720);
+  EXPECT_GT(layout().left.strip.width, 0);
+  EXPECT_EQ(layout().left.panel.width, 0) << "it lies over the picture";
+  resize(1280, 720);
+  click(640, 710);
+  frames();
+  ASSERT_GT(layout().time.height, 0);
+  resize(1280, 180);
+  EXPECT_GT(layout().time_strip.height, 0);
+}
+
+TEST_F(Docks, WhatIsLookedAtStandsAtItsEdgeAsSoonAsThereIsRoom) {
+  resize(480, 720);
+  click(11, 300);
+  frames();
+  ASSERT_TRUE(layout().left.peeked);
+  resize(1280, 720);
+  EXPECT_GT(layout().left.panel.width, 0);
+  resize(480, 720);
+  EXPECT_FALSE(layout().left.peeked);
+}
+
+TEST_F(Docks, PlotsOpenedInALargeWindowYieldInASmallOne) {
+  model_->viewer.plots.add(*parseSeriesKey("arm.turn"));
+  model_->viewer.plots.hidden = true;
+  frames();
+  ASSERT_GT(layout().plots_strip.height, 0);
+  click(640, static_cast<double>(layout().plots_strip.y) + 10);
+  frames();
+  ASSERT_GT(layout().plots.height, 0);
+  resize(1280, 260);
+  EXPECT_GT(layout().plots_strip.height, 0);
+}
+
+TEST_F(Docks, AStripClosesWhatTheUserFoldedAndATabAskedFor) {
+  places().places["left"].collapsed = true;
+  model_->viewer.panels.wanted_tab = "Look";
+  frames();
+  ASSERT_TRUE(layout().left.peeked);
+  click(11, 300);
+  frames();
+  EXPECT_TRUE(places().places["left"].collapsed) << "it stands at its edge";
+  EXPECT_EQ(layout().left.panel.width, 0);
+  // So does the arrow of its gutter.
+  model_->viewer.panels.wanted_tab = "Look";
+  frames();
+  const PanelRectangle gutter = layout().left.gutter;
+  ASSERT_GT(gutter.width, 0);
+  click(static_cast<double>(gutter.x) + 3, static_cast<double>(gutter.y + gutter.height / 2));
+  frames();
+  EXPECT_TRUE(places().places["left"].collapsed);
+  EXPECT_EQ(layout().left.panel.width, 0);
+}
+
+TEST_F(Docks, ADoubleClickOnTheTimeLinesBackgroundFoldsIt) {
+  frames();
+  doubleClick(1000, 640);
+  EXPECT_TRUE(places().places["bottom"].collapsed);
+  EXPECT_GT(layout().time_strip.height, 0);
+}
+
+TEST_F(Docks, ATimeLineThatIsOnlyLookedAtIsBackInALargerWindow) {
+  resize(1280, 180);
+  ASSERT_GT(layout().time_strip.height, 0);
+  click(640, 170);
+  frames();
+  ASSERT_GT(layout().time.height, 0);
+  doubleClick(1000, 100);
+  EXPECT_GT(layout().time_strip.height, 0);
+  resize(1280, 720);
+  EXPECT_GT(layout().time.height, 0);
+}
+
+}  // namespace
+}  // namespace rocinante
