@@ -23,7 +23,9 @@ struct PanelPlaces {
   std::string grabbed;                          ///< empty: none
   bool grabbed_edge = false;                    ///< its width is changed, not its place
   float grab_x = 0, grab_y = 0;                 ///< of the pointer in the panel
-  std::string peeked;  ///< a folded edge whose panels are looked at over the picture; empty: none
+  std::string peeked;   ///< a folded edge whose panels are looked at over the picture; empty: none
+  std::string pressed;  ///< on whose background the left button last went down; empty: none
+  std::string pressed_before;  ///< the same of the press before that
 
   /// Null when the panel lies where it always does, at its own width, and is open.
   const PanelPlace* find(const std::string& panel) const;

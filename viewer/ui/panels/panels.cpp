@@ -137,6 +137,7 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   model.viewer.hover.wanted.reset();
   PanelState& panels = model.viewer.panels;
+  notePress(panels.places);
   endNeedlessPeek(model, size.x, size.y, px(1));
   DockLayout layout = dockLayoutOf(model, size.x, size.y, px(1));
   if (!panels.wanted_tab.empty() && layout.left.strip.width > 0 && !layout.left.peeked) {

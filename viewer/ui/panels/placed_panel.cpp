@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "viewer/ui/panels/docks.h"
@@ -35,6 +36,17 @@ float draggedBy() {
 }
 
 }  // namespace
+
+void notePress(PanelPlaces& places) {
+  if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+  places.pressed_before = std::exchange(places.pressed, {});
+}
+
+bool isDoubleClicked(PanelPlaces& places, const std::string& panel, bool on_background) {
+  if (!on_background || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return false;
+  places.pressed = panel;
+  return places.pressed_before == panel && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+}
 
 void drawCollapsed(const char* title) {
   ImGui::TextDisabled("%s ...", title);
@@ -181,7 +193,7 @@ void PlacedPanel::follow() {
        (grabbed && places_.grabbed_edge))) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
-  if (background && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+  if (isDoubleClicked(places_, name_, background)) {
     if (moved_) {
       places_.places[name_].collapsed = !collapsed_;
     } else {

@@ -8,6 +8,13 @@
 
 namespace rocinante {
 
+/// Keeps on which background the press before this frame's was. Once a frame, before the panels.
+void notePress(PanelPlaces& places);
+
+/// Whether this frame has the second press of a double click on the background of the panel, which
+/// the first was on, too: not on a button that went away. `on_background`: the mouse is there.
+bool isDoubleClicked(PanelPlaces& places, const std::string& panel, bool on_background);
+
 /// What is left of a collapsed panel.
 void drawCollapsed(const char* title);
 

@@ -11,6 +11,7 @@
 #include "viewer/ui/model/wall_clock.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
+#include "viewer/ui/panels/placed_panel.h"
 #include "viewer/ui/panels/plot_parts.h"
 #include "viewer/ui/panels/transport_signs.h"
 
@@ -272,9 +273,8 @@ void drawTimeBar(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,
       place.y + place.height - ImGui::GetStyle().WindowPadding.y * 0.6F - px(kTrackHeight);
   drawTrack(model, cursor, axis, top, now);
   const bool on_background = ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered();
-  if (on_background && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    closeEdge(model.viewer.panels.places, DockEdge::bottom);
-  }
+  PanelPlaces& places = model.viewer.panels.places;
+  if (isDoubleClicked(places, "time", on_background)) closeEdge(places, DockEdge::bottom);
   ImGui::End();
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "tests/viewer/support/arm_window.h"
 #include "viewer/ui/panels/panels.h"
@@ -135,6 +136,26 @@ TEST_F(Docks, ADoubleClickOnTheTimeLinesBackgroundFoldsIt) {
   doubleClick(1000, 640);
   EXPECT_TRUE(places().places["bottom"].collapsed);
   EXPECT_GT(layout().time_strip.height, 0);
+}
+
+TEST_F(Docks, TwoClicksOnAButtonThatGoesAwayFoldNothing) {
+  const LogTime start = model_->cursor()->start();
+  model_->viewer.time_view.zoom(0.5, start);
+  frames();
+  ASSERT_FALSE(model_->viewer.time_view.showsAll());
+  const ImGuiID all = ImGui::FindWindowByName("time")->GetID("all");
+  double x = 0;
+  while (x < 1280 && ImGui::GetCurrentContext()->HoveredId != all) {
+    input_.mouse = {x += 8, 648.0};
+    frames(1);
+  }
+  ASSERT_LT(x, 1280);
+  click(x, 648);
+  ASSERT_TRUE(model_->viewer.time_view.showsAll());
+  click(x, 648, true);
+  frames();
+  EXPECT_GT(layout().time.height, 0);
+  EXPECT_FALSE(places().places["bottom"].collapsed);
 }
 
 TEST_F(Docks, ATimeLineThatIsOnlyLookedAtIsBackInALargerWindow) {
