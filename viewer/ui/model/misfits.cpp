@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/figure_text.h"
 #include "core/base/name_hint.h"
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {
@@ -58,6 +61,20 @@ std::vector<Misfit> misfits(const Cell& cell, const PosedScene& scene, const Ses
     if (!what.empty()) found.push_back({name, std::move(what)});
   }
   return found;
+}
+
+std::string whyNoSession(const Cell& cell, const SessionState& last) {
+  if (last.sources().empty() && last.devices().empty()) return "has no packets";
+  if (!cell.bare_model.empty()) return {};  // any device fits
+  const std::vector<Misfit> found = misfits(cell, poseScene(cell, last), last);
+  const bool fits = std::ranges::any_of(last.devices(), [&](const auto& named) {
+    const DeviceState& said = named.second;
+    const bool is_moved = said.pose || said.joints || !said.named_joints.empty();
+    return is_moved && std::ranges::find(found, named.first, &Misfit::device) == found.end();
+  });
+  if (fits || found.empty()) return {};
+  return fmt::format("moves nothing of this cell: {} {}", plainText(found.front().device),
+                     found.front().what);
 }
 
 }  // namespace rocinante

@@ -17,4 +17,8 @@ struct Misfit {
 /// count. Pure; `rocinante check` checks far more.
 std::vector<Misfit> misfits(const Cell& cell, const PosedScene& scene, const SessionState& state);
 
+/// Why a session that ends with this state is none of the cell: no packet came, or no device that
+/// is moved in it fits. A sentence's rest ("has no packets"); empty: it may be one. Pure.
+std::string whyNoSession(const Cell& cell, const SessionState& last);
+
 }  // namespace rocinante

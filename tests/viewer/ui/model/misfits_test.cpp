@@ -36,5 +36,29 @@ TEST(Misfits, AreWhatWasSaidAndMovesNothing) {
             "part was added with the model `box`, which is not in the cell\n");
 }
 
+TEST(WhyNoSession, IsThatNothingOfTheCellIsMoved) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", test::kArmUrdf);
+  const auto cell = loadCell(folder / "arm.urdf", {});
+  ASSERT_TRUE(cell.ok());
+  const auto why = [&](const std::string& statements) {
+    SessionState state;
+    const auto decoder = makeDecoder("rk1");
+    if (!statements.empty()) {
+      state.apply(LogTime{}, *decoder->decode(bytesOf("RK1 me - -\n" + statements)));
+    }
+    return whyNoSession(*cell, state);
+  };
+  EXPECT_EQ(why(""), "has no packets");
+  EXPECT_EQ(why("joints arm 1\n"), "");
+  EXPECT_EQ(why("joints welder 1 2\njoints arm 1\n"), "") << "one is enough";
+  EXPECT_EQ(why("event \"begun\"\n"), "") << "of any cell";
+  EXPECT_EQ(why("joints welder 1\n"),
+            "moves nothing of this cell: welder is not a device of the cell and was not added");
+  EXPECT_EQ(why("joints arm 1 2\n"),
+            "moves nothing of this cell: arm received 2 joint values, but its model has 1, so none "
+            "is used");
+}
+
 }  // namespace
 }  // namespace rocinante
