@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
+#include <system_error>
 
 #include "core/base/name_hint.h"
 #include "core/kinematics/joint_values.h"
@@ -10,6 +12,7 @@
 #include "core/series/placed_links.h"
 #include "viewer/shown/plot_scale.h"
 #include "viewer/ui/commands/command_groups.h"
+#include "viewer/ui/commands/script_word.h"
 #include "viewer/ui/commands/study_actions.h"
 
 namespace rocinante {
@@ -225,9 +228,34 @@ Status goToFinding(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+constexpr const char* kNoneBeside =
+    "there is no session beside (`beside FILE`, or view --beside LOG)";
+
+/// A log can be shown beside what is shown.
+bool takesBeside(const ViewModel& model) { return model.session() != nullptr && !model.isLive(); }
+
 Status setBeside(CommandWords words, const CommandStage& stage) {
   ViewModel& model = stage.model;
-  if (model.beside() == nullptr) return badWord("there is no session beside (view --beside LOG)");
+  const bool is_file =
+      !words.empty() && words[0] != "on" && words[0] != "off" && words[0] != "none";
+  if (is_file) {
+    const auto file = textOfWord(words[0]);
+    if (!file.ok()) return file.error();
+    stage.requests.beside = BesideWish{*file, fmt::format("{}", fmt::join(words.subspan(1), " "))};
+    stage.requests.await_files = true;
+    return {};
+  }
+  if (words.size() > 1) return badWord(fmt::format("`beside {}` takes no other word", words[0]));
+  if (words.empty() && model.beside() == nullptr && takesBeside(model)) {
+    std::error_code ignored;
+    model.viewer.panels.open.openBeside(std::filesystem::current_path(ignored));
+    return {};
+  }
+  if (model.beside() == nullptr) return badWord(kNoneBeside);
+  if (!words.empty() && words[0] == "none") {
+    stage.requests.beside.emplace();
+    return {};
+  }
   const auto on = switched(words, model.beside_shown);
   if (!on.ok()) return on.error();
   model.beside_shown = *on;
@@ -257,7 +285,7 @@ Status goToParting(CommandWords words, const CommandStage& stage) {
   }
   ViewModel& model = stage.model;
   const PartingStudy* const partings = model.partings();
-  if (partings == nullptr) return badWord("there is no session beside (view --beside LOG)");
+  if (partings == nullptr) return badWord(kNoneBeside);
   if (to_largest) return goToLargestParting(*partings, stage);
   TimelineCursor& cursor = *model.cursor();
   if (const auto moment = partings->beside(cursor.position(stage.now), *next)) {
@@ -307,11 +335,17 @@ std::vector<Command> plotCommands() {
        .means = "go to a finding, by its number",
        .run = goToFinding},
       {.name = "beside",
-       .arguments = "[on|off]",
-       .means = "the session beside: its ghosts and curves",
+       .arguments = "[on|off|none|FILE] [HOW...]",
+       .means = "another log beside the shown one, aligned as --align HOW; its ghosts and curves; "
+                "none: end it",
        .run = setBeside,
-       .shortcuts = {{"Y", "", ""}},
-       .offered = hasBeside},
+       .shortcuts = {{"Y", "", "the session beside: ghosts and curves; or choose one"}},
+       .offered = takesBeside,
+       .choices =
+           [](const ViewModel& model) {
+             return hasBeside(model) ? std::vector<std::string>{"none"}
+                                     : std::vector<std::string>();
+           }},
       {.name = "parting",
        .arguments = "next|previous|largest",
        .means = "where the two sessions begin to be apart, or differ most",

@@ -16,6 +16,12 @@ struct PictureClick {
   bool twice = false;  ///< turn about the point there
 };
 
+/// Another log beside the session that is shown.
+struct BesideWish {
+  std::filesystem::path file;  ///< empty: there shall be none
+  std::string align;           ///< for alignBeside(); empty: by their origins
+};
+
 /// Write where devices were moved by hand into the cell.
 struct PoseRequest {
   std::string device;     ///< empty: all that were moved
@@ -38,6 +44,7 @@ struct ViewerRequests {
   std::optional<std::pair<std::string, std::filesystem::path>> golden_case;
   std::optional<std::filesystem::path> screenshot;  ///< of the coming frame, panels included
   std::vector<std::filesystem::path> open;          ///< show these files instead
+  std::optional<BesideWish> beside;
   std::vector<std::string> connect;  ///< listen at these endpoints, as they were typed; empty: no
   bool to_live = false;              ///< show the live session that goes on behind what is shown
   std::optional<bool> disconnect;    ///< end a live session; true: though it has heard something

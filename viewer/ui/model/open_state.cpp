@@ -29,6 +29,12 @@ bool endsWithOne(std::string_view file_name, std::span<const std::string_view> e
   });
 }
 
+bool isCellOrModel(std::string_view file_name) {
+  constexpr std::array<std::string_view, 8> kEndings{".cell.toml", ".urdf", ".sdf",  ".obj",
+                                                     ".stl",       ".dae",  ".gltf", ".glb"};
+  return endsWithOne(file_name, kEndings);
+}
+
 /// Names of many things, recordings among them.
 bool mayBeRecording(std::string_view file_name) {
   constexpr std::array<std::string_view, 4> kEndings{".csv", ".json", ".jsonl", ".ndjson"};
@@ -44,11 +50,12 @@ bool isBagFolder(const fs::path& folder) {
 }  // namespace
 
 bool canBeShown(std::string_view file_name) {
-  constexpr std::array<std::string_view, 15> kEndings{
-      ".cell.toml", ".urdf", ".sdf", ".obj", ".stl",    ".dae", ".gltf", ".glb",
-      ".mcap",      ".bag",  ".db3", ".cap", ".pcapng", ".lcm", ".pcap"};
-  return endsWithOne(file_name, kEndings);
+  constexpr std::array<std::string_view, 7> kEndings{".mcap",   ".bag", ".db3", ".cap",
+                                                     ".pcapng", ".lcm", ".pcap"};
+  return endsWithOne(file_name, kEndings) || isCellOrModel(file_name);
 }
+
+bool canBeBeside(std::string_view file_name) { return !isCellOrModel(file_name); }
 
 bool looksLikeEndpoint(std::string_view typed) {
   constexpr std::array<std::string_view, 5> kWays{"udp://", "pcap://", "subscribe://", "nats://",
@@ -90,7 +97,25 @@ Result<std::vector<FileEntry>> listFolder(const fs::path& folder) {
 
 void OpenState::open(const fs::path& where) {
   shown = just_opened = true;
+  beside = false;
   enter(folder.empty() ? where : folder);
+}
+
+void OpenState::openBeside(const fs::path& where) {
+  open(where);
+  beside = true;
+}
+
+std::vector<RecentContent> OpenState::offered() const {
+  if (!beside) return recent;
+  std::vector<RecentContent> logs;
+  const auto add = [&](const fs::path& one) {
+    if (one.empty() || one == log) return;
+    if (std::ranges::find(logs, one, &RecentContent::log) == logs.end()) logs.push_back({{}, one});
+  };
+  add(before);
+  for (const RecentContent& one : recent) add(one.log);
+  return logs;
 }
 
 void OpenState::enter(const fs::path& where) {

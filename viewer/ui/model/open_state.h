@@ -21,6 +21,8 @@ struct FileEntry {
 
 /// True for names of what the window can show: cells, models, logs, bags and captures.
 bool canBeShown(std::string_view file_name);
+/// Of what can be shown: not for names of cells and models.
+bool canBeBeside(std::string_view file_name);
 
 /// The folders and what can be shown, folders first, each by name; hidden ones are left out, and
 /// all beyond some thousands. A folder that is a bag is shown. Tables and lines of JSON are there
@@ -51,14 +53,22 @@ struct OpenState {
   std::size_t chosen = 0;
   LineStart start;
   std::vector<RecentContent> recent;
-  bool listens = false;              ///< it tells what is heard at the usual endpoints
+  std::filesystem::path log;     ///< the recorded session that is shown; empty: none
+  std::filesystem::path before;  ///< a log of the same devices that gave way to it; empty: none
+  bool beside = false;           ///< what is chosen is shown beside `log`, and only logs are listed
+  bool listens = false;          ///< it tells what is heard at the usual endpoints
   std::array<char, 256> endpoint{};  ///< being typed, NUL-terminated
   /// Endpoints of live sessions behind what is shown, with blanks between; the last shown first.
   std::vector<std::string> left;
 
   /// Shows the list, of the last folder or else of `where`.
   void open(const std::filesystem::path& where);
+  /// The same, for a session beside `log`.
+  void openBeside(const std::filesystem::path& where);
   void enter(const std::filesystem::path& where);
+  /// What was shown before and is offered again, newest first: for a session beside `log` other
+  /// logs alone, each once.
+  std::vector<RecentContent> offered() const;
 };
 
 }  // namespace rocinante

@@ -54,9 +54,22 @@ Status ViewModel::showBeside(Timeline beside, std::string_view align) {
   StateDamage hiding;  // the panel counts all places of damage
   auto alignment = alignBeside(align, *session_, beside, hiding);
   if (!alignment.ok()) return alignment.error();
+  dropBesideStudies();
   beside_.emplace(*cell_, std::move(beside), std::move(*alignment));
   names_->expectBeside();
+  beside_shown = true;
+  scene_is_old_ = true;
   return {};
+}
+
+void ViewModel::endBeside() {
+  dropBesideStudies();
+  beside_.reset();
+  const auto is_ghost = [](const std::string& path) { return path.starts_with(kBesidePrefix); };
+  std::erase_if(hidden_, is_ghost);
+  std::erase_if(shown_paths_, is_ghost);
+  static_cast<void>(updateChoice());  // fewer paths are no worse
+  scene_is_old_ = true;
 }
 
 Status ViewModel::updateChoice() {

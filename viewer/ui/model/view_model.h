@@ -51,9 +51,12 @@ class ViewModel {
                                 std::optional<LiveFeed> feed, std::vector<std::string> hide,
                                 std::vector<std::string> show);
 
-  /// Shows another log of the cell beside the session, as clear ghosts. bad_argument without a
-  /// session; alignBeside() says what `align` is.
+  /// Shows another log of the cell beside the session, as clear ghosts, in place of one that is
+  /// there. bad_argument without a session; alignBeside() says what `align` is. What is shown stays
+  /// as it is when it fails.
   Status showBeside(Timeline beside, std::string_view align);
+  /// There is no session beside any more, nor what was chosen for its ghosts.
+  void endBeside();
 
   const Cell& cell() const { return *cell_; }
   /// Checks PATHs and cameras' names.
@@ -230,6 +233,7 @@ class ViewModel {
  private:
   ViewModel() = default;
   Status updateChoice();
+  void dropBesideStudies();
   Status findState(LogTime moment);
   /// Makes scene_ of state_, which is of this moment, with the ghosts beside.
   Status pose(LogTime moment);

@@ -33,6 +33,12 @@ const PartingStudy* ViewModel::partings() {
   return partings_.get();
 }
 
+void ViewModel::dropBesideStudies() {
+  viewer.picture_beside.reset();
+  study_beside_.reset();
+  partings_.reset();
+}
+
 const FindingsStudy* ViewModel::findings() {
   // What is still being written would be judged by its first moments.
   if (!session_ || !viewer.findings_wanted || log_grows_) return nullptr;

@@ -23,7 +23,7 @@ constexpr int kOpenLines = 16;
 /// A line of the list: endpoints, something shown before, or a file or folder.
 struct OpenLine {
   EndpointLine endpoints;  ///< empty: none
-  const RecentContent* recent = nullptr;
+  std::optional<RecentContent> recent;
   FileEntry entry;
 };
 
@@ -38,21 +38,23 @@ std::string recentText(const RecentContent& recent) {
 std::vector<OpenLine> openLines(const ViewModel& model, std::string_view typed) {
   const OpenState& open = model.viewer.panels.open;
   std::vector<std::pair<int, OpenLine>> scored;
-  for (const RecentContent& recent : open.recent) {
+  for (RecentContent& recent : open.offered()) {
     if (const auto score = fuzzyScore(typed, recentText(recent))) {
-      scored.push_back({*score, {{}, &recent, {}}});
+      scored.push_back({*score, {{}, std::move(recent), {}}});
     }
   }
   // Behind every file that matches: nearly any letters are somewhere in an endpoint.
   for (EndpointLine& line : endpointLines(model)) {
+    if (open.beside) break;
     if (!containsWord(line.endpoints + " " + line.note, typed)) continue;
-    scored.push_back({0, {std::move(line), nullptr, {}}});
+    scored.push_back({0, {std::move(line), {}, {}}});
   }
   if (typed.empty() && open.folder.has_relative_path())
-    scored.push_back({0, {{}, nullptr, {"../", true}}});
+    scored.push_back({0, {{}, {}, {"../", true}}});
   for (const FileEntry& entry : open.entries) {
+    if (open.beside && !entry.is_folder && !canBeBeside(entry.name)) continue;
     if (const auto score = fuzzyScore(typed, entry.name))
-      scored.push_back({*score, {{}, nullptr, entry}});
+      scored.push_back({*score, {{}, {}, entry}});
   }
   if (!typed.empty()) {
     std::ranges::stable_sort(scored, std::greater<>(), &std::pair<int, OpenLine>::first);
@@ -71,13 +73,24 @@ std::optional<fs::path> typedPath(const OpenState& open) {
   return open.folder / typed;
 }
 
+/// What was chosen, in place of what is shown or beside it.
+void ask(const fs::path& file, OpenState& open, ViewerRequests& requests) {
+  open.shown = false;
+  if (open.beside) {
+    requests.beside = BesideWish{file, {}};
+  } else {
+    requests.open = {file};
+  }
+}
+
 void take(const OpenLine& line, OpenState& open, ViewerRequests& requests) {
   if (!line.endpoints.endpoints.empty()) {
     open.shown = false;
     requests.connect = splitWords(line.endpoints.endpoints);
     return;
   }
-  if (line.recent != nullptr) {
+  if (line.recent && open.beside) return ask(line.recent->log, open, requests);
+  if (line.recent) {
     open.shown = false;
     return openRecent(*line.recent, requests);
   }
@@ -86,8 +99,7 @@ void take(const OpenLine& line, OpenState& open, ViewerRequests& requests) {
     open.enter(path);
     open.just_opened = true;
   } else {
-    open.shown = false;
-    requests.open = {path};
+    ask(path, open, requests);
   }
 }
 
@@ -97,14 +109,26 @@ void takePath(const fs::path& path, OpenState& open, ViewerRequests& requests) {
     open.enter(path);
     open.just_opened = true;
   } else {
-    open.shown = false;
-    requests.open = {path};
+    ask(path, open, requests);
   }
+}
+
+/// Whether what is chosen comes beside the log that is shown.
+void drawBesideBox(OpenState& open) {
+  if (open.log.empty()) return;
+  const std::string text = "beside " + plainText(open.log.filename().string());
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeightWithSpacing();
+  const std::string shown = cutInMiddle(text, room, drawnWidth);
+  if (ImGui::Checkbox((shown + "###beside").c_str(), &open.beside)) {
+    open.chosen = 0;
+    open.just_opened = true;  // what is typed comes next
+  }
+  explain("a log that is chosen is shown as ghosts and curves with this one");
 }
 
 bool drawLine(const OpenLine& line, bool chosen) {
   if (!line.endpoints.endpoints.empty()) return drawEndpoint(line.endpoints, chosen);
-  if (line.recent != nullptr) return drawRecent(*line.recent, chosen);
+  if (line.recent) return drawRecent(*line.recent, chosen);
   const ImVec4 color =
       ImGui::GetStyleColorVec4(line.entry.is_folder ? ImGuiCol_TextDisabled : ImGuiCol_Text);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -195,11 +219,12 @@ void drawOpenList(ViewModel& model, ViewerRequests& requests) {
   const bool opened = std::exchange(open.just_opened, false);
   drawCut(plainText(open.folder.string()), PanelColor::dim_text);
   const std::string before = open.text.data();
-  if (opened && open.listens) model.listenAround();
+  if (opened && open.listens && !open.beside) model.listenAround();
   const bool entered = drawTypedLine("##file", "a part of a name, a path, or an endpoint",
                                      open.text, opened, open.start);
   if (before != open.text.data()) open.chosen = 0;
-  const bool is_endpoint = looksLikeEndpoint(open.text.data());
+  drawBesideBox(open);
+  const bool is_endpoint = !open.beside && looksLikeEndpoint(open.text.data());
   const auto path = is_endpoint ? std::nullopt : typedPath(open);
   const std::vector<OpenLine> lines =
       path || is_endpoint ? std::vector<OpenLine>() : openLines(model, open.text.data());

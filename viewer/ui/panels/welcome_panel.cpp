@@ -46,6 +46,7 @@ void drawWelcome(ViewModel& model, bool loading, ViewerRequests& requests) {
   ImGui::TextUnformatted("Drop a cell, a model or a log on this window.");
   ImGui::TextDisabled("*.cell.toml, URDF, SDF, OBJ, STL, COLLADA, glTF, *.mcap, bags");
   ImGui::TextDisabled("A log without a cell shows its poses as axes, and its signals.");
+  ImGui::TextDisabled("Two logs together: one beside the other, as ghosts.");
   ImGui::Spacing();
   if (ImGui::Button("Open a file ...", ImVec2(-1, 0))) {
     std::error_code ignored;

@@ -19,6 +19,25 @@ ContentRequest optionsOf(const ContentRequest& shown) {
   return request;
 }
 
+/// "bag/" is "bag", by whose name the window is called.
+std::filesystem::path wholePath(const std::filesystem::path& given) {
+  std::error_code fault;
+  const std::filesystem::path whole = std::filesystem::absolute(given, fault);
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+Status checkFile(const std::filesystem::path& file) {
+  std::error_code fault;
+  if (std::filesystem::is_directory(file, fault) && !isForeignRecording(file)) {
+    return Error{ErrorKind::bad_argument, "a folder cannot be shown; open a file of it",
+                 file.string()};
+  }
+  if (!std::filesystem::exists(file, fault)) {
+    return Error{ErrorKind::not_found, "there is no such file", file.string()};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string typedText(const std::vector<std::string>& endpoints) {
@@ -68,27 +87,36 @@ Result<ContentRequest> requestOf(const std::vector<std::filesystem::path>& files
                                  const ContentRequest& shown) {
   ContentRequest request = optionsOf(shown);
   for (const std::filesystem::path& given : files) {
-    std::error_code fault;
-    // "bag/" is "bag", by whose name the window is called.
-    const std::filesystem::path whole = std::filesystem::absolute(given, fault);
-    const std::filesystem::path file = whole.has_filename() ? whole : whole.parent_path();
-    if (std::filesystem::is_directory(file, fault) && !isForeignRecording(file)) {
-      return Error{ErrorKind::bad_argument, "a folder cannot be shown; open a file of it",
-                   file.string()};
-    }
-    if (!std::filesystem::exists(file, fault)) {
-      return Error{ErrorKind::not_found, "there is no such file", file.string()};
-    }
-    std::filesystem::path& place =
-        isLog(file) || isForeignRecording(file) ? request.log : request.cell;
+    const std::filesystem::path file = wholePath(given);
+    if (auto there = checkFile(file); !there) return there.error();
+    const bool is_log = isLog(file) || isForeignRecording(file);
+    std::filesystem::path& place = !is_log               ? request.cell
+                                   : request.log.empty() ? request.log
+                                                         : request.beside;
     if (!place.empty()) {
-      return Error{ErrorKind::bad_argument, "a window shows one cell and one log at a time",
-                   file.string()};
+      return Error{ErrorKind::bad_argument,
+                   "a window shows one cell, one log and one beside it at a time", file.string()};
     }
     place = file;
   }
   if (request.cell.empty() && shown.cell != shown.log) request.fallback_cell = shown.cell;
   if (request.log.empty() && shown.live) request.leaving = ContentRequest::Leaving::goes_along;
+  return request;
+}
+
+Result<ContentRequest> besideOf(const std::filesystem::path& file, std::string align,
+                                const ContentRequest& shown) {
+  ContentRequest request = optionsOf(shown);
+  request.cell = shown.cell;
+  request.log = shown.log;
+  request.beside = wholePath(file);
+  request.align = std::move(align);
+  request.beside_alone = true;
+  if (auto there = checkFile(request.beside); !there) return there.error();
+  if (!isLog(request.beside) && !isForeignRecording(request.beside)) {
+    return Error{ErrorKind::bad_argument, "only a log or another recording can be beside one",
+                 request.beside.string()};
+  }
   return request;
 }
 

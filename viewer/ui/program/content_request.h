@@ -19,6 +19,7 @@ struct ContentRequest {
   std::filesystem::path log;     ///< empty: none
   std::filesystem::path beside;  ///< another log of the cell, shown as ghosts; empty: none
   std::string align;             ///< of it, for alignBeside()
+  bool beside_alone = false;     ///< only `beside` is read, for what is shown, which is `log`
   /// Shown with a log that carries no cell; empty: there is none.
   std::filesystem::path fallback_cell;
   std::optional<std::vector<Endpoint>> live;
@@ -46,7 +47,10 @@ struct ContentRequest {
 
   bool empty() const { return cell.empty() && log.empty() && !live && connect.empty(); }
   /// The file that gives it its name; empty: it has none.
-  const std::filesystem::path& named() const { return log.empty() ? cell : log; }
+  const std::filesystem::path& named() const {
+    if (beside_alone) return beside;
+    return log.empty() ? cell : log;
+  }
   /// For the user: the name of that file, or else its endpoints.
   std::string title() const;
 };
@@ -57,10 +61,13 @@ std::string typedText(const std::vector<std::string>& endpoints);
 std::string endpointsText(const ContentRequest& request);
 
 /// What files that were dropped on a window or opened in it mean, while `shown` is there: a cell or
-/// model, a log, or one of each. A live session goes on with a cell that is opened alone.
-/// bad_argument with a sentence otherwise.
+/// model, a log, or one of each; a second log is beside the first. A live session goes on with a
+/// cell that is opened alone. bad_argument with a sentence otherwise.
 Result<ContentRequest> requestOf(const std::vector<std::filesystem::path>& files,
                                  const ContentRequest& shown);
+/// Another log beside that of `shown`. bad_argument or not_found with a sentence.
+Result<ContentRequest> besideOf(const std::filesystem::path& file, std::string align,
+                                const ContentRequest& shown);
 /// A live session of the cell that is shown, with the program's options for it.
 ContentRequest connectionOf(std::vector<std::string> endpoints, const ContentRequest& shown);
 /// The cell of a live session at rest. `forgets`: the session ends even if it has heard something.

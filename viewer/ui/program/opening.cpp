@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "core/base/plain_text.h"
+#include "core/cli/program.h"
+#include "viewer/ui/model/misfits.h"
 #include "viewer/view/camera_choice.h"
 
 namespace rocinante {
@@ -38,27 +40,42 @@ bool isOwnPort(const Error& error) {
   return error.what.find(fmt::format("(pid {})", ::getpid())) != std::string::npos;
 }
 
-Error badEndpoint(std::string what) { return {ErrorKind::bad_argument, std::move(what), {}}; }
+Error badArgument(std::string what) { return {ErrorKind::bad_argument, std::move(what), {}}; }
+
+/// Both are recorded, and of the same devices.
+bool areAlike(const ViewModel& shown, const ViewModel& next) {
+  const bool recorded =
+      shown.session() != nullptr && !shown.isLive() && next.session() != nullptr && !next.isLive();
+  return recorded && std::ranges::equal(shown.cell().devices, next.cell().devices, {},
+                                        &CellDevice::name, &CellDevice::name);
+}
 
 constexpr const char* kWayOut = "`save` what you need, then `disconnect forget`";
 
 Error wouldBeLost() {
-  return badEndpoint(fmt::format("what this session kept would be deleted: {}", kWayOut));
+  return badArgument(fmt::format("what this session kept would be deleted: {}", kWayOut));
 }
 
 }  // namespace
 
-Opening::Opening(ContentLoader& loader, LeftSessions& left, ViewModel& model,
-                 const ContentRequest& shown)
-    : loader_(loader), left_(left), model_(model), shown_(shown) {
+Opening::Opening(ContentLoader& loader, LeftSessions& left, ViewContent& shown)
+    : loader_(loader), left_(left), content_(shown), model_(*shown.model), shown_(shown.request) {
   tellLeft();
+  if (shown_.log.empty()) return;
+  std::error_code ignored;
+  model_.viewer.panels.open.log = std::filesystem::absolute(shown_.log, ignored).lexically_normal();
 }
 
-Status Opening::begin() {
+Status Opening::mayBegin() const {
   if (loader_.busy()) {
     return Error{ErrorKind::refused, "wait until " + plainText(loader_.name()) + " is loaded", {}};
   }
   if (back_) return Error{ErrorKind::refused, "wait until the live session is shown", {}};
+  return {};
+}
+
+Status Opening::begin() {
+  if (auto may = mayBegin(); !may) return may;
   model_.viewer.panels.open.used = true;
   model_.viewer.panels.notes.clear();
   return {};
@@ -89,11 +106,58 @@ Status Opening::open(const std::vector<std::filesystem::path>& files) {
   return {};
 }
 
+Status Opening::showBeside(const BesideWish& wish) {
+  if (auto may = mayBegin(); !may) return may;
+  if (wish.file.empty()) {
+    model_.endBeside();
+    shown_.beside.clear();
+    shown_.align.clear();
+    content_.beside_folder.reset();
+    return {};
+  }
+  if (model_.isLive()) {
+    return badArgument("no log is shown beside a live session: `save` it, and open that");
+  }
+  if (model_.session() == nullptr) {
+    return badArgument("a log is shown beside another one, and none is shown");
+  }
+  auto request = besideOf(wish.file, wish.align, shown_);
+  if (!request.ok()) return request.error();
+  // A cell that the log carries, if it was imported, is in what became of it.
+  if (shown_.cell == shown_.log) request->cell = model_.session()->log().name();
+  loader_.start(std::move(*request));
+  return {};
+}
+
+void Opening::offerBeside(ViewContent& next) const {
+  const std::filesystem::path& log = model_.viewer.panels.open.log;
+  if (!next.request.beside.empty() || next.request.log == log) return;
+  if (areAlike(model_, *next.model)) next.model->viewer.panels.open.before = log;
+}
+
+std::string Opening::takeBeside(ViewContent read) {
+  const std::string name = plainText(read.request.title());
+  Timeline& session = read.beside->session;
+  const auto last = session.stateAt(session.end());
+  if (!last.ok()) return last.error().text();
+  const std::string why = whyNoSession(model_.cell(), **last);
+  if (!why.empty()) return name + " is not shown beside: it " + why;
+  const auto warnings = addBeside(std::move(*read.beside), read.request.align, content_);
+  if (!warnings.ok()) return name + " is not shown beside: " + warnings.error().text();
+  shown_.beside = std::move(read.request.beside);
+  shown_.align = std::move(read.request.align);
+  for (const std::string& warning : *warnings) {
+    model_.viewer.panels.notes.push_back({name + ": " + warning, false});
+    cli::warn(model_.viewer.panels.notes.back().text);
+  }
+  return {};
+}
+
 Status Opening::connect(const std::vector<std::string>& endpoints) {
   if (auto begun = begin(); !begun) return begun;
   const std::string text = fmt::format("{}", fmt::join(endpoints, " "));
   if (model_.isLive() && (shown_.connect == endpoints || endpointsText(shown_) == text)) {
-    return badEndpoint("this window listens at " + typedText(endpoints) + " already");
+    return badArgument("this window listens at " + typedText(endpoints) + " already");
   }
   back_ = left_.find(endpoints);
   if (back_) return {};
@@ -110,7 +174,7 @@ Status Opening::connect(const std::vector<std::string>& endpoints) {
 
 Status Opening::goBack() {
   if (auto begun = begin(); !begun) return begun;
-  if (left_.empty()) return badEndpoint("no live session goes on behind what is shown");
+  if (left_.empty()) return badArgument("no live session goes on behind what is shown");
   back_ = 0;
   return {};
 }
@@ -118,7 +182,7 @@ Status Opening::goBack() {
 Status Opening::disconnect(bool forgets) {
   if (auto begun = begin(); !begun) return begun;
   const bool is_shown = model_.isLive();
-  if (!is_shown && left_.empty()) return badEndpoint("this window listens nowhere");
+  if (!is_shown && left_.empty()) return badArgument("this window listens nowhere");
   if (!forgets && hasHeard(is_shown ? model_ : left_.model(0))) return wouldBeLost();
   if (is_shown) {
     loader_.start(withoutConnection(shown_, forgets));
@@ -141,6 +205,10 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
   if (!result) return loaded;
   loaded.emplace();
   if (result->ok()) {
+    if ((*result)->beside) {
+      loaded->fault = takeBeside(std::move(**result));
+      return loaded;
+    }
     const ContentRequest& next = (*result)->request;
     // What is shown may have heard something only meanwhile.
     if (auto may = mayLeave(next); !may) {
@@ -150,6 +218,7 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
       return loaded;
     }
     loaded->content = std::make_unique<ViewContent>(std::move(**result));
+    offerBeside(*loaded->content);
   } else if (model_.viewer.is_empty && !model_.viewer.panels.open.used) {
     return result->error();
   } else if ((model_.isLive() || !left_.empty()) && isOwnPort(result->error())) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/ui/commands/viewer_requests.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/program/left_sessions.h"
 #include "viewer/ui/program/view_content.h"
@@ -16,11 +17,15 @@ namespace rocinante {
 /// goes on behind what is shown then (LeftSessions). Main thread; borrows all.
 class Opening {
  public:
-  Opening(ContentLoader& loader, LeftSessions& left, ViewModel& model, const ContentRequest& shown);
+  Opening(ContentLoader& loader, LeftSessions& left, ViewContent& shown);
 
   bool busy() const { return loader_.busy(); }
   /// Starts to load what was opened or dropped; refused with a sentence for the user.
   Status open(const std::vector<std::filesystem::path>& files);
+  /// Starts to load a log to be shown beside the one that is shown, or ends the one that is. What
+  /// is shown stays as it is until it has come, and if it is bad. refused, bad_argument or
+  /// not_found with a sentence.
+  Status showBeside(const BesideWish& wish);
   /// Listens at endpoints, as they were typed, with the cell that is shown; at those of a session
   /// that was left, goes back to it. refused or bad_argument with a sentence.
   Status connect(const std::vector<std::string>& endpoints);
@@ -33,8 +38,8 @@ class Opening {
 
   /// What came of it, once it has come.
   struct Loaded {
-    std::unique_ptr<ViewContent> content;  ///< null: it cannot be read
-    std::string fault;                     ///< why, for the user
+    std::unique_ptr<ViewContent> content;  ///< null: it cannot be read, or is shown beside now
+    std::string fault;                     ///< why it cannot, for the user; empty: it can
     bool goes_back = false;                ///< it was shown before, and is not refused
   };
   /// Fails with what cannot be read when that is all that was asked for. `waits`: until it has
@@ -47,6 +52,11 @@ class Opening {
 
  private:
   Status begin();
+  Status mayBegin() const;
+  /// Shows a log that was read beside what is shown; why not, or empty.
+  std::string takeBeside(ViewContent read);
+  /// The log that is shown beside the one that takes its place.
+  void offerBeside(ViewContent& next) const;
   /// Whether the live session that is shown may give way to what is asked for, or has come by now:
   /// nothing that it heard is lost, and there is room for it behind that.
   Status mayLeave(const ContentRequest& next) const;
@@ -54,8 +64,9 @@ class Opening {
 
   ContentLoader& loader_;
   LeftSessions& left_;
+  ViewContent& content_;
   ViewModel& model_;
-  const ContentRequest& shown_;
+  ContentRequest& shown_;
   std::optional<std::size_t> back_;  ///< the session that was left and is to be shown
 };
 

@@ -20,6 +20,7 @@ Status RequestDesk::apply(const ViewerRequests& requests, const WindowSize& size
   }
   my_.detail.apply(requests);
   openFiles(requests.open, now);
+  if (requests.beside) tellRefusal(my_.opening.showBeside(*requests.beside), now);
   tellRefusal(connect(requests), now);
   if (requests.notice) say(*requests.notice, false, now);
   if (requests.fault) say(*requests.fault, true, now);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 
+#include "core/base/plain_text.h"
 #include "core/cli/program.h"
 #include "viewer/ui/panels/docks.h"
 #include "viewer/ui/panels/panels.h"
@@ -59,7 +60,7 @@ class ViewApp {
       : shown_(content.request),
         model_(*content.model),
         options_(options),
-        opening_(session.loader, session.left, model_, shown_),
+        opening_(session.loader, session.left, content),
         window_(&window),
         interface_(options.script.empty() ? window_ : nullptr),
         picture_(model_, std::move(renderer), samples),
@@ -185,6 +186,10 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   app->detail_.tell(status);
   if (!app->scripted() && !options.notice.empty()) {
     app->evidence_.say(options.notice, false, app->now());
+  }
+  if (const auto& before = model.viewer.panels.open.before; !before.empty()) {
+    const std::string name = plainText(before.filename().string());
+    app->evidence_.say(name + " was shown before: Y offers it beside this", false, app->now());
   }
   return app;
 }
@@ -413,6 +418,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::takeOpened() {
   frame_due_.happened(now());
   std::unique_ptr<ViewContent> content = std::move((*loaded)->content);
   std::vector<PictureNote>& notes = model_.viewer.panels.notes;
+  if (content == nullptr && (*loaded)->fault.empty()) return nullptr;  // it is beside
   if (content == nullptr) {
     cli::warn((*loaded)->fault);
     notes.push_back({(*loaded)->fault, true});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/bundle/attached_cell.h"
@@ -112,22 +113,37 @@ Result<Timeline> openSession(const fs::path& log, const TellLoadProgress& progre
   return session;
 }
 
+/// The log beside, with what showing it will ask of it: that may take a while.
+Result<BesideLog> readBeside(const ContentRequest& request, const fs::path& cell,
+                             const TellLoadProgress& progress, const std::stop_token& stop) {
+  auto opened = openRecordingOf(request, request.beside, cell, progress, stop);
+  if (!opened.ok()) return opened.error();
+  auto session = Timeline::open(opened->log);
+  if (!session.ok()) return opened->named(session.error());
+  session->useStop(stop);
+  StateDamage hiding;  // the panel counts all places of damage
+  if (request.align.starts_with("event")) {
+    if (auto events = session->events(&hiding, progress); !events.ok()) return events.error();
+  }
+  if (auto last = session->stateAt(session->end(), &hiding); !last.ok()) {
+    return opened->named(last.error());
+  }
+  BesideLog beside{std::move(*session), std::move(opened->warnings), std::move(opened->folder)};
+  if (!opened->not_kept.empty()) beside.warnings.push_back(opened->not_kept);
+  return beside;
+}
+
 /// The log beside, if one is wanted.
 Status showBeside(const ContentRequest& request, const fs::path& cell,
                   const TellLoadProgress& progress, const std::stop_token& stop,
                   ViewContent& content) {
   if (request.beside.empty()) return {};
-  auto opened = openRecordingOf(request, request.beside, cell, progress, stop);
-  if (!opened.ok()) return opened.error();
-  content.warnings.insert(content.warnings.end(), opened->warnings.begin(), opened->warnings.end());
-  if (!opened->not_kept.empty()) content.warnings.push_back(opened->not_kept);
-  auto beside = Timeline::open(opened->log);
-  if (!beside.ok()) return opened->named(beside.error());
-  beside->useStop(stop);
-  const std::string note = logAccount(*beside, nullptr).note();
-  if (!note.empty()) content.warnings.push_back(note);
-  content.beside_folder = opened->folder;
-  return content.model->showBeside(std::move(*beside), request.align);
+  auto beside = readBeside(request, cell, progress, stop);
+  if (!beside.ok()) return beside.error();
+  auto warnings = addBeside(std::move(*beside), request.align, content);
+  if (!warnings.ok()) return warnings.error();
+  std::ranges::move(*warnings, std::back_inserter(content.warnings));
+  return {};
 }
 
 /// Real pictures behind the model, and the camera that has them unless another was asked for.
@@ -239,8 +255,28 @@ bool isHopeless(const Cell& cell) {
   return !draws;
 }
 
+Result<std::vector<std::string>> addBeside(BesideLog beside, const std::string& align,
+                                           ViewContent& content) {
+  const Cell& cell = content.model->cell();
+  const std::string note =
+      logAccount(beside.session, cell.bare_model.empty() ? &cell : nullptr).note();
+  if (!note.empty()) beside.warnings.push_back(note);
+  const Status shown = content.model->showBeside(std::move(beside.session), align);
+  if (!shown) return shown.error();
+  content.beside_folder = std::move(beside.folder);
+  return std::move(beside.warnings);
+}
+
 Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress,
                                 const std::stop_token& stop) {
+  if (request.beside_alone) {
+    auto beside = readBeside(request, request.cell, progress, stop);
+    if (!beside.ok()) return beside.error();
+    ViewContent alone;
+    alone.request = std::move(request);
+    alone.beside = std::move(*beside);
+    return alone;
+  }
   if (auto read = readEndpoints(request); !read) return read.error();
   if (request.empty()) {
     ViewContent nothing = emptyContent();

@@ -18,6 +18,13 @@
 
 namespace rocinante {
 
+/// A log that was read to be shown beside another one.
+struct BesideLog {
+  Timeline session;
+  std::vector<std::string> warnings;            ///< one sentence each
+  std::shared_ptr<const PrivateFolder> folder;  ///< a temporary log lies in it; null: it is none
+};
+
 /// What is shown: a model and where it came from.
 struct ViewContent {
   ContentRequest request;  ///< `cell` and `log` as they were found
@@ -26,7 +33,14 @@ struct ViewContent {
   /// One sentence each, to be printed. The model's panels have those that stay over the picture.
   std::vector<std::string> warnings;
   std::shared_ptr<const PrivateFolder> beside_folder;  ///< a temporary log beside lies in it
+  std::optional<BesideLog> beside{};  ///< read alone (ContentRequest): then there is no model
 };
+
+/// Shows a log beside that of the content, aligned as alignBeside() says, and what it has to be
+/// said of it and the cell. bad_argument, when the content stays as it is. Main thread once it is
+/// shown.
+Result<std::vector<std::string>> addBeside(BesideLog beside, const std::string& align,
+                                           ViewContent& content);
 
 /// Errors of the cell and its files, and what of them is left out.
 std::vector<PictureNote> notesOf(const Cell& cell);

@@ -110,6 +110,39 @@ TEST(Commands, ConnectAndAskTheProgramToWaitInAScript) {
   EXPECT_EQ(requests.disconnect, true);
 }
 
+TEST(Commands, ShowALogBesideTheOneThatIsShown) {
+  const test::TemporaryFolder folder;
+  ViewModel model = armModel(folder, true);
+  ViewerRequests requests;
+  const CommandStage stage{model, SteadyTime{}, 480, requests};
+  const auto run = [&](std::string_view line) {
+    requests = {};
+    const std::vector<std::string> words = splitWords(line);
+    const Status done = runCommand("beside", words, stage);
+    return done ? std::string() : done.error().text();
+  };
+  constexpr const char* kNone = "there is no session beside (`beside FILE`, or view --beside LOG)";
+  EXPECT_EQ(run("on"), kNone);
+  EXPECT_EQ(run("none"), kNone);
+  EXPECT_EQ(run("b%20c.mcap event:the gripper opens"), "");
+  ASSERT_TRUE(requests.beside);
+  EXPECT_EQ(requests.beside->file, "b c.mcap");
+  EXPECT_EQ(requests.beside->align, "event:the gripper opens");
+  EXPECT_TRUE(requests.await_files) << "a script has it when it goes on";
+  EXPECT_EQ(run(""), "");
+  EXPECT_TRUE(model.viewer.panels.open.shown && model.viewer.panels.open.beside);
+  EXPECT_FALSE(requests.beside);
+  ASSERT_TRUE(model.showBeside(std::move(*Timeline::open(folder / "s.mcap")), "").ok());
+  EXPECT_EQ(run(""), "");
+  EXPECT_FALSE(model.beside_shown);
+  EXPECT_EQ(run("on"), "");
+  EXPECT_TRUE(model.beside_shown);
+  EXPECT_EQ(run("off 1s"), "`beside off` takes no other word");
+  EXPECT_EQ(run("none"), "");
+  ASSERT_TRUE(requests.beside);
+  EXPECT_TRUE(requests.beside->file.empty());
+}
+
 TEST(Commands, RunByKeyWithTheWordsOfTheKey) {
   const test::TemporaryFolder folder;
   ViewModel model = armModel(folder, true);

@@ -40,7 +40,7 @@ class OpeningInAWindow : public testing::Test {
   }
   /// What becomes of it: what is shown then, or a sentence.
   std::string done(const std::function<Status(Opening&)>& ask) {
-    Opening opening(loader_, left_, model(), content_->request);
+    Opening opening(loader_, left_, *content_);
     const Status begun = ask(opening);
     if (!begun) return begun.error().what;
     if (const auto meanwhile = std::exchange(meanwhile_, nullptr)) meanwhile();
@@ -58,6 +58,15 @@ class OpeningInAWindow : public testing::Test {
   }
   std::string open(const std::vector<std::filesystem::path>& files) {
     return done([&](Opening& opening) { return opening.open(files); });
+  }
+  /// "beside" when it is, or is ended.
+  std::string beside(const std::filesystem::path& file, const std::string& align = {}) {
+    const std::string came = done([&](Opening& opening) {
+      return opening.showBeside({file, align});
+    });
+    const bool is_shown = came.empty() || (file.empty() && came == "nothing");
+    EXPECT_TRUE(model().update(presentTime()).ok());
+    return is_shown ? "beside" : came;
   }
   std::string goBack() {
     return done([](Opening& opening) { return opening.goBack(); });
@@ -309,6 +318,118 @@ TEST_F(OpeningInAWindow, AFourthThatHasHeardNothingGivesWay) {
   EXPECT_EQ(left_.names(), left);
   connectAndHear();
   EXPECT_EQ(left_.names(), left);
+}
+
+TEST_F(OpeningInAWindow, ALogComesBesideTheOneThatIsShownAndGoesAgain) {
+  test::writeSession(folder_ / "b.mcap", {{0, "joints arm 2.5\n"}, {1000, "joints arm 3\n"}});
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
+  const ViewModel* const shown = &model();
+  model().cursor()->seek(test::sessionTime(500), presentTime());
+  EXPECT_TRUE(model().setVisible("arm/hand", false));
+  model().viewer.panels.notes.push_back({"of the cell", true});
+  ASSERT_TRUE(model().update(presentTime()).ok());
+  EXPECT_EQ(beside(folder_ / "b.mcap"), "beside");
+  EXPECT_EQ(&model(), shown) << "moment, view and choices are those from before";
+  EXPECT_EQ(model().shownTime(), test::sessionTime(500));
+  EXPECT_EQ(model().hiddenPaths(), std::vector<std::string>{"arm/hand"});
+  EXPECT_EQ(model().viewer.panels.notes.size(), 1U);
+  EXPECT_NE(model().scene().findDevice("beside:arm"), nullptr) << "drawn at once";
+  EXPECT_EQ(content_->request.beside, folder_ / "b.mcap") << "for evidence";
+  ASSERT_NE(model().partings(), nullptr);
+  // In place of it another one, or the same otherwise aligned.
+  model().beside_shown = false;
+  EXPECT_EQ(beside(folder_ / "b.mcap", "-1s"), "beside");
+  EXPECT_TRUE(model().beside_shown);
+  EXPECT_EQ(content_->request.align, "-1s");
+  EXPECT_FALSE(model().beside()->covers(test::sessionTime(500)));
+  EXPECT_EQ(model().scene().findDevice("beside:arm"), nullptr);
+  EXPECT_EQ(beside(folder_ / "b.mcap"), "beside");
+  EXPECT_TRUE(model().setVisible("beside:arm", false));
+  EXPECT_EQ(beside({}), "beside");
+  EXPECT_EQ(model().beside(), nullptr);
+  EXPECT_EQ(model().partings(), nullptr);
+  EXPECT_EQ(model().scene().findDevice("beside:arm"), nullptr);
+  EXPECT_EQ(model().hiddenPaths(), std::vector<std::string>{"arm/hand"});
+  EXPECT_TRUE(content_->request.beside.empty() && content_->request.align.empty());
+}
+
+TEST_F(OpeningInAWindow, WhatCannotBeBesideIsASentenceAndWhatIsShownStays) {
+  test::writeSession(folder_ / "b.mcap", {{0, "joints arm 2.5\n"}});
+  test::writeSession(folder_ / "empty.mcap", {});
+  test::writeSession(folder_ / "other.mcap", {{0, "joints welder 1 2 3\n"}});
+  test::writeSession(folder_ / "six.mcap", {{0, "joints arm 1 2 3 4 5 6\n"}});
+  test::writeText(folder_ / "bad.mcap", "no log");
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(beside(folder_ / "b.mcap"), "a log is shown beside another one, and none is shown");
+  EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
+  EXPECT_EQ(beside(folder_ / "b.mcap"), "beside");
+  EXPECT_EQ(beside(folder_ / "gone.mcap"), "there is no such file");
+  EXPECT_EQ(beside(folder_.path()), "a folder cannot be shown; open a file of it");
+  EXPECT_EQ(beside(folder_ / "arm.urdf"), "only a log or another recording can be beside one");
+  EXPECT_NE(beside(folder_ / "bad.mcap").find("bad.mcap"), std::string::npos);
+  EXPECT_EQ(beside(folder_ / "empty.mcap"), "empty.mcap is not shown beside: it has no packets");
+  EXPECT_EQ(beside(folder_ / "other.mcap"),
+            "other.mcap is not shown beside: it moves nothing of this cell: welder is not a device "
+            "of the cell and was not added");
+  EXPECT_EQ(beside(folder_ / "six.mcap"),
+            "six.mcap is not shown beside: it moves nothing of this cell: arm received 6 joint "
+            "values, but its model has 1, so none is used");
+  EXPECT_EQ(beside(folder_ / "b.mcap", "nowhere"),
+            "b.mcap is not shown beside: `nowhere` aligns nothing: use origin, events, event:TEXT "
+            "or an offset, as 2.5s");
+  EXPECT_EQ(beside(folder_ / "b.mcap", "events"),
+            "b.mcap is not shown beside: the two sessions have no event in common");
+  ASSERT_NE(model().beside(), nullptr);
+  EXPECT_EQ(model().beside()->session().log().name(), (folder_ / "b.mcap").string());
+  EXPECT_EQ(content_->request.beside, folder_ / "b.mcap");
+  EXPECT_TRUE(content_->request.align.empty());
+  connectAndHear();
+  EXPECT_EQ(beside(folder_ / "b.mcap"),
+            "no log is shown beside a live session: `save` it, and open that");
+}
+
+TEST_F(OpeningInAWindow, ALogThatTakesThePlaceOfAnotherOffersThatBesideIt) {
+  test::writeSession(folder_ / "b.mcap", {{0, "joints arm 2.5\n"}});
+  std::string other = test::kArmUrdf;
+  other.replace(other.find("\"arm\""), 5, "\"gripper\"");
+  test::writeText(folder_ / "gripper.urdf", other);
+  const auto offered = [&] { return model().viewer.panels.open.before; };
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
+  EXPECT_TRUE(offered().empty()) << "there was no log";
+  EXPECT_EQ(open({folder_ / "b.mcap"}), "b.mcap");
+  EXPECT_EQ(offered(), folder_ / "s.mcap");
+  model().viewer.panels.open.openBeside(folder_.path());
+  const std::vector<RecentContent> lines = model().viewer.panels.open.offered();
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].log, folder_ / "s.mcap");
+  EXPECT_EQ(open({folder_ / "b.mcap"}), "b.mcap");
+  EXPECT_TRUE(offered().empty()) << "the same one";
+  EXPECT_EQ(open({folder_ / "gripper.urdf", folder_ / "s.mcap"}), "s.mcap");
+  EXPECT_TRUE(offered().empty()) << "of another cell";
+  EXPECT_EQ(open({folder_ / "s.mcap", folder_ / "b.mcap"}), "s.mcap");
+  EXPECT_TRUE(offered().empty());
+  ASSERT_NE(model().beside(), nullptr) << "two dropped together";
+  EXPECT_EQ(content_->request.beside, folder_ / "b.mcap");
+}
+
+TEST(TheListBesideALog, HasOtherLogsAlone) {
+  OpenState open;
+  open.log = "/s/today.mcap";
+  open.before = "/s/yesterday.mcap";
+  open.recent = {{"/s/cell.toml", "/s/today.mcap"},
+                 {"/s/cell.toml", ""},
+                 {"/s/cell.toml", "/s/yesterday.mcap"},
+                 {"/s/old.mcap", "/s/old.mcap"}};
+  EXPECT_EQ(open.offered(), open.recent);
+  open.openBeside("/");
+  EXPECT_EQ(open.offered(),
+            (std::vector<RecentContent>{{"", "/s/yesterday.mcap"}, {"", "/s/old.mcap"}}));
+  EXPECT_TRUE(canBeBeside("a.mcap") && canBeBeside("bag/") && canBeBeside("t.csv"));
+  EXPECT_FALSE(canBeBeside("a.cell.toml") || canBeBeside("A.URDF"));
+  open.open("/");
+  EXPECT_FALSE(open.beside);
 }
 
 TEST_F(OpeningInAWindow, BadEndpointsAreSentencesAndWhatIsShownStays) {

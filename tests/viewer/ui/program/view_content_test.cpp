@@ -27,6 +27,13 @@ TEST_F(OpenedFiles, AreACellALogOrBoth) {
   ASSERT_TRUE(both.ok());
   EXPECT_EQ(both->cell, folder_ / "arm.urdf");
   EXPECT_EQ(both->log, folder_ / "s.mcap");
+
+  test::writeSession(folder_ / "t.mcap", {{0, "event \"begun\"\n"}});
+  const auto three = requestOf({folder_ / "s.mcap", folder_ / "arm.urdf", folder_ / "t.mcap"}, {});
+  ASSERT_TRUE(three.ok());
+  EXPECT_EQ(three->log, folder_ / "s.mcap");
+  EXPECT_EQ(three->beside, folder_ / "t.mcap");
+  EXPECT_FALSE(three->beside_alone);
 }
 
 TEST_F(OpenedFiles, WithALogComesTheShownCell) {
@@ -74,7 +81,10 @@ TEST_F(OpenedFiles, AreRefusedWithASentence) {
   EXPECT_EQ(what({folder_.path()}, {}), "a folder cannot be shown; open a file of it");
   EXPECT_EQ(what({folder_ / "gone.urdf"}, {}), "there is no such file");
   EXPECT_EQ(what({folder_ / "arm.urdf", folder_ / "arm.urdf"}, {}),
-            "a window shows one cell and one log at a time");
+            "a window shows one cell, one log and one beside it at a time");
+  const std::filesystem::path log = folder_ / "s.mcap";
+  EXPECT_EQ(what({log, log, log}, {}),
+            "a window shows one cell, one log and one beside it at a time");
 }
 
 TEST_F(OpenedFiles, OfALiveWindowKeepWhatConcernsLiveSessions) {
