@@ -259,6 +259,12 @@ await check("a page begins with its layout: camera, theme, insets and curves, wh
   await shown(linked.page);
   assert.equal(await linked.page.evaluate(() => window.rocinante.calls.camera()), "overview");
   await linked.page.close();
+  // A camera that is not in the list is shown there by its name.
+  const fitted = await open(path.replace(/[^/]*$/, "layout.html"), "#t=2&camera=fit:arm");
+  await shown(fitted.page);
+  assert.equal(await fitted.page.evaluate(() => window.rocinante.calls.camera()), "fit:arm");
+  assert.equal(await fitted.page.locator("#camera").inputValue(), "fit:arm");
+  await fitted.page.close();
 });
 await check("what is not listed and not plotted is counted", async () => {
   const other = await open(path.replace(/[^/]*$/, "many.html"), "#t=0.027");

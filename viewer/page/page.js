@@ -227,11 +227,11 @@ function showCamera() {
   const name = calls.camera();
   const choice = element("camera");
   const other = choice.querySelector("option[data-by-hand]");
-  if (name.startsWith("@")) {
+  if (name && !about.cameras.includes(name)) {
     const option = other || choice.appendChild(document.createElement("option"));
     option.dataset.byHand = "yes";
     option.value = name;
-    option.textContent = "by hand";
+    option.textContent = name.startsWith("@") ? "by hand" : name;
     choice.value = name;
   } else {
     if (other) other.remove();

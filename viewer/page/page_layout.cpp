@@ -75,17 +75,22 @@ Result<Json> statedCurves(const std::vector<WantedCurve>& wanted, const Cell& ce
   return names;
 }
 
-Json knownInsets(const std::vector<std::string>& texts, const PosedScene& scene,
+/// Of a camera that the page has not.
+const char* missingCamera(const std::string& name) {
+  return name.starts_with("fit:") ? "the cell has no such device" : "the cell has no such camera";
+}
+
+Json knownInsets(const std::vector<std::string>& texts, const Cell& cell, const PosedScene& scene,
                  Account& left_out) {
   Json known = Json::array();
   for (const std::string& text : texts) {
     const auto inset = parseInset(text);
-    if (inset.ok() && hasCamera(inset->camera, scene)) {
+    if (inset.ok() && hasCamera(inset->camera, cell, scene)) {
       known.push_back(text);
     } else {
       left_out.leaveOut({.kind = "inset",
                          .name = text,
-                         .reason = inset.ok() ? "the cell has no such camera" : "it is no inset"});
+                         .reason = inset.ok() ? missingCamera(inset->camera) : "it is no inset"});
     }
   }
   return known;
@@ -98,13 +103,13 @@ Result<PageLayout> pageLayout(const ViewLayout& layout, const Cell& cell, LogRea
   Json json = Json::object();
   const SessionState nothing_said;
   const PosedScene scene = poseScene(cell, nothing_said);
-  if (!layout.camera.empty() && hasCamera(layout.camera, scene)) {
+  if (!layout.camera.empty() && hasCamera(layout.camera, cell, scene)) {
     json["camera"] = layout.camera;
   } else if (!layout.camera.empty()) {
     made.left_out.leaveOut(
-        {.kind = "camera", .name = layout.camera, .reason = "the cell has no such camera"});
+        {.kind = "camera", .name = layout.camera, .reason = missingCamera(layout.camera)});
   }
-  if (layout.insets) json["insets"] = knownInsets(*layout.insets, scene, made.left_out);
+  if (layout.insets) json["insets"] = knownInsets(*layout.insets, cell, scene, made.left_out);
   if (layout.plots) {
     const auto wanted = wantedCurves(layout, scene, made.left_out);
     auto plots = statedCurves(wanted, cell, std::move(log), made.left_out);

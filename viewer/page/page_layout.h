@@ -16,7 +16,7 @@ struct PageLayout {
   /// layout says them; what it does not say is not there.
   std::string json;
   /// Kinds: panel, plot, camera, inset. Of plots a page has curves of values, of which the log
-  /// states numbers; cameras are those that the page offers: of the cell, `fit` and `map`.
+  /// states numbers; cameras are those of the cell, `fit`, `map`, and `fit:DEVICE` of its devices.
   Account left_out;
 };
 

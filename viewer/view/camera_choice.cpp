@@ -62,8 +62,12 @@ std::string numbersOf(const Vec3& v) { return fmt::format("{},{},{}", v.x, v.y, 
 
 }  // namespace
 
-bool hasCamera(const std::string& name, const PosedScene& scene) {
-  return name == "map" || name == "fit" || chooseCamera(name, scene).ok();
+bool hasCamera(const std::string& name, const Cell& cell, const PosedScene& scene) {
+  if (name == "map" || name == "fit" || chooseCamera(name, scene).ok()) return true;
+  constexpr std::string_view kOfDevice = "fit:";
+  if (!name.starts_with(kOfDevice)) return false;
+  const std::string device = name.substr(kOfDevice.size());
+  return cell.findDevice(device) != nullptr || scene.findDevice(device) != nullptr;
 }
 
 Result<CameraView> parseViewpoint(std::string_view text) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/cell/cell.h"
 #include "core/cell/posed_scene.h"
 #include "viewer/view/camera.h"
 
@@ -16,8 +17,9 @@ CameraView viewOf(const PosedCamera& camera);
 /// known ones.
 Result<CameraView> chooseCamera(const std::string& name, const PosedScene& scene);
 
-/// Whether a camera of that name can be looked through, or made to fit.
-bool hasCamera(const std::string& name, const PosedScene& scene);
+/// Whether a camera of that name can be looked through, or is built in: "fit", "map", or
+/// "fit:DEVICE" of a device that the cell has or that is in the scene.
+bool hasCamera(const std::string& name, const Cell& cell, const PosedScene& scene);
 
 /// A viewpoint in numbers, in place of a camera's name: "@EX,EY,EZ/TX,TY,TZ", eye and target in
 /// metres, then, each behind a slash, "fov=DEG", "ortho=HEIGHT_M" and "up=X,Y,Z". bad_argument.

@@ -60,6 +60,16 @@ TEST_F(PageLayoutTest, APageBeginsWithWhatItHas) {
   EXPECT_EQ(accountSentence(page.left_out), "");
 }
 
+TEST_F(PageLayoutTest, APageFitsCamerasToDevices) {
+  const PageLayout page =
+      made("camera = \"fit:lift\"\ninsets = [\"fit:lift:top-left\", \"fit:leg\"]\n");
+  EXPECT_EQ(page.json, "{\"camera\":\"fit:lift\",\"insets\":[\"fit:lift:top-left\"]}");
+  EXPECT_EQ(accountSentence(page.left_out),
+            "left out: 1 inset `fit:leg` (the cell has no such device)");
+  EXPECT_EQ(accountSentence(made("camera = \"fit:leg\"\n").left_out),
+            "left out: 1 camera `fit:leg` (the cell has no such device)");
+}
+
 TEST_F(PageLayoutTest, WhatAPageHasNotIsNamed) {
   const PageLayout page = made(
       "camera = \"none\"\nplots = [\"lift.j over lift/tool:x\", \"rate\", \"?\", \"lift.k\", "

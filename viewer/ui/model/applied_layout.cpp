@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 
+#include "viewer/render/fitted_cameras.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/view/inset_layout.h"
 
@@ -45,6 +47,13 @@ std::string addPlot(const std::string& text, ViewModel& model) {
   return has_room ? "" : fmt::format("there is no room for the plot of `{}`", text);
 }
 
+/// What to say of a camera that the window has not; `where` ends the sentence.
+std::string missingCamera(const std::string& name, const char* where) {
+  const std::string_view device = FittedCameras::deviceOf(name);
+  if (device.empty()) return fmt::format("there is no camera `{}`{}", name, where);
+  return fmt::format("no device is named `{}`, so there is no camera `{}`{}", device, name, where);
+}
+
 }  // namespace
 
 ViewLayout layoutOf(const ViewModel& model) {
@@ -71,10 +80,10 @@ std::vector<std::string> applyLayout(const ViewLayout& layout, ViewModel& model)
   const bool is_of_scene = chooseCamera(layout.camera, model.scene()).ok();
   if (!layout.camera.empty() && is_of_scene) {
     model.useCamera(layout.camera);
-  } else if (hasCamera(layout.camera, model.scene())) {
+  } else if (hasCamera(layout.camera, model.cell(), model.scene())) {
     model.viewer.built_in_wanted = layout.camera;
   } else if (!layout.camera.empty()) {
-    left_out.push_back(fmt::format("there is no camera `{}`", layout.camera));
+    left_out.push_back(missingCamera(layout.camera, ""));
   }
   model.viewer.panels.places = {};
   model.viewer.panels.places.places = layout.panels;
@@ -94,8 +103,8 @@ std::vector<std::string> applyLayout(const ViewLayout& layout, ViewModel& model)
     const auto inset = parseInset(text);
     if (!inset.ok()) {
       left_out.push_back(inset.error().what);
-    } else if (!hasCamera(inset->camera, model.scene())) {
-      left_out.push_back(fmt::format("there is no camera `{}` for an inset", inset->camera));
+    } else if (!hasCamera(inset->camera, model.cell(), model.scene())) {
+      left_out.push_back(missingCamera(inset->camera, " for an inset"));
     } else {
       model.viewer.insets.push_back({*inset, true});
     }

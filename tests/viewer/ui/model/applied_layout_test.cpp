@@ -51,6 +51,26 @@ TEST_F(Layouts, NameWhatAWindowHasNot) {
   EXPECT_EQ(model_->viewer.insets.size(), 1U);
 }
 
+TEST_F(Layouts, HaveCamerasThatFitADevice) {
+  ViewLayout layout;
+  layout.camera = "fit:arm";
+  layout.insets = {"fit:arm:top-left", "fit:leg", "fit:"};
+  EXPECT_EQ(applyLayout(layout, *model_),
+            (std::vector<std::string>{
+                "no device is named `leg`, so there is no camera `fit:leg` for an inset",
+                "there is no camera `fit:` for an inset"}));
+  EXPECT_EQ(model_->viewer.built_in_wanted, "fit:arm");
+  ASSERT_EQ(model_->viewer.insets.size(), 1U);
+  EXPECT_EQ(model_->viewer.insets[0].inset.camera, "fit:arm");
+  layout.insets.reset();
+  layout.camera = "fit:leg";
+  model_->useCamera("over");
+  EXPECT_EQ(applyLayout(layout, *model_),
+            std::vector<std::string>{"no device is named `leg`, so there is no camera `fit:leg`"});
+  EXPECT_EQ(model_->viewer.built_in_wanted, "");
+  EXPECT_EQ(model_->cameraName(), "over");
+}
+
 TEST_F(Layouts, NameWhatThereIsNoRoomFor) {
   ViewLayout layout;
   layout.plots = ViewLayout::Plots{};
