@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "core/base/duration_text.h"
 #include "viewer/ui/commands/command_groups.h"
@@ -136,6 +137,10 @@ Status useLayout(CommandWords words, const CommandStage& stage) {
   if (!layout.ok()) return layout.error();
   for (const std::string& left_out : applyLayout(*layout, stage.model)) {
     stage.model.viewer.panels.notes.push_back({words[0] + ": " + left_out, false});
+  }
+  // Now, as by `camera`: commands that follow are of this view, or choose another.
+  if (std::string& wanted = stage.model.viewer.built_in_wanted; !wanted.empty()) {
+    stage.requests.built_in_camera = std::exchange(wanted, {});
   }
   return {};
 }

@@ -42,6 +42,7 @@ CameraView ViewModel::cameraView() {
 
 void ViewModel::useCamera(const std::string& name) {
   camera_name_ = name;
+  viewer.built_in_wanted.clear();
   named_view_.reset();
   has_built_in_ = false;
   followed_ = {};
@@ -55,6 +56,7 @@ void ViewModel::useBuiltInCamera(const std::string& name, const CameraView& view
 
 void ViewModel::addCamera(CellCamera camera) {
   camera_name_ = camera.name;
+  viewer.built_in_wanted.clear();
   has_built_in_ = false;
   cell_->cameras.push_back(std::move(camera));
   // Cameras are posed with the scene. What cannot be read was said when it was shown.
@@ -63,12 +65,14 @@ void ViewModel::addCamera(CellCamera camera) {
 
 void ViewModel::resetCamera() {
   turntable_ = Turntable();
+  viewer.built_in_wanted.clear();
   followed_ = {};
   has_built_in_ = false;
   camera_name_ = cell_->cameras.empty() ? std::string() : cell_->cameras.front().name;
 }
 
 Turntable& ViewModel::holdCamera() {
+  viewer.built_in_wanted.clear();
   if (!camera_name_.empty()) {
     turntable_ = Turntable(cameraView());
     camera_name_.clear();

@@ -73,9 +73,10 @@ struct ViewerState {
   PacketLookup packet;
   bool nearest_wanted = false;  ///< measure how near the selection is to others
   bool outline_selected = true;
-  std::string built_in_wanted;  ///< a built-in camera for the coming frame to fit; empty: none
-  bool is_empty = false;        ///< nothing is shown yet: an empty cell stands for it
-  bool was_shown = false;       ///< it comes back to the window, and is as it was
+  /// A built-in camera for the coming frame to fit, unless another is used before; empty: none.
+  std::string built_in_wanted;
+  bool is_empty = false;   ///< nothing is shown yet: an empty cell stands for it
+  bool was_shown = false;  ///< it comes back to the window, and is as it was
 };
 
 }  // namespace rocinante

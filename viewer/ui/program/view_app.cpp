@@ -440,7 +440,10 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
   if (model_.cameraName().empty() && !model_.viewer.was_shown) {
     if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
     prepareView();
+    // The first frame has what a layout wants all the same.
+    std::string wanted = model_.viewer.built_in_wanted;
     model_.fit(picture_.corners(false), part_.width, part_.height);
+    model_.viewer.built_in_wanted = std::move(wanted);
   }
   while (!window_->closeRequested() && !cli::stopRequested()) {
     if (record_.active()) recorded_now_ = std::chrono::steady_clock::now();

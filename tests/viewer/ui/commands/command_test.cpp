@@ -232,6 +232,24 @@ TEST(Commands, AskForABuiltInCameraUnlessTheCellHasOneOfThatName) {
   EXPECT_EQ(model.cameraName(), "map");
 }
 
+TEST(Commands, ALayoutAsksForItsBuiltInCameraAsTheCommandForCamerasDoes) {
+  const test::TemporaryFolder folder;
+  ViewModel model = armModel(folder, false);
+  ASSERT_TRUE(model.update(SteadyTime{}).ok());
+  ViewerRequests requests;
+  const CommandStage stage{model, SteadyTime{}, 480, requests};
+  test::writeText(folder / "l.layout.toml", "format = 1\ncamera = \"fit:arm\"\n");
+  const std::vector<std::string> words{(folder / "l.layout.toml").string()};
+  ASSERT_TRUE(runCommand("layout", words, stage));
+  EXPECT_EQ(requests.built_in_camera, "fit:arm") << "in this frame";
+  EXPECT_EQ(model.viewer.built_in_wanted, "") << "no later one";
+  EXPECT_TRUE(model.viewer.panels.notes.empty());
+  requests = {};
+  test::writeText(folder / "l.layout.toml", "format = 1\ntheme = \"light\"\n");
+  ASSERT_TRUE(runCommand("layout", words, stage));
+  EXPECT_FALSE(requests.built_in_camera);
+}
+
 TEST(Commands, RefuseWrongWords) {
   const test::TemporaryFolder folder;
   ViewModel model = armModel(folder, true);

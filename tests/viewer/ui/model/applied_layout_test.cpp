@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "tests/viewer/support/arm_model.h"
 #include "tests/viewer/support/layout_text.h"
 
@@ -69,6 +71,24 @@ TEST_F(Layouts, HaveCamerasThatFitADevice) {
             std::vector<std::string>{"no device is named `leg`, so there is no camera `fit:leg`"});
   EXPECT_EQ(model_->viewer.built_in_wanted, "");
   EXPECT_EQ(model_->cameraName(), "over");
+}
+
+TEST_F(Layouts, GiveWayToTheCameraThatIsUsedAfterThem) {
+  ViewLayout layout;
+  layout.camera = "map";
+  const auto wantedAfter = [&](const std::function<void()>& use) {
+    EXPECT_TRUE(applyLayout(layout, *model_).empty());
+    EXPECT_EQ(model_->viewer.built_in_wanted, "map");
+    use();
+    return model_->viewer.built_in_wanted;
+  };
+  EXPECT_EQ(wantedAfter([&] { model_->useCamera("over"); }), "");
+  EXPECT_EQ(wantedAfter([&] { model_->holdCamera().zoom(1); }), "");
+  EXPECT_EQ(wantedAfter([&] { model_->holdCamera().zoom(1); }), "") << "that was held already";
+  EXPECT_EQ(wantedAfter([&] { model_->resetCamera(); }), "");
+  CellCamera own;
+  own.name = "own";
+  EXPECT_EQ(wantedAfter([&] { model_->addCamera(own); }), "");
 }
 
 TEST_F(Layouts, NameWhatThereIsNoRoomFor) {
