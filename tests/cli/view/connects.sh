@@ -15,9 +15,11 @@ seek 5s
 frame 2
 screenshot log.png
 disconnect
-await-line what this session kept would be deleted: \`save\` what you need, then \`disconnect forget\`
+await-line what the session that goes on behind this kept would be deleted: \`live\` shows it; \`save\` what you need
 live
 await 1.5s
+disconnect
+await-line what this session kept would be deleted: \`save\` what you need, then \`disconnect forget\`
 connect 127.0.0.1:$port
 await-line this window listens at 127.0.0.1:$port already
 connect :$port

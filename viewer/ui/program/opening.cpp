@@ -56,6 +56,14 @@ Error wouldBeLost() {
   return badArgument(fmt::format("what this session kept would be deleted: {}", kWayOut));
 }
 
+/// The same of one that is not shown, which cannot be saved until it is.
+Error wouldBeLostBehind() {
+  return badArgument(
+      fmt::format("what the session that goes on behind this kept would be deleted: `live` shows "
+                  "it; {}",
+                  kWayOut));
+}
+
 }  // namespace
 
 Opening::Opening(ContentLoader& loader, LeftSessions& left, ViewContent& shown)
@@ -183,7 +191,9 @@ Status Opening::disconnect(bool forgets) {
   if (auto begun = begin(); !begun) return begun;
   const bool is_shown = model_.isLive();
   if (!is_shown && left_.empty()) return badArgument("this window listens nowhere");
-  if (!forgets && hasHeard(is_shown ? model_ : left_.model(0))) return wouldBeLost();
+  if (!forgets && hasHeard(is_shown ? model_ : left_.model(0))) {
+    return is_shown ? wouldBeLost() : wouldBeLostBehind();
+  }
   if (is_shown) {
     loader_.start(withoutConnection(shown_, forgets));
   } else {

@@ -20,6 +20,9 @@ using namespace std::chrono_literals;
 
 constexpr const char* kWouldBeLost =
     "what this session kept would be deleted: `save` what you need, then `disconnect forget`";
+constexpr const char* kWouldBeLostBehind =
+    "what the session that goes on behind this kept would be deleted: `live` shows it; `save` what "
+    "you need, then `disconnect forget`";
 constexpr const char* kFull =
     "this window keeps 4 live sessions: `save` what you need, then `disconnect forget`";
 
@@ -200,7 +203,10 @@ TEST_F(OpeningInAWindow, DisconnectingAsksBeforeSomethingIsLost) {
   say(endpoint, "joints arm 0.5\n", [&] { return turn() == 0.5; });
   EXPECT_EQ(disconnect(false), kWouldBeLost);
   EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
-  EXPECT_EQ(disconnect(false), kWouldBeLost) << "of the one behind it";
+  EXPECT_EQ(disconnect(false), kWouldBeLostBehind);
+  EXPECT_EQ(goBack(), "arm.urdf") << "where it can be saved, as the sentence says";
+  EXPECT_EQ(disconnect(false), kWouldBeLost);
+  EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
   EXPECT_EQ(disconnect(true), "nothing");
   EXPECT_TRUE(left_.empty());
   // The port is free again, and the cell stays.
