@@ -35,12 +35,12 @@ bool isBeyondDoubt(const ViewModel& model) {
 }
 
 /// What the layout has and this content has not is said over the picture. True.
-bool useLayout(const ViewOptions& options, ViewContent& content) {
+bool useLayout(const ViewOptions& options, const ScriptRunner& script, ViewContent& content) {
   if (!options.layout) return true;
   // Its devices are known then. A live session counts from here, by the clock of its frames.
   const bool is_scripted = !options.script.empty();
   static_cast<void>(content.model->update(
-      is_scripted ? SteadyTime{} : SteadyTime(std::chrono::steady_clock::now())));
+      is_scripted ? script.now() : SteadyTime(std::chrono::steady_clock::now())));
   std::vector<PictureNote>& notes = content.model->viewer.panels.notes;
   for (const std::string& left_out : applyLayout(*options.layout, *content.model)) {
     notes.push_back({"the layout: " + left_out, false});
@@ -125,7 +125,9 @@ Result<bool> runViewer(const ContentRequest& first, const ViewOptions& options) 
       (*window)->setTitle(loader.busy() ? "Loading " + loader.name() + ": Rocinante" : "Rocinante");
     }
     remembered.apply(*content);
-    if (!content->model->viewer.is_empty && !has_layout) has_layout = useLayout(options, *content);
+    if (!content->model->viewer.is_empty && !has_layout) {
+      has_layout = useLayout(options, session.script, *content);
+    }
     auto next = showContent(*content, **window, options, session);
     if (!next.ok()) return next.error();
     remembered.keep(*content, **window);
