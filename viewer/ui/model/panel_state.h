@@ -18,6 +18,7 @@
 #include "viewer/ui/model/notice_stack.h"
 #include "viewer/ui/model/open_state.h"
 #include "viewer/ui/model/panel_places.h"
+#include "viewer/ui/model/pose_fields.h"
 #include "viewer/ui/model/selection.h"
 #include "viewer/view/backdrop_frame.h"
 
@@ -82,6 +83,7 @@ struct PanelState {
   std::array<char, 64> device_filter{};  ///< part of the listed names; NUL-terminated
   std::array<char, 64> source_filter{};  ///< the same for sources
   std::array<char, 64> event_filter{};   ///< the same for events
+  PoseFields pose_fields;                ///< of the selected device
   std::set<std::string> open_devices;    ///< whose links are listed
   Selection listed_selection;            ///< that the list of devices was scrolled to
   ShortNameLists short_names;            ///< of the lists, as they are shown

@@ -236,7 +236,9 @@ Result<Pose> ViewModel::movablePose(const std::string& device) const {
   if (posed == nullptr) return refused("there is no such device now");
   const DeviceState* const said = received_->findDevice(device);
   if (said != nullptr && said->pose) return refused("packets say where the device is");
-  return posed->pose;
+  // The scene has it there only from the next update on.
+  const Pose* const moved = moves.find(device);
+  return moved == nullptr ? posed->pose : *moved;
 }
 
 Status ViewModel::addMark(const std::string& text) {

@@ -8,6 +8,7 @@
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/placed_panel.h"
 #include "viewer/ui/panels/plot_parts.h"
+#include "viewer/ui/panels/pose_fields_panel.h"
 
 namespace rocinante {
 namespace {
@@ -48,9 +49,7 @@ void drawBareValues(const DeviceState& state) {
   }
 }
 
-}  // namespace
-
-void drawDevicePanel(ViewModel& model, const PanelRectangle& room, SteadyTime now) {
+void drawInspected(ViewModel& model, const PanelRectangle& room, SteadyTime now) {
   const Selection shown = model.inspected();
   PlacedPanel placed(model.viewer.panels.places, "device", {DockEdge::right, room},
                      px(kDevicePanelWidth));
@@ -74,6 +73,7 @@ void drawDevicePanel(ViewModel& model, const PanelRectangle& room, SteadyTime no
     ImGui::SameLine();
     ImGui::TextDisabled("...");
   } else if (device != nullptr && device->model != nullptr) {
+    drawPoseFields(model);
     drawPoseButton(model, shown);
     drawPose(model, shown);
     drawCarrier(state);
@@ -87,6 +87,13 @@ void drawDevicePanel(ViewModel& model, const PanelRectangle& room, SteadyTime no
     drawBareValues(*state);
   }
   placed.end();
+}
+
+}  // namespace
+
+void drawDevicePanel(ViewModel& model, const PanelRectangle& room, SteadyTime now) {
+  drawInspected(model, room, now);
+  settlePoseFields(model);
 }
 
 }  // namespace rocinante

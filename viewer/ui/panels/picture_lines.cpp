@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/figure_text.h"
+#include "viewer/ui/model/pose_fields.h"
 #include "viewer/ui/panels/hand_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
@@ -172,6 +173,7 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   };
   addSaid("kept", model.keepingTrouble(), true);
   addSaid("complaint", model.viewer.panels.complaint, true);
+  if (!hasPoseFields(model)) addSaid("pose", model.viewer.panels.pose_fields.trouble, true);
   bool told = false;
   for (const bool errors : {true, false}) {
     for (const PictureNote& note : model.viewer.panels.notes) {

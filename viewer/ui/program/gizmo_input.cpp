@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "viewer/ui/model/pose_fields.h"
 #include "viewer/ui/window/interface_context.h"
 
 namespace rocinante {
@@ -24,6 +25,7 @@ bool applyGizmo(ViewModel& model) {
   if (io.WantCaptureMouse || !ImGui::IsMouseClicked(ImGuiMouseButton_Left) || io.KeyShift) {
     return false;
   }
+  takeTypedPose(model);  // the drag begins there
   const double scale = ImGui::GetFontSize() / kFontPixels;
   return grabGizmo(model, places, mouse, kGizmoArrowPx * scale, kGizmoReachPx * scale);
 }
