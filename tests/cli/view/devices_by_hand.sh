@@ -51,7 +51,7 @@ cat site.cell.toml
 printf 'move box 0 0 1.5\nmove pole 0 3 0\nsave-pose\n' >both.txt
 view both.txt
 for line in 'undo' 'move nobody 0 0 0' 'move box here 0 0' 'save-pose' 'save-pose box yes' 'put-back box' \
-  'turn box 0 0 1e999'; do
+  'turn box 0 0 1e999' 'move box 1e300 0 0' 'turn box 0 0 360001deg'; do
   echo "$line" >fault.txt
   view fault.txt
 done

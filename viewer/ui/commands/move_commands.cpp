@@ -2,7 +2,7 @@
 
 #include "core/math/transform.h"
 #include "viewer/ui/commands/command_groups.h"
-#include "viewer/view/units.h"
+#include "viewer/ui/model/pose_fields.h"
 
 namespace rocinante {
 namespace {
@@ -13,12 +13,8 @@ Result<Vec3> threeOf(CommandWords words, bool angles) {
   for (int i = 0; i < 3; ++i) {
     const std::string& word = words[static_cast<std::size_t>(i) + 1];
     const auto value =
-        angles ? parseAngle(word, AngleUnit::radians) : parseLength(word, LengthUnit::metres);
-    if (!value) {
-      return badWord(
-          fmt::format("`{}` is not {}", word,
-                      angles ? "an angle: 0.5, 0.5rad, 30deg" : "a length: 0.12, 0.12m, 120mm"));
-    }
+        angles ? typedAngle(word, AngleUnit::radians) : typedLength(word, LengthUnit::metres);
+    if (!value) return value.error();
     values[i] = *value;
   }
   return values;
