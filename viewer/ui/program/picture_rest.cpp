@@ -3,7 +3,11 @@
 namespace rocinante {
 
 Result<PictureRest::News> PictureRest::step(SteadyTime now, bool is_empty, bool said) {
-  if (warmsUp(is_empty) && warm_up_.advance(picture_, detail_)) return News::none;
+  if (warmsUp(is_empty)) {
+    const bool more = warm_up_.advance(picture_, detail_);
+    if (warm_up_.done()) picture_.warmedUp();
+    if (more) return News::none;
+  }
   if (detail_.fixed()) return News::none;
   const bool due = picture_.refinesAt(now);
   if (due && !said) return News::begins;

@@ -27,7 +27,7 @@ Result<std::optional<DrawCounts>> SceneView::draw(Renderer& renderer, SceneFrame
   shown_.reset();
   const WindowTerms& terms = shown.terms;
   const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(terms.rung)];
-  plain_ = terms.refines && !begun_;
+  plain_ = terms.refines && !is_warm_;
   RenderStyle plain_style = terms.style;
   plain_style.shadows = plain_style.contact = false;
   if (plain_) frame.style = &plain_style;
@@ -38,7 +38,6 @@ Result<std::optional<DrawCounts>> SceneView::draw(Renderer& renderer, SceneFrame
   auto drawn = view_.draw(renderer, frame);
   if (!drawn.ok()) return drawn.error();
   shown_ = shown;
-  begun_ = true;
   plan_.changed(now, plain_ || terms.rung > 0 || terms.drops_looks ? terms.height : 0);
   return std::optional(*drawn);
 }

@@ -51,8 +51,11 @@ class SceneView {
   std::optional<SteadyTime> refinesAt() const { return plan_.nextAt(); }
   /// The picture shows everything, although the rung does not.
   bool refined() const { return plan_.whole(); }
-  /// What was drawn last is a plain beginning.
+  /// What was drawn last is a plain beginning, as everything is until warmedUp() where rungs are
+  /// chosen: at once, with one sample and without dear looks.
   bool isPlain() const { return plain_; }
+  /// The rung of the next picture is known to hold.
+  void warmedUp() { is_warm_ = true; }
 
   /// The picture to show, one sample per pixel.
   const FrameBuffer& picture() const { return refined() ? rest_.picture() : view_.picture(); }
@@ -64,7 +67,7 @@ class SceneView {
   RestPicture rest_;
   RestPlan plan_;
   std::optional<ShownScene> shown_;
-  bool begun_ = false, plain_ = false;
+  bool is_warm_ = false, plain_ = false;
 };
 
 }  // namespace rocinante

@@ -31,6 +31,7 @@ class WindowPicture {
   const FrameBuffer& pixels() const { return view_.picture(); }
   bool refined() const { return view_.refined(); }
   bool isPlain() const { return view_.isPlain(); }
+  void warmedUp() { view_.warmedUp(); }
 
   /// Poses, drawings or meshes changed.
   void changed() { ++version_; }
