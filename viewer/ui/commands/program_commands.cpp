@@ -62,6 +62,11 @@ Status makeScreenshot(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status measureLegibility(CommandWords words, const CommandStage& stage) {
+  stage.requests.legibility = words[0];
+  return {};
+}
+
 Status setPanels(CommandWords words, const CommandStage& stage) {
   const auto on = switched(words, stage.model.viewer.panels.shown);
   if (!on.ok()) return on.error();
@@ -331,6 +336,10 @@ std::vector<Command> scriptCommands() {
        .arguments = "SECONDS",
        .means = "draw 60 frames for each second",
        .run = drawSeconds},
+      {.name = "legibility",
+       .arguments = "FILE",
+       .means = "how the panels of the last frame can be read, as CSV",
+       .run = measureLegibility},
       {.name = "await",
        .arguments = "TIME",
        .means = "wait until the growing session is this long",

@@ -75,6 +75,8 @@ struct ViewerRequests {
   std::optional<std::string> notice;
   /// Why a key or a typed command did nothing: a sentence to show.
   std::optional<std::string> fault;
+  /// Write how the panels of the last frame can be read.
+  std::optional<std::filesystem::path> legibility;
 };
 
 }  // namespace rocinante

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/cli/program.h"
+#include "viewer/ui/program/legibility.h"
 #include "viewer/ui/program/save_camera.h"
 #include "viewer/ui/program/save_pose.h"
 
@@ -64,6 +65,9 @@ Status RequestDesk::makeFiles(const ViewerRequests& requests, const WindowSize& 
     const auto saved = savePoses(my_.model, my_.shown.cell, *requests.save_pose);
     if (scripted_ && !saved.ok()) return saved.error();
     say(saved.ok() ? *saved : saved.error().text(), !saved.ok(), now);
+  }
+  if (requests.legibility) {
+    if (auto told = writeLegibility(*requests.legibility, my_.model); !told) return told;
   }
   if (requests.screenshot) screenshot_ = requests.screenshot;
   if (!requests.save_live && !requests.save_file) return {};
