@@ -21,7 +21,7 @@ namespace {
 /// A check box for what the picture shows: of a part, it is half checked. Marks a user's choice
 /// that differs from packets and cell, and can reset it.
 void drawVisibility(ViewModel& model, const std::string& path, ShownPart shown, bool by_default,
-                    const char* label) {
+                    const char* label, const std::string& cut_name = {}) {
   const auto chosen = model.chosenVisibility(path);
   const bool is_mixed = shown == ShownPart::some;
   bool visible =
@@ -37,8 +37,8 @@ void drawVisibility(ViewModel& model, const std::string& path, ShownPart shown, 
   }
   ImGui::PopItemFlag();
   if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("now: %s\ncell and packets: %s\nyour choice: %s%s", nameOf(shown),
-                      by_default ? "shown" : "hidden",
+    ImGui::SetTooltip("%s%snow: %s\ncell and packets: %s\nyour choice: %s%s", cut_name.c_str(),
+                      cut_name.empty() ? "" : "\n", nameOf(shown), by_default ? "shown" : "hidden",
                       !chosen   ? "none"
                       : *chosen ? "shown"
                                 : "hidden",
@@ -53,10 +53,18 @@ void drawVisibility(ViewModel& model, const std::string& path, ShownPart shown, 
 constexpr std::array kBuiltInCameras{std::pair{"fit", "what can move, from the front and above"},
                                      std::pair{"map", "everything, from straight above"}};
 
+/// What the coming closed list shows of a name.
+std::string shownInList(const std::string& name) {
+  const float room =
+      ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+  return cutInMiddle(name, room, drawnWidth);
+}
+
 void drawCameraRow(ViewModel& model, ViewerRequests& requests) {
-  const std::string& current = model.cameraName();
+  const std::string current = model.cameraName();
   ImGui::SetNextItemWidth(px(-52));
-  if (ImGui::BeginCombo("##camera", current.empty() ? "free" : current.c_str())) {
+  const std::string shown = shownInList(current.empty() ? "free" : current);
+  if (ImGui::BeginCombo("##camera", shown.c_str())) {
     for (const std::string& name : model.cameraNames()) {
       if (ImGui::Selectable(name.c_str(), name == current)) model.useCamera(name);
     }
@@ -71,7 +79,8 @@ void drawCameraRow(ViewModel& model, ViewerRequests& requests) {
     explain("type a name: the cell's file gets a camera that looks so");
     ImGui::EndCombo();
   }
-  explain("the camera: 1 to 9, or drag the picture");
+  const bool is_cut = !current.empty() && shown != current;
+  explain(((is_cut ? current + "\n" : "") + "the camera: 1 to 9, or drag the picture").c_str());
   ImGui::SameLine();
   if (ImGui::Button("Fit", ImVec2(-1, 0))) requests.fit = true;
   explain("what can move, else everything (F); what is selected: Shift and F");
@@ -85,7 +94,8 @@ void drawInsets(ViewModel& model) {
     ImGui::Checkbox("##shown", &choice.shown);
     ImGui::SameLine();
     ImGui::SetNextItemWidth(px(-34));
-    if (ImGui::BeginCombo("##camera", choice.inset.camera.c_str())) {
+    const std::string whole = choice.inset.camera, shown = shownInList(whole);
+    if (ImGui::BeginCombo("##camera", shown.c_str())) {
       std::vector<std::string> names = model.cameraNames();
       names.insert(names.end(), {"fit", "map"});
       for (const std::string& name : names) {
@@ -96,6 +106,7 @@ void drawInsets(ViewModel& model) {
       }
       ImGui::EndCombo();
     }
+    explainCut(shown, whole);
     ImGui::SameLine();
     const bool gone = ImGui::SmallButton("x");
     explain("take this window away");
@@ -128,7 +139,8 @@ void drawLayers(ViewModel& model) {
     const float room = ImGui::GetContentRegionAvail().x - word - ImGui::GetFrameHeight() - px(16);
     const std::string name = cutInMiddle(layer.name, room, drawnWidth);
     drawVisibility(model, "layer/" + encodeName(layer.name), shown[i],
-                   model.layerVisibleByDefault(layer), (name + "###visible").c_str());
+                   model.layerVisibleByDefault(layer), (name + "###visible").c_str(),
+                   name == layer.name ? std::string() : layer.name);
     if (says) {
       ImGui::SameLine();
       ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right));
