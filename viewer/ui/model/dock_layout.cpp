@@ -83,8 +83,9 @@ DockLayout dockLayout(const DockWish& wish, float width, float height) {
   float bottom = height;
   if (wish.time > 0) {
     const bool peeked = wish.peeked == nameOf(DockEdge::bottom);
-    // Who looks at it takes it from the picture.
-    const float least = peeked ? kDockStrip : kLeastPictureHeight;
+    // Who looks at it takes it from the picture, but for a strip, and one of the plots.
+    const float strips = wish.plots > 0 ? 2 * kDockStrip : kDockStrip;
+    const float least = peeked ? strips : kLeastPictureHeight;
     const bool folded = (wish.time_folded && !peeked) || height - wish.time < least;
     if (folded) {
       layout.time_strip = takeBand(std::min(kDockStrip, height), width, bottom);

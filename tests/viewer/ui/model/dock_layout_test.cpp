@@ -91,6 +91,8 @@ TEST(DockLayout, WhatHasNoRoomIsLookedAtAtThePicturesCost) {
   EXPECT_EQ(dockLayout(wish, 480, 180).time, (PanelRectangle{0, 88, 480, 92}));
   EXPECT_TRUE(isThere(dockLayout(wish, 480, 100).time_strip))
       << "the picture keeps a strip's height";
+  EXPECT_TRUE(isThere(dockLayout(wish, 480, 92 + kDockStrip).time_strip)) << "and the plots theirs";
+  EXPECT_TRUE(isThere(dockLayout(wish, 480, 92 + 2 * kDockStrip).time));
   EXPECT_TRUE(isThere(dockLayout(wish, 480, 260).plots_strip));
   wish.peeked = kPlotsPeek;
   EXPECT_TRUE(isThere(dockLayout(wish, 480, 260).plots));
