@@ -74,9 +74,8 @@ double Governor::bestCostOf(int step) const {
 
 /// No hiccup explains it, and nobody waits for more of them to know.
 bool Governor::isHopeless() const {
-  return !costs_.empty() &&
-         costs_.size()<kFewFrames&& * std::ranges::min_element(costs_)> kHopeless *
-             settings_.target_ms;
+  if (costs_.empty() || costs_.size() >= kFewFrames) return false;
+  return *std::min_element(costs_.begin(), costs_.end()) > kHopeless * settings_.target_ms;
 }
 
 int Governor::cheapEnoughStep() const {
