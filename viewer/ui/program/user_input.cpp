@@ -6,6 +6,8 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 
 #include "viewer/ui/commands/key_commands.h"
 #include "viewer/ui/model/view_insets.h"
@@ -100,17 +102,43 @@ std::optional<PictureClick> applyMouse(ViewModel& model) {
   return std::nullopt;
 }
 
-/// What is typed before the palette or the list of files has the keyboard is not lost.
-void collectTyped(ViewModel& model, std::span<const KeyPress> presses) {
+/// The line that has the keyboard, or gets it in a moment, by what is open; null: none.
+const LineStart* shownLine(const PanelState& panels) {
+  if (panels.palette.shown) return &panels.palette.start;
+  return panels.open.shown ? &panels.open.start : nullptr;
+}
+
+/// What a script types before the palette or the list of files has the keyboard is not lost.
+void collectTyped(ViewModel& model, std::span<const KeyPress> presses, bool without_first) {
   LineStart& start = model.viewer.panels.palette.shown ? model.viewer.panels.palette.start
                                                        : model.viewer.panels.open.start;
-  for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters) start.type(letter);
+  for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters) {
+    if (!std::exchange(without_first, false)) start.type(letter);
+  }
   for (const KeyPress& press : presses) {
     if (press.key == GLFW_KEY_ENTER || press.key == GLFW_KEY_KP_ENTER) start.enter = true;
   }
 }
 
+/// Whether the first letter of the frame is that of the key: both come with one press.
+bool typesFirstLetter(const KeyPress& press) {
+  const auto& letters = ImGui::GetIO().InputQueueCharacters;
+  if (press.control || letters.empty() || letters.front() > 0x7F) return false;
+  return std::toupper(static_cast<int>(letters.front())) == press.key;
+}
+
+/// A key that opens a line of its own, whatever line has the keyboard.
+bool opensLine(const KeyPress& press) {
+  return press.control && (press.key == GLFW_KEY_P || press.key == GLFW_KEY_O);
+}
+
 }  // namespace
+
+KeyTaker keyTaker(const ViewModel& model) {
+  const LineStart* const line = shownLine(model.viewer.panels);
+  if (line != nullptr && line->collects) return KeyTaker::nobody;
+  return line != nullptr || ImGui::GetIO().WantTextInput ? KeyTaker::line : KeyTaker::commands;
+}
 
 std::optional<PicturePlace> mouseOnPicture(const ViewModel& model) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -133,10 +161,11 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now,
         return press.key == GLFW_KEY_ESCAPE;
       });
   if (ended) model.hand.stopDriving();
-  if (io.WantTextInput) return click;
-  if (model.viewer.panels.palette.shown || model.viewer.panels.open.shown) {
-    // They get the keyboard in a moment, and close themselves.
-    collectTyped(model, presses);
+  const bool is_line_shown = shownLine(model.viewer.panels) != nullptr;
+  if (io.WantTextInput && (is_line_shown || std::ranges::none_of(presses, opensLine))) return click;
+  if (is_line_shown) {
+    // It gets the keyboard in a moment, and closes itself.
+    collectTyped(model, presses, false);
     return click;
   }
   const CommandStage stage{model, now, model.viewer.picture_part.height, requests};
@@ -155,12 +184,14 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now,
     }
     if (ended && press.key == GLFW_KEY_ESCAPE) continue;
     if (flies && isFlyKey(press)) continue;
+    if (io.WantTextInput && !opensLine(press)) continue;
     tell(runKey(press, stage));
-    if (!model.viewer.panels.palette.shown && !model.viewer.panels.open.shown) continue;
+    if (shownLine(model.viewer.panels) == nullptr) continue;
     // What follows is typed into it.
-    collectTyped(model, presses.subspan(i + 1));
+    collectTyped(model, presses.subspan(i + 1), typesFirstLetter(press));
     return click;
   }
+  if (io.WantTextInput) return click;
   // By its character, since its key depends on the layout.
   for (const ImWchar character : io.InputQueueCharacters) {
     if (character == '?') tell(runCommand("help", {}, stage));

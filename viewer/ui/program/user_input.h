@@ -17,6 +17,9 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now,
                                            std::span<const KeyPress> presses,
                                            ViewerRequests& requests);
 
+/// Who takes the keys of the coming frame.
+KeyTaker keyTaker(const ViewModel& model);
+
 /// Where the mouse points in the picture; empty: at a panel, elsewhere, or it drags something.
 std::optional<PicturePlace> mouseOnPicture(const ViewModel& model);
 

@@ -280,7 +280,8 @@ std::optional<float> ViewApp::frameSeconds() {
 }
 
 void ViewApp::beginFrame() {
-  interface_.beginFrame(width_, height_, scripted() ? &script_.input() : nullptr, frameSeconds());
+  interface_.beginFrame(width_, height_, scripted() ? &script_.input() : nullptr, frameSeconds(),
+                        keyTaker(model_));
   if (!record_.active()) return;
   FrameInput seen = interface_.seen();
   seen.width = width_;

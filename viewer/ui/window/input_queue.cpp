@@ -8,7 +8,15 @@ namespace {
 
 /// By GLFW's numbers: what is below is a character, what is above only changes what others mean.
 constexpr int kFirstFunctionKey = 256, kFirstModifierKey = 340;
+constexpr int kEscapeKey = 256, kEnterKey = 257, kPadEnterKey = 335;
 constexpr std::chrono::milliseconds kDoubleClick(300);
+constexpr int kMostWaiting = 30;
+
+bool isModifier(const KeyPress& press) { return press.key >= kFirstModifierKey; }
+
+bool endsLine(const KeyPress& press) {
+  return press.key == kEnterKey || press.key == kPadEnterKey || press.key == kEscapeKey;
+}
 
 bool edits(const KeyPress& press) {
   return press.control || (press.key >= kFirstFunctionKey && press.key < kFirstModifierKey);
@@ -28,16 +36,27 @@ void InputQueue::add(const InputEvent& event) {
   events_.push_back(event);
 }
 
-const InputState& InputQueue::nextFrame(bool types) {
+const InputState& InputQueue::nextFrame(KeyTaker taker) {
+  waited_ = taker == KeyTaker::nobody ? waited_ + 1 : 0;
+  if (waited_ > kMostWaiting) taker = KeyTaker::line;
   bool moved = false;
   const bool arranged = std::exchange(arranges_, false);
+  const bool ended = std::exchange(ends_, false);
   state_.again = false;
   state_.letters.clear();
   const std::vector<KeyPress> before = std::exchange(state_.keys, {});
-  const auto waits = [&](const KeyPress& press) {
-    if (!types || press.repeated || !edits(press)) return false;
-    return std::ranges::any_of(state_.keys, edits) ||
-           std::ranges::find(before, press.key, &KeyPress::key) != before.end();
+  const auto keyWaits = [&](const KeyPress& press) {
+    if (taker == KeyTaker::nobody || ended || ends_) return true;
+    if (press.repeated || isModifier(press)) return false;
+    if (taker == KeyTaker::commands) {
+      return std::ranges::any_of(state_.keys, [](const KeyPress& one) { return !isModifier(one); });
+    }
+    return edits(press) && (std::ranges::any_of(state_.keys, edits) ||
+                            std::ranges::find(before, press.key, &KeyPress::key) != before.end());
+  };
+  const auto letterWaits = [&] {
+    if (taker == KeyTaker::nobody || ended || ends_) return true;
+    return taker == KeyTaker::line && std::ranges::any_of(state_.keys, edits);
   };
   while (!events_.empty()) {
     const InputEvent event = events_.front();
@@ -47,8 +66,7 @@ const InputState& InputQueue::nextFrame(bool types) {
     const bool is_key = event.kind == InputEvent::Kind::key;
     const bool is_letter = event.kind == InputEvent::Kind::letter;
     if (!is_key && !is_letter && !(state_.keys.empty() && state_.letters.empty())) break;
-    if (is_key && waits(event.pressed)) break;
-    if (is_letter && types && std::ranges::any_of(state_.keys, edits)) break;
+    if ((is_key && keyWaits(event.pressed)) || (is_letter && letterWaits())) break;
     events_.pop_front();
     if (is_letter) {
       state_.letters.push_back(event.letter);
@@ -57,6 +75,7 @@ const InputState& InputQueue::nextFrame(bool types) {
     if (is_key) {
       state_.keys.push_back(event.pressed);
       arranges_ = true;
+      ends_ = ends_ || (taker == KeyTaker::line && endsLine(event.pressed));
       continue;
     }
     state_.x = event.x;

@@ -39,6 +39,20 @@ struct InputState {
   bool anyDown() const;
 };
 
+/// Who takes keys and letters.
+enum class KeyTaker {
+  /// One key in a frame, with its letter, since it may open a line that takes the next one; repeats
+  /// of a held key, and keys that change what others mean, stay with it.
+  commands,
+  /// One editing key in a frame (erase, enter, an arrow), and only one that was up in the frame
+  /// before: each gets a frame, with one between two of the same, and one after enter, which may
+  /// close the line. What is typed after one comes in a later frame, since the line takes letters
+  /// first. Repeats of a held key stay together.
+  line,
+  /// A line that has not got the keyboard yet: they wait, but not for more than 30 frames.
+  nobody
+};
+
 /// Delivers ordered mouse and key events to frames. A frame sees the pointer where it was when a
 /// button changed, and at most one change: even in a late frame a click is a press and a release at
 /// its own place, a later jump of the pointer belongs to the next frame, and keys and clicks keep
@@ -47,12 +61,8 @@ struct InputState {
 class InputQueue {
  public:
   void add(const InputEvent& event);
-  /// The input of the next frame; valid until the next call. `types`: a line of text has the
-  /// keyboard. It obeys one editing key in a frame (erase, enter, an arrow), and only one that was
-  /// up in the frame before: each gets a frame, with one between two of the same. What is typed
-  /// after one comes in a later frame, since the line takes letters first. Repeats of a held key
-  /// stay together.
-  const InputState& nextFrame(bool types = false);
+  /// The input of the next frame; valid until the next call.
+  const InputState& nextFrame(KeyTaker taker = KeyTaker::commands);
   /// The last result of nextFrame().
   const InputState& thisFrame() const { return state_; }
   /// Keys that went down, which no frame has seen so far.
@@ -63,6 +73,8 @@ class InputQueue {
  private:
   std::deque<InputEvent> events_;
   bool arranges_ = false;  ///< a key or a release came in the last frame
+  bool ends_ = false;      ///< a line of text may have been closed in the last frame
+  int waited_ = 0;         ///< frames in a row in which nobody took keys
   std::array<std::optional<SteadyTime>, 5> pressed_at_;
   InputState state_;
 };

@@ -109,10 +109,10 @@ void InterfaceContext::tellKeys(const std::vector<KeyPress>& presses) {
 
 /// The backend reads the present mouse and buttons: for a click between two frames it would report
 /// the wrong place, and the release one frame late.
-void InterfaceContext::tellWindow(double width, double height) {
+void InterfaceContext::tellWindow(double width, double height, KeyTaker taker) {
   ImGuiIO& io = ImGui::GetIO();
   const bool outside = !window_->followsPointer() && !window_->input().pending();
-  const InputState& seen = window_->input().nextFrame(io.WantTextInput);
+  const InputState& seen = window_->input().nextFrame(taker);
   std::optional<std::pair<double, double>> at;
   // GLFW uses window units.
   if ((!outside || seen.anyDown()) && io.DisplaySize.x > 0 && io.DisplaySize.y > 0) {
@@ -128,11 +128,11 @@ void InterfaceContext::tellWindow(double width, double height) {
 }
 
 void InterfaceContext::beginFrame(int width, int height, const FrameInput* scripted,
-                                  std::optional<float> seconds) {
+                                  std::optional<float> seconds, KeyTaker taker) {
   ImGuiIO& io = ImGui::GetIO();
   if (window_ != nullptr) {
     ImGui_ImplGlfw_NewFrame();
-    tellWindow(width, height);
+    tellWindow(width, height, taker);
   } else {
     io.DeltaTime = kScriptedSeconds;
     if (scripted != nullptr) tellInput(io, *scripted);

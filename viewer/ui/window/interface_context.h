@@ -30,9 +30,10 @@ class InterfaceContext {
   void useTheme(bool light);
   float scale() const { return scale_; }
   /// `scripted`: what the frame sees, without a window; null: nothing new. `seconds`: since the
-  /// last frame; empty: as the clock has it, or sixty frames a second under a script.
+  /// last frame; empty: as the clock has it, or sixty frames a second under a script. `taker`: who
+  /// takes the keys of a window.
   void beginFrame(int width, int height, const FrameInput* scripted = nullptr,
-                  std::optional<float> seconds = {});
+                  std::optional<float> seconds = {}, KeyTaker taker = KeyTaker::commands);
   /// Keys of this frame.
   const std::vector<KeyPress>& presses() const { return presses_; }
   /// What this frame sees.
@@ -41,7 +42,7 @@ class InterfaceContext {
  private:
   void restyle();
   void tellKeys(const std::vector<KeyPress>& presses);
-  void tellWindow(double width, double height);
+  void tellWindow(double width, double height, KeyTaker taker);
 
   Window* window_;
   std::vector<int> told_keys_;     ///< of the last frame

@@ -1,5 +1,7 @@
 #include "viewer/ui/program/user_input.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -24,10 +26,12 @@ class UserInput : public testing::Test {
     ImGui::GetIO().Fonts->Build();
     model_->viewer.picture_part = {200, 0, 600, 500};
   }
-  std::optional<PictureClick> frame() {
+  /// `types`: a line of text has the keyboard.
+  std::optional<PictureClick> frame(bool types = false) {
     interface_.beginFrame(800, 600, &input_);
+    ImGui::GetIO().WantTextInput = types;
     ViewerRequests requests;
-    const auto click = applyUserInput(*model_, SteadyTime{}, {}, requests);
+    const auto click = applyUserInput(*model_, SteadyTime{}, input_.presses, requests);
     pointed_ = mouseOnPicture(*model_);
     ImGui::Render();
     input_.endFrame();
@@ -56,6 +60,29 @@ TEST_F(UserInput, IsOfThePictureInItsOwnPixels) {
   EXPECT_EQ(click->y, 100);
   ASSERT_TRUE(pointed_.has_value());
   EXPECT_EQ(*pointed_, PicturePlace(300, 100));
+}
+
+TEST_F(UserInput, ALineOfTextHasTheKeyboardButForKeysThatOpenAnother) {
+  const EdgeStyle edges = model_->style().edges;
+  input_.presses = {{GLFW_KEY_E, false, false, false}};
+  frame(true);
+  EXPECT_EQ(model_->style().edges, edges);
+  EXPECT_EQ(keyTaker(*model_), KeyTaker::line);
+  input_.presses = {{GLFW_KEY_P, false, false, true}};
+  frame(true);
+  EXPECT_TRUE(model_->viewer.panels.palette.shown);
+  EXPECT_EQ(keyTaker(*model_), KeyTaker::nobody) << "until its line has it";
+  model_->viewer.panels.palette.start.collects = false;
+  EXPECT_EQ(keyTaker(*model_), KeyTaker::line);
+}
+
+TEST_F(UserInput, TheLetterOfTheKeyThatOpensALineIsNotTypedIntoIt) {
+  input_.presses = {{GLFW_KEY_P, false, false, true}};
+  input_.typed = "seek";
+  frame();
+  EXPECT_EQ(model_->viewer.panels.palette.start.letters, "seek");
+  model_->viewer.panels.palette.shown = false;
+  EXPECT_EQ(keyTaker(*model_), KeyTaker::commands);
 }
 
 TEST_F(UserInput, BesideThePictureMeansNothing) {

@@ -36,25 +36,21 @@ TEST(InputQueue, ALineOfTextSeesEachEditingKeyInAFrameOfItsOwn) {
   press(kErase, false);
   press(kOther, false);
   press(kErase, false);
-  EXPECT_EQ(queue.nextFrame(true).keys.size(), 2U);
+  EXPECT_EQ(queue.nextFrame(KeyTaker::line).keys.size(), 2U);
   EXPECT_TRUE(queue.pending());
-  EXPECT_TRUE(queue.nextFrame(true).keys.empty());
-  EXPECT_EQ(queue.nextFrame(true).keys.size(), 1U);
+  EXPECT_TRUE(queue.nextFrame(KeyTaker::line).keys.empty());
+  EXPECT_EQ(queue.nextFrame(KeyTaker::line).keys.size(), 1U);
   EXPECT_FALSE(queue.pending());
-  queue.nextFrame(true);
+  queue.nextFrame(KeyTaker::line);
   press(kErase, false);
   press(kEnter, false);
-  EXPECT_EQ(queue.nextFrame(true).keys.front().key, kErase);
-  EXPECT_EQ(queue.nextFrame(true).keys.front().key, kEnter);
-  // Commands count each press, and a held key is one.
-  press(kErase, false);
-  press(kErase, false);
-  EXPECT_EQ(queue.nextFrame().keys.size(), 2U);
-  queue.nextFrame();
+  EXPECT_EQ(queue.nextFrame(KeyTaker::line).keys.front().key, kErase);
+  EXPECT_EQ(queue.nextFrame(KeyTaker::line).keys.front().key, kEnter);
+  queue.nextFrame(KeyTaker::line);
   press(kErase, false);
   press(kErase, true);
   press(kErase, true);
-  EXPECT_EQ(queue.nextFrame(true).keys.size(), 3U);
+  EXPECT_EQ(queue.nextFrame(KeyTaker::line).keys.size(), 3U);
 }
 
 TEST(InputQueue, ADoubleClickIsToldByWhenItCameNotByItsFrames) {
@@ -103,6 +99,47 @@ TEST(InputQueue, AButtonGoesDownWhereAKeyOrClickBeforeItHasArrangedAll) {
   EXPECT_TRUE(queue.nextFrame().anyDown());
 }
 
+TEST(InputQueue, ACommandIsOneKeyWithItsLetterAndTheRepeatsOfIt) {
+  constexpr int kShift = 340;
+  InputQueue queue;
+  const auto press = [&](int key, bool repeated) {
+    queue.add({Kind::key, 0, 0, 0, {key, false, repeated, false}});
+    InputEvent letter;
+    letter.kind = Kind::letter;
+    letter.letter = static_cast<unsigned>(key);
+    if (key < kShift) queue.add(letter);
+  };
+  press(kShift, false);
+  press('Y', false);
+  press('Y', true);
+  press('A', false);
+  EXPECT_EQ(queue.nextFrame().keys.size(), 3U);
+  EXPECT_EQ(queue.thisFrame().letters, (std::vector<unsigned>{'Y', 'Y'}));
+  // The first opened a line.
+  EXPECT_TRUE(queue.nextFrame(KeyTaker::nobody).keys.empty());
+  EXPECT_TRUE(queue.thisFrame().letters.empty());
+  EXPECT_EQ(queue.nextFrame(KeyTaker::line).letters, std::vector<unsigned>{'A'});
+  EXPECT_FALSE(queue.pending());
+}
+
+TEST(InputQueue, WhatComesBehindEnterWaitsUntilTheLineMayBeClosed) {
+  constexpr int kEnter = 257;
+  InputQueue queue;
+  queue.add({Kind::key, 0, 0, 0, {kEnter, false, false, false}});
+  queue.add({Kind::key, 0, 0, 0, {'G', false, false, false}});
+  EXPECT_EQ(queue.nextFrame(KeyTaker::line).keys.front().key, kEnter);
+  EXPECT_TRUE(queue.nextFrame(KeyTaker::line).keys.empty());
+  EXPECT_EQ(queue.nextFrame(KeyTaker::commands).keys.front().key, 'G');
+}
+
+TEST(InputQueue, KeysDoNotWaitForeverForALine) {
+  InputQueue queue;
+  queue.add({Kind::key, 0, 0, 0, {'G', false, false, false}});
+  int frames = 0;
+  while (queue.nextFrame(KeyTaker::nobody).keys.empty()) ASSERT_LT(++frames, 100);
+  EXPECT_GT(frames, 10);
+}
+
 TEST(InputQueue, LettersAndKeysOfALineKeepTheirOrder) {
   constexpr int kErase = 259;
   InputQueue queue;
@@ -120,18 +157,18 @@ TEST(InputQueue, LettersAndKeysOfALineKeepTheirOrder) {
   erase();
   queue.add({Kind::press, 0, 5, 5, {}});
   EXPECT_EQ(queue.waitingKeys(), (std::vector<int>{kErase, kErase}));
-  const InputState first = queue.nextFrame(true);
+  const InputState first = queue.nextFrame(KeyTaker::line);
   EXPECT_EQ(first.letters, (std::vector<unsigned>{'a', 'b'}));
   EXPECT_EQ(first.keys.size(), 1U);
   EXPECT_EQ(queue.waitingKeys().size(), 1U);
-  const InputState between = queue.nextFrame(true);
+  const InputState between = queue.nextFrame(KeyTaker::line);
   EXPECT_EQ(between.letters, std::vector<unsigned>{'c'});
   EXPECT_TRUE(between.keys.empty()) << "it was down in the frame before";
-  const InputState last = queue.nextFrame(true);
+  const InputState last = queue.nextFrame(KeyTaker::line);
   EXPECT_TRUE(last.letters.empty() && !last.anyDown());
   EXPECT_EQ(last.keys.size(), 1U);
-  EXPECT_FALSE(queue.nextFrame(true).anyDown());
-  EXPECT_TRUE(queue.nextFrame(true).anyDown());
+  EXPECT_FALSE(queue.nextFrame(KeyTaker::line).anyDown());
+  EXPECT_TRUE(queue.nextFrame(KeyTaker::line).anyDown());
   // Where nothing is typed into a line, commands hear both together.
   erase();
   type('d');
@@ -190,7 +227,8 @@ TEST(InputQueue, KeysKeepTheirPlaceAmongClicks) {
   queue.add({Kind::release, 0, 10, 5, {}});
   key(3);
   queue.add({Kind::move, 0, 90, 5, {}});
-  EXPECT_EQ(queue.nextFrame().keys.size(), 2U);
+  EXPECT_EQ(queue.nextFrame().keys.size(), 1U);
+  EXPECT_EQ(queue.nextFrame().keys.size(), 1U);
   EXPECT_FALSE(queue.nextFrame().anyDown());
   EXPECT_TRUE(queue.nextFrame().down[0]);
   EXPECT_TRUE(queue.thisFrame().keys.empty());
