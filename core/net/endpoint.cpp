@@ -76,7 +76,8 @@ Status checkScheme(std::string_view scheme, std::string_view text) {
 
 }  // namespace
 
-Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view text) {
+Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view text,
+                                    HostNames names) {
   std::string_view host;
   std::string_view port_text;
   const bool bracketed = host_port.starts_with('[');
@@ -115,7 +116,10 @@ Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view
   }
   if (host.empty()) return SocketAddress{.port = *port};
   if (!isHostName(host)) return bad(text, "the host is neither an address nor a name");
-  if (!looksNumeric(host)) return lookUp(host, *port, text);
+  if (!looksNumeric(host)) {
+    if (names == HostNames::looked_up) return lookUp(host, *port, text);
+    return Error{ErrorKind::refused, "a name is not looked up here", printableEndpoint(text)};
+  }
   auto address = SocketAddress::parse(host, *port);
   if (!address) return bad(text, address.error().what);
   return address;
@@ -179,6 +183,32 @@ Status moveZoneToInterface(Endpoint& endpoint, std::string_view text) {
   return {};
 }
 
+Result<Endpoint> parseEndpoint(std::string_view text, HostNames names) {
+  if (text.empty()) return bad(text, "an endpoint is udp://HOST:PORT, HOST:PORT or :PORT");
+  if (text.size() > kMaxTextBytes) return bad(text, "the endpoint is too long");
+  std::string_view rest = text;
+  if (rest.starts_with(kPcapScheme)) return parsePcap(text);
+  if (rest.starts_with(kSubscribeScheme)) return parseSubscribe(text, names);
+  if (rest.starts_with(kNatsScheme) || rest.starts_with(kJetStreamScheme)) return parseNats(text);
+  if (const std::size_t scheme_end = rest.find("://"); scheme_end != rest.npos) {
+    if (Status known = checkScheme(rest.substr(0, scheme_end), text); !known) return known.error();
+    rest.remove_prefix(scheme_end + 3);
+  }
+  const std::size_t question = rest.find('?');
+  auto address = parseHostPort(rest.substr(0, question), text, names);
+  if (!address) return address.error();
+
+  Endpoint endpoint;
+  endpoint.address = *address;
+  if (Status moved = moveZoneToInterface(endpoint, text); !moved) return moved.error();
+  while (rest.find_first_of("?&") != rest.npos) {
+    rest.remove_prefix(rest.find_first_of("?&") + 1);
+    const std::string_view option = rest.substr(0, rest.find('&'));
+    if (Status set = setOption(endpoint, option, text); !set) return set.error();
+  }
+  return endpoint;
+}
+
 }  // namespace
 
 bool isHostName(std::string_view host) {
@@ -213,29 +243,13 @@ bool isInterfaceName(std::string_view name) {
 }
 
 Result<Endpoint> Endpoint::parse(std::string_view text) {
-  if (text.empty()) return bad(text, "an endpoint is udp://HOST:PORT, HOST:PORT or :PORT");
-  if (text.size() > kMaxTextBytes) return bad(text, "the endpoint is too long");
-  std::string_view rest = text;
-  if (rest.starts_with(kPcapScheme)) return parsePcap(text);
-  if (rest.starts_with(kSubscribeScheme)) return parseSubscribe(text);
-  if (rest.starts_with(kNatsScheme) || rest.starts_with(kJetStreamScheme)) return parseNats(text);
-  if (const std::size_t scheme_end = rest.find("://"); scheme_end != rest.npos) {
-    if (Status known = checkScheme(rest.substr(0, scheme_end), text); !known) return known.error();
-    rest.remove_prefix(scheme_end + 3);
-  }
-  const std::size_t question = rest.find('?');
-  auto address = parseHostPort(rest.substr(0, question), text);
-  if (!address) return address.error();
+  return parseEndpoint(text, HostNames::looked_up);
+}
 
-  Endpoint endpoint;
-  endpoint.address = *address;
-  if (Status moved = moveZoneToInterface(endpoint, text); !moved) return moved.error();
-  while (rest.find_first_of("?&") != rest.npos) {
-    rest.remove_prefix(rest.find_first_of("?&") + 1);
-    const std::string_view option = rest.substr(0, rest.find('&'));
-    if (Status set = setOption(endpoint, option, text); !set) return set.error();
-  }
-  return endpoint;
+Status Endpoint::check(std::string_view text) {
+  const auto endpoint = parseEndpoint(text, HostNames::left);
+  if (endpoint.ok() || endpoint.error().kind == ErrorKind::refused) return {};
+  return endpoint.error();
 }
 
 Endpoint Endpoint::standard() {

@@ -65,6 +65,8 @@ struct Endpoint {
   /// bad_argument with the reason and the text; unsupported for the schemes of later versions.
   /// Looks up host names (getaddrinfo; refused when that fails), but not numeric addresses.
   static Result<Endpoint> parse(std::string_view text);
+  /// What parse() refuses of the text before it would look up a name, which is done nowhere here.
+  static Status check(std::string_view text);
   /// udp://239.255.19.96:19960?interface=lo&ttl=0
   static Endpoint standard();
 

@@ -30,11 +30,14 @@ bool isHostName(std::string_view host);
 std::optional<std::string> decodePercent(std::string_view text);
 /// One word for any text: bytes that are not printable, % and those of `also`, as %XX.
 std::string encodePercent(std::string_view text, std::string_view also);
-/// HOST:PORT, [V6]:PORT or :PORT; looks up a host name. `text` is the whole endpoint, for errors.
-Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view text);
+/// What is done with a host name. That it is not looked up is a `refused`, as that it is not found.
+enum class HostNames { looked_up, left };
+/// HOST:PORT, [V6]:PORT or :PORT. `text` is the whole endpoint, for errors.
+Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view text,
+                                    HostNames names);
 
 /// subscribe://HOST:PORT?OPTIONS; `text` begins with kSubscribeScheme.
-Result<Endpoint> parseSubscribe(std::string_view text);
+Result<Endpoint> parseSubscribe(std::string_view text, HostNames names);
 /// The canonical form of a subscribe endpoint.
 std::string subscribeText(const Endpoint& endpoint);
 

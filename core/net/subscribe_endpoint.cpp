@@ -66,10 +66,10 @@ Status setOption(Endpoint::Selection& selection, std::string_view option, std::s
 
 }  // namespace
 
-Result<Endpoint> parseSubscribe(std::string_view text) {
+Result<Endpoint> parseSubscribe(std::string_view text, HostNames names) {
   std::string_view rest = text.substr(kSubscribeScheme.size());
   const std::size_t question = rest.find('?');
-  auto address = parseHostPort(rest.substr(0, question), text);
+  auto address = parseHostPort(rest.substr(0, question), text, names);
   if (!address) return address.error();
   if (address->isAny()) return badEndpoint(text, "subscribe:// needs the relay's host");
   if (address->port == 0) return badEndpoint(text, "subscribe:// needs the relay's port");

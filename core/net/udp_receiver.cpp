@@ -33,7 +33,7 @@ Error portTaken(const Endpoint& endpoint) {
   const std::string by = holder ? holder->name + " (pid " + std::to_string(holder->pid) + ")"
                                 : std::string("another process");
   const std::string advice = endpoint.isMulticast() ? ", which does not share it; use another port"
-                                                    : "; use multicast, a relay, --tee or pcap://";
+                                                    : "; " + std::string(kTakenPortAdvice);
   return {ErrorKind::refused,
           "port " + std::to_string(endpoint.address.port) + " is held by " + by + advice,
           endpoint.text()};

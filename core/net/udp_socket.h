@@ -4,11 +4,15 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "core/net/datagram_sink.h"
 #include "core/net/datagram_source.h"
 
 namespace rocinante {
+
+/// How to hear a unicast port that another program holds, as the error of a taken port says it.
+inline constexpr std::string_view kTakenPortAdvice = "use multicast, a relay, --tee or pcap://";
 
 /// A receiving UDP socket: many datagrams a call, with the kernel's timestamps and drop counts.
 /// UDP_GRO stays off: it hides drops and gives one timestamp to several datagrams. Linux. One

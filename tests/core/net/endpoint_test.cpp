@@ -60,6 +60,18 @@ TEST(Endpoint, ReadsEveryFormAndWritesTheCanonicalOne) {
   }
 }
 
+TEST(Endpoint, IsCheckedWithoutLookingUpItsName) {
+  for (const char* good : {":19960", "robot.invalid:5", "udp://robot.invalid:5?interface=lo",
+                           "subscribe://robot.invalid:5?rate=2", "nats://robot.invalid/a"}) {
+    EXPECT_TRUE(Endpoint::check(good)) << good;
+  }
+  EXPECT_EQ(Endpoint::check("nonsense:host:99999").error().text(),
+            "an IPv6 address must be in brackets, as in [::1]:19960 (nonsense:host:99999)");
+  EXPECT_FALSE(Endpoint::check("robot.invalid:99999"));
+  EXPECT_FALSE(Endpoint::check("subscribe://robot.invalid"));
+  EXPECT_FALSE(Endpoint::check("127.0.0.1:5?ttl=-1"));
+}
+
 TEST(Endpoint, StandardIsTheLoopbackGroup) {
   EXPECT_EQ(Endpoint::standard().text(), "udp://239.255.19.96:19960?interface=lo&ttl=0");
   EXPECT_EQ(Endpoint::parse(Endpoint::standard().text()).value(), Endpoint::standard());

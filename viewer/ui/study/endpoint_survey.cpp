@@ -10,6 +10,7 @@
 
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
+#include "core/net/udp_socket.h"
 #include "core/packet/decoder.h"
 #include "core/transport/open_source.h"
 
@@ -32,7 +33,7 @@ class Ear {
     if (opened.ok()) {
       source_ = std::move(*opened);
     } else {
-      heard_.fault = plainText(opened.error().what);
+      heard_.fault = plainText(faultInWindow(opened.error().what));
       heard_.listening = false;
     }
   }
@@ -85,6 +86,15 @@ std::vector<HeardEndpoint> heardOf(std::vector<Ear>& ears) {
 }
 
 }  // namespace
+
+std::string faultInWindow(std::string fault) {
+  if (const std::size_t at = fault.find(kTakenPortAdvice); at != fault.npos) {
+    fault.replace(
+        at, kTakenPortAdvice.size(),
+        "`connect` to a group, to a relay (subscribe://HOST:PORT) or to pcap://INTERFACE");
+  }
+  return fault;
+}
 
 std::string HeardEndpoint::text() const {
   if (!fault.empty()) return fault;

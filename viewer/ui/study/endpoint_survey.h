@@ -25,6 +25,9 @@ struct HeardEndpoint {
   bool operator==(const HeardEndpoint&) const = default;
 };
 
+/// Why an endpoint cannot be listened at, with advice that a window has in place of a program's.
+std::string faultInWindow(std::string fault);
+
 /// An endpoint, and for how long it is listened at.
 struct SurveyedEndpoint {
   Endpoint endpoint;

@@ -74,6 +74,9 @@ TEST(EndpointSurvey, ATakenPortIsASentenceAndTheOthersAreHeard) {
   ASSERT_EQ(heard.size(), 2U);
   EXPECT_EQ(heard[0].sources, std::vector<std::string>{"arm"});
   EXPECT_NE(heard[1].text().find(" is held by "), std::string::npos) << heard[1].text();
+  EXPECT_TRUE(heard[1].text().ends_with(
+      "; `connect` to a group, to a relay (subscribe://HOST:PORT) or to pcap://INTERFACE"))
+      << heard[1].text();
 }
 
 TEST(EndpointSurvey, HostileNamesAreShownPlainAndNotEndlesslyMany) {
