@@ -43,6 +43,10 @@ Result<double> numberOf(const std::string& word);
 /// "on" or "off"; without a word, the opposite of `now`. bad_argument without a place.
 Result<bool> switched(CommandWords words, bool now);
 
+/// A key as a script names it: as parseKey() does, but in any case, Ctrl and Shift in any order,
+/// and as tables of keys have it (Esc, comma, full-stop). bad_argument without a place.
+Result<KeyPress> keyOf(const std::string& word);
+
 /// bad_argument without a place.
 Error badWord(std::string what);
 

@@ -7,7 +7,6 @@
 #include "core/base/duration_text.h"
 #include "viewer/ui/commands/command_groups.h"
 #include "viewer/ui/commands/script_word.h"
-#include "viewer/ui/window/key_name.h"
 
 namespace rocinante {
 namespace {
@@ -67,12 +66,6 @@ Status turnWheel(CommandWords words, const CommandStage& stage) {
   stage.input->wheel = *steps;
   stage.input->wheel_across = *across;
   return {};
-}
-
-Result<KeyPress> keyOf(const std::string& word) {
-  const auto press = parseKey(word);
-  if (!press) return badWord(fmt::format("`{}` is not a key", word));
-  return *press;
 }
 
 Status pressHere(CommandWords words, const CommandStage& stage) {

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -16,6 +17,35 @@
 namespace rocinante {
 
 Error badWord(std::string what) { return {ErrorKind::bad_argument, std::move(what), {}}; }
+
+Result<KeyPress> keyOf(const std::string& word) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kOfTables{
+      {{"esc", "escape"}, {"comma", ","}, {"full-stop", "."}}};
+  std::string name;
+  for (const char one : word) name += one >= 'A' && one <= 'Z' ? static_cast<char>(one + 32) : one;
+  bool control = false, shift = false;
+  const auto takes = [&name](std::string_view prefix, bool& has) {
+    if (has || !name.starts_with(prefix)) return false;
+    name.erase(0, prefix.size());
+    return has = true;
+  };
+  while (takes("ctrl+", control) || takes("shift+", shift)) continue;
+  for (const auto& [of_table, meant] : kOfTables) {
+    if (name == of_table) name = meant;
+  }
+  auto press = parseKey(name);
+  if (!press) {
+    // A letter, or F1.
+    for (char& one : name) one = one >= 'a' && one <= 'z' ? static_cast<char>(one - 32) : one;
+    press = parseKey(name);
+  }
+  if (!press || press->control || press->shift) {
+    return badWord(fmt::format("`{}` is not a key: use G, ctrl+G, shift+left or enter", word));
+  }
+  press->control = control;
+  press->shift = shift;
+  return *press;
+}
 
 Result<double> numberOf(const std::string& word) {
   double value = 0;
@@ -207,8 +237,8 @@ Status clickPicture(CommandWords words, const CommandStage& stage) {
 }
 
 Status pressKey(CommandWords words, const CommandStage& stage) {
-  const auto press = parseKey(words[0]);
-  if (!press) return badWord(fmt::format("`{}` is not a key", words[0]));
+  const auto press = keyOf(words[0]);
+  if (!press.ok()) return press.error();
   return runKey(*press, stage);
 }
 

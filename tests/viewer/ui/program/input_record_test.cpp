@@ -156,6 +156,25 @@ TEST(InputRecord, SaysWhenTheDiskIsFull) {
   EXPECT_EQ(record.error().text(), "cannot be written: No space left on device (/dev/full)");
 }
 
+TEST(InputCommands, TakeKeysAsTablesNameThem) {
+  for (const auto& [word, name] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"Ctrl+G", "ctrl+G"},
+                                                                  {"ctrl+g", "ctrl+G"},
+                                                                  {"Shift+Ctrl+z", "ctrl+shift+Z"},
+                                                                  {"Enter", "enter"},
+                                                                  {"Shift+left", "shift+left"},
+                                                                  {"Esc", "escape"},
+                                                                  {"f1", "F1"},
+                                                                  {"Shift+comma", "shift+,"},
+                                                                  {"full-stop", "."},
+                                                                  {"g", "G"},
+                                                                  {"Page-Up", "page-up"}}) {
+    FrameInput input;
+    EXPECT_TRUE(doAgain(std::string("press ") + word, input)) << word;
+    EXPECT_EQ(inputLines({}, input), std::string("press ") + name + "\n");
+  }
+}
+
 TEST(InputCommands, RefuseWhatNoMouseAndNoKeyboardDoes) {
   FrameInput input;
   for (const auto& [line, fault] : std::initializer_list<std::pair<const char*, const char*>>{
@@ -166,7 +185,8 @@ TEST(InputCommands, RefuseWhatNoMouseAndNoKeyboardDoes) {
            {"button left sideways", "`sideways` is neither down nor up"},
            {"button sixth down", "`sixth` is not a button: left, right, middle, fourth, fifth"},
            {"wheel 100000", "`100000` must be from -1000 to 1000"},
-           {"press hyper", "`hyper` is not a key"},
+           {"press hyper", "`hyper` is not a key: use G, ctrl+G, shift+left or enter"},
+           {"press ctrl+ctrl+G", "`ctrl+ctrl+G` is not a key: use G, ctrl+G, shift+left or enter"},
            {"hold H", "`H` means nothing while it is held"},
            {"type %0", "`%0` has a % without two hexadecimal digits"},
            {"type %00", "`%00` has a NUL"},
