@@ -22,6 +22,10 @@ rocinante golden compare map.png again.png
 sed -i 's/arm.joint2/leg.joint2/' forces.layout.toml
 printf '%s\n' 'layout forces.layout.toml' 'frame 2' 'await-line forces.layout.toml: no device is named `leg`' >other.txt
 show other.txt && echo "said over the picture"
+printf '%s\n' 'format = 1' 'plots = ["signal arm nothing"]' >signals.layout.toml
+printf '%s\n' 'layout signals.layout.toml' 'frame 2' \
+  'await-line no packet of the log states `signal arm nothing`, so its plot is empty' >signals.txt
+show signals.txt && echo "said over the picture"
 printf '%s\n' "save-layout session.mcap" >bad.txt
 cp session.mcap session.mcap.layout.toml
 show bad.txt || echo "exit $?"

@@ -170,9 +170,7 @@ Status setPictureWidth(CommandWords words, const CommandStage& stage) {
 Status useLayout(CommandWords words, const CommandStage& stage) {
   const auto layout = ViewLayout::load(words[0]);
   if (!layout.ok()) return layout.error();
-  for (const std::string& left_out : applyLayout(*layout, stage.model)) {
-    stage.model.viewer.panels.notes.push_back({words[0] + ": " + left_out, false});
-  }
+  noteLeftOut(words[0], applyLayout(*layout, stage.model), stage.model);
   // Now, as by `camera`: commands that follow are of this view, or choose another.
   if (std::string& wanted = stage.model.viewer.built_in_wanted; !wanted.empty()) {
     stage.requests.built_in_camera = std::exchange(wanted, {});

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/series/derived_value.h"
 #include "viewer/render/fitted_cameras.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/view/inset_layout.h"
@@ -110,6 +111,35 @@ std::vector<std::string> applyLayout(const ViewLayout& layout, ViewModel& model)
     }
   }
   return left_out;
+}
+
+void noteLeftOut(const std::string& name, const std::vector<std::string>& left_out,
+                 ViewModel& model) {
+  PanelState& panels = model.viewer.panels;
+  panels.dropNotes(PictureNote::Of::layout);
+  for (const std::string& each : left_out) {
+    panels.notes.push_back({name + ": " + each, false, PictureNote::Of::layout});
+  }
+}
+
+std::vector<SeriesKey> unstatedSignals(const ViewModel& model) {
+  const StudyPicture* const picture = model.viewer.picture.get();
+  std::vector<SeriesKey> unstated;
+  if (picture == nullptr || picture->stated == nullptr) return unstated;
+  const auto look = [&](const SeriesKey& plotted) {
+    for (const SeriesKey& key : statedOf(plotted)) {
+      if (key.kind == SeriesKey::Kind::signal && std::ranges::count(*picture->stated, key) == 0 &&
+          std::ranges::count(unstated, key) == 0) {
+        unstated.push_back(key);
+      }
+    }
+  };
+  for (const PlotBoard::Curve& curve : model.viewer.plots.curves()) look(curve.key);
+  for (const PlotBoard::Path& path : model.viewer.plots.paths()) {
+    look(path.y);
+    look(path.x);
+  }
+  return unstated;
 }
 
 }  // namespace rocinante

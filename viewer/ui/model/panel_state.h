@@ -60,8 +60,11 @@ struct PaletteState {
 
 /// What a terminal was told about the files that are shown or were refused.
 struct PictureNote {
+  /// What it is about: what is shown, something that could not be, or a layout.
+  enum class Of { shown, failure, layout };
   std::string text;
   bool is_error = false;
+  Of of = Of::shown;
 };
 
 /// What the panels themselves remember between two frames: which are there and where, what is being
@@ -93,6 +96,10 @@ struct PanelState {
   std::string complaint;                 ///< one sentence to show; empty: none
   std::vector<std::string> doubts;       ///< doubts about written files, printed at the end
 
+  /// Away with what is said of that.
+  void dropNotes(PictureNote::Of of) {
+    std::erase_if(notes, [of](const PictureNote& note) { return note.of == of; });
+  }
   /// The left panel with that tab: "Scene", "Look", "Sources", "Events", "Check" or "Frame".
   void openTab(std::string name) {
     shown = true;

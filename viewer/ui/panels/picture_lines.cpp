@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/figure_text.h"
+#include "viewer/ui/model/applied_layout.h"
 #include "viewer/ui/model/pose_fields.h"
 #include "viewer/ui/panels/hand_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
@@ -181,6 +182,11 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
       const char* const hint = std::exchange(told, true) ? "" : "Esc dismisses it";
       add(keyOf(note), note.text, hint, errors ? PanelColor::fault : PanelColor::hint);
     }
+  }
+  for (const SeriesKey& key : unstatedSignals(model)) {
+    add("unstated " + key.text(),
+        fmt::format("no packet of the log states `{}`, so its plot is empty", key.text()), "",
+        PanelColor::hint);
   }
   addSaid("notice", status.notice, status.notice_is_fault);
   return lines;

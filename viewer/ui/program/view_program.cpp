@@ -41,11 +41,9 @@ bool useLayout(const ViewOptions& options, const ScriptRunner& script, ViewConte
   const bool is_scripted = !options.script.empty();
   static_cast<void>(content.model->update(
       is_scripted ? script.now() : SteadyTime(std::chrono::steady_clock::now())));
-  std::vector<PictureNote>& notes = content.model->viewer.panels.notes;
-  for (const std::string& left_out : applyLayout(*options.layout, *content.model)) {
-    notes.push_back({"the layout: " + left_out, false});
-    cli::warn(notes.back().text);
-  }
+  const std::vector<std::string> left_out = applyLayout(*options.layout, *content.model);
+  noteLeftOut("the layout", left_out, *content.model);
+  for (const std::string& each : left_out) cli::warn("the layout: " + each);
   return true;
 }
 

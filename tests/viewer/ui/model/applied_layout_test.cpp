@@ -6,6 +6,7 @@
 
 #include "tests/viewer/support/arm_model.h"
 #include "tests/viewer/support/layout_text.h"
+#include "viewer/ui/panels/picture_lines.h"
 
 namespace rocinante {
 namespace {
@@ -51,6 +52,42 @@ TEST_F(Layouts, NameWhatAWindowHasNot) {
   EXPECT_EQ(model_->viewer.plots.curves().size(), 1U);
   EXPECT_TRUE(model_->viewer.plots.paths().empty());
   EXPECT_EQ(model_->viewer.insets.size(), 1U);
+}
+
+TEST_F(Layouts, AreNotedInPlaceOfTheOneBefore) {
+  const auto notes = [&] {
+    std::vector<std::string> texts;
+    for (const PictureNote& note : model_->viewer.panels.notes) texts.push_back(note.text);
+    return texts;
+  };
+  model_->viewer.panels.notes.push_back({"of the cell", true});
+  noteLeftOut("the layout", {"one", "two"}, *model_);
+  EXPECT_EQ(notes(),
+            (std::vector<std::string>{"of the cell", "the layout: one", "the layout: two"}));
+  noteLeftOut("l.layout.toml", {"one"}, *model_);
+  EXPECT_EQ(notes(), (std::vector<std::string>{"of the cell", "l.layout.toml: one"}));
+  noteLeftOut("l.layout.toml", {}, *model_);
+  EXPECT_EQ(notes(), std::vector<std::string>{"of the cell"});
+}
+
+TEST_F(Layouts, NameSignalsThatNoPacketStates) {
+  ViewLayout layout;
+  layout.plots = ViewLayout::Plots{};
+  layout.plots->values = {"signal arm load", "signal arm nothing", "d/dt signal arm nothing",
+                          "arm.turn over signal - gone", "arm.turn"};
+  EXPECT_TRUE(applyLayout(layout, *model_).empty());
+  EXPECT_TRUE(unstatedSignals(*model_).empty()) << "nothing is known of a log";
+  auto picture = std::make_shared<StudyPicture>();
+  model_->viewer.picture = picture;
+  EXPECT_TRUE(unstatedSignals(*model_).empty()) << "it is not read";
+  picture->stated =
+      std::make_shared<const std::vector<SeriesKey>>(1, *parseSeriesKey("signal arm load"));
+  EXPECT_EQ(unstatedSignals(*model_), (std::vector<SeriesKey>{*parseSeriesKey("signal arm nothing"),
+                                                              *parseSeriesKey("signal - gone")}));
+  const auto lines = pictureLines(*model_, ViewerStatus(), SteadyTime{});
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].what,
+            "no packet of the log states `signal arm nothing`, so its plot is empty");
 }
 
 TEST_F(Layouts, HaveCamerasThatFitADevice) {
