@@ -1,6 +1,6 @@
 # A log that the window opens beside the shown one is what --beside shows, to the last pixel, and so is its evidence; ended,
 # the picture is that of one session. What cannot be beside it is a line over the picture. A log in place of another offers
-# that one, by Y and Enter, and two that are dropped together are beside each other.
+# that one, by Y and Enter, and two that are dropped together are beside each other, even while something is loaded.
 export ASAN_OPTIONS=detect_leaks=0
 demo=$SRC/examples/demo
 cp "$demo/session.mcap" 'accepted session.mcap'
@@ -57,6 +57,7 @@ frame 4
 await-files
 parting largest
 await-line the two are nowhere apart
+drop $demo/session.mcap
 drop $demo/session.mcap accepted%20session.mcap
 await-files
 parting largest

@@ -251,8 +251,10 @@ Status setBeside(CommandWords words, const CommandStage& stage) {
     model.viewer.panels.open.openBeside(std::filesystem::current_path(ignored));
     return {};
   }
-  if (model.beside() == nullptr) return badWord(kNoneBeside);
-  if (!words.empty() && words[0] == "none") {
+  const bool ends = !words.empty() && words[0] == "none";
+  const bool comes = model.viewer.panels.open.beside_comes;
+  if (model.beside() == nullptr && !(ends && comes)) return badWord(kNoneBeside);
+  if (ends) {
     stage.requests.beside.emplace();
     return {};
   }

@@ -56,6 +56,7 @@ struct OpenState {
   std::filesystem::path log;     ///< the recorded session that is shown; empty: none
   std::filesystem::path before;  ///< a log of the same devices that gave way to it; empty: none
   bool beside = false;           ///< what is chosen is shown beside `log`, and only logs are listed
+  bool beside_comes = false;     ///< a log is being read to be shown beside `log`
   bool listens = false;          ///< it tells what is heard at the usual endpoints
   std::array<char, 256> endpoint{};  ///< being typed, NUL-terminated
   /// Endpoints of live sessions behind what is shown, with blanks between; the last shown first.

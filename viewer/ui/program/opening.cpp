@@ -11,6 +11,7 @@
 #include "core/base/plain_text.h"
 #include "core/cli/program.h"
 #include "viewer/ui/model/misfits.h"
+#include "viewer/ui/study/endpoint_survey.h"
 #include "viewer/view/camera_choice.h"
 
 namespace rocinante {
@@ -48,6 +49,14 @@ bool areAlike(const ViewModel& shown, const ViewModel& next) {
       shown.session() != nullptr && !shown.isLive() && next.session() != nullptr && !next.isLive();
   return recorded && std::ranges::equal(shown.cell().devices, next.cell().devices, {},
                                         &CellDevice::name, &CellDevice::name);
+}
+
+/// What is wrong with the text of endpoints, if anything is.
+std::optional<Error> unreadOf(const std::vector<std::string>& endpoints) {
+  for (const std::string& endpoint : endpoints) {
+    if (const Status sound = Endpoint::check(endpoint); !sound) return sound.error();
+  }
+  return std::nullopt;
 }
 
 constexpr const char* kWayOut = "`save` what you need, then `disconnect forget`";
@@ -106,7 +115,22 @@ Status Opening::mayLeave(const ContentRequest& next) const {
 
 Status Opening::open(const std::vector<std::filesystem::path>& files) {
   if (files.empty()) return {};
+  if (busy() || back_) {
+    model_.viewer.panels.open.used = true;
+    loader_.keepForLater(files);
+    return {};
+  }
   if (auto begun = begin(); !begun) return begun;
+  return load(files);
+}
+
+Status Opening::loadLater() {
+  if (loader_.busy() || !loader_.hasLater()) return {};
+  return load(loader_.takeLater());
+}
+
+Status Opening::load(const std::vector<std::filesystem::path>& files) {
+  model_.viewer.panels.open.used = true;
   auto request = requestOf(files, shown_);
   if (!request.ok()) return request.error();
   if (auto may = mayLeave(*request); !may) return may;
@@ -115,7 +139,13 @@ Status Opening::open(const std::vector<std::filesystem::path>& files) {
 }
 
 Status Opening::showBeside(const BesideWish& wish) {
-  if (auto may = mayBegin(); !may) return may;
+  bool& comes = model_.viewer.panels.open.beside_comes;
+  if (wish.file.empty() && comes) {
+    comes = false;
+    gives_up_beside_ = true;
+  } else if (auto may = mayBegin(); !may) {
+    return may;
+  }
   if (wish.file.empty()) {
     model_.endBeside();
     shown_.beside.clear();
@@ -134,6 +164,7 @@ Status Opening::showBeside(const BesideWish& wish) {
   // A cell that the log carries, if it was imported, is in what became of it.
   if (shown_.cell == shown_.log) request->cell = model_.session()->log().name();
   loader_.start(std::move(*request));
+  comes = true;
   return {};
 }
 
@@ -154,6 +185,7 @@ std::string Opening::takeBeside(ViewContent read) {
   if (!warnings.ok()) return name + " is not shown beside: " + warnings.error().text();
   shown_.beside = std::move(read.request.beside);
   shown_.align = std::move(read.request.align);
+  model_.viewer.panels.dropNotes(PictureNote::Of::failure);
   for (const std::string& warning : *warnings) {
     model_.viewer.panels.notes.push_back({name + ": " + warning, false});
     cli::warn(model_.viewer.panels.notes.back().text);
@@ -163,6 +195,8 @@ std::string Opening::takeBeside(ViewContent read) {
 
 Status Opening::connect(const std::vector<std::string>& endpoints) {
   if (auto begun = begin(); !begun) return begun;
+  unread_ = unreadOf(endpoints);
+  if (unread_) return {};
   const std::string text = fmt::format("{}", fmt::join(endpoints, " "));
   if (model_.isLive() && (shown_.connect == endpoints || endpointsText(shown_) == text)) {
     return badArgument("this window listens at " + typedText(endpoints) + " already");
@@ -205,15 +239,31 @@ Status Opening::disconnect(bool forgets) {
 
 Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
   std::optional<Loaded> loaded;
+  if (unread_) {
+    loaded.emplace();
+    loaded->fault = std::exchange(unread_, std::nullopt)->text();
+    return loaded;
+  }
   if (back_) {
     loaded.emplace();
     loaded->content = left_.take(*std::exchange(back_, std::nullopt));
     loaded->goes_back = true;
     return loaded;
   }
+  if (auto begun = loadLater(); !begun) {
+    loaded.emplace();
+    loaded->fault = begun.error().text();
+    return loaded;
+  }
   auto result = loader_.waitFor(waits ? kLongestReading : Nanoseconds(0));
   if (!result) return loaded;
+  model_.viewer.panels.open.beside_comes = false;
   loaded.emplace();
+  if (std::exchange(gives_up_beside_, false)) {
+    loaded->fault =
+        plainText(loader_.name()) + " is not shown beside: `beside none` came before it was loaded";
+    return loaded;
+  }
   if (result->ok()) {
     if ((*result)->beside) {
       loaded->fault = takeBeside(std::move(**result));
@@ -236,14 +286,20 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
         "this window listens at that port itself: `disconnect` ends that, `live` shows what it "
         "left";
   } else {
-    loaded->fault = result->error().text();
+    loaded->fault = faultInWindow(result->error().text());
   }
   return loaded;
 }
 
 std::optional<LoadingStatus> Opening::status() const {
   if (!loader_.busy()) return std::nullopt;
-  return LoadingStatus{loader_.name(), loader_.progress(), {}};
+  std::string then;
+  if (gives_up_beside_) {
+    then = "it is not shown beside";
+  } else if (loader_.hasLater()) {
+    then = plainText(loader_.later().front().filename().string()) + " is opened then";
+  }
+  return LoadingStatus{loader_.name(), loader_.progress(), std::move(then)};
 }
 
 }  // namespace rocinante

@@ -19,15 +19,19 @@ class Opening {
  public:
   Opening(ContentLoader& loader, LeftSessions& left, ViewContent& shown);
 
-  bool busy() const { return loader_.busy(); }
-  /// Starts to load what was opened or dropped; refused with a sentence for the user.
+  /// Something is loaded, or is to be loaded then.
+  bool busy() const { return loader_.busy() || loader_.hasLater(); }
+  /// Starts to load what was opened or dropped, or keeps it until what is loaded has come; refused
+  /// with a sentence for the user.
   Status open(const std::vector<std::filesystem::path>& files);
   /// Starts to load a log to be shown beside the one that is shown, or ends the one that is. What
-  /// is shown stays as it is until it has come, and if it is bad. refused, bad_argument or
-  /// not_found with a sentence.
+  /// is shown stays as it is until it has come, and if it is bad. One that is still being loaded
+  /// ends, too: it is not shown when it has come. refused, bad_argument or not_found with a
+  /// sentence.
   Status showBeside(const BesideWish& wish);
   /// Listens at endpoints, as they were typed, with the cell that is shown; at those of a session
-  /// that was left, goes back to it. refused or bad_argument with a sentence.
+  /// that was left, goes back to it. refused or bad_argument with a sentence; what is wrong with
+  /// their text comes by take(), but nothing is loaded for it.
   Status connect(const std::vector<std::string>& endpoints);
   /// Shows the live session that was left last. bad_argument when there is none.
   Status goBack();
@@ -52,6 +56,9 @@ class Opening {
 
  private:
   Status begin();
+  Status load(const std::vector<std::filesystem::path>& files);
+  /// Starts with what was opened meanwhile, once nothing else is loaded.
+  Status loadLater();
   Status mayBegin() const;
   /// Shows a log that was read beside what is shown; why not, or empty.
   std::string takeBeside(ViewContent read);
@@ -68,6 +75,8 @@ class Opening {
   ViewModel& model_;
   ContentRequest& shown_;
   std::optional<std::size_t> back_;  ///< the session that was left and is to be shown
+  std::optional<Error> unread_;      ///< what is wrong with endpoints that were typed
+  bool gives_up_beside_ = false;     ///< the log that is loaded is not to be shown beside
 };
 
 }  // namespace rocinante

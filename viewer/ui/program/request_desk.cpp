@@ -150,7 +150,7 @@ Status RequestDesk::connect(const ViewerRequests& requests) {
 void RequestDesk::tellRefusal(const Status& begun, SteadyTime now) {
   if (begun) return;
   if (begun.error().kind == ErrorKind::refused) return say(begun.error().text(), true, now);
-  my_.model.viewer.panels.notes.push_back({begun.error().text(), true});
+  my_.model.viewer.panels.notes.push_back({begun.error().text(), true, PictureNote::Of::failure});
 }
 
 }  // namespace rocinante

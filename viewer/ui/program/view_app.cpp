@@ -422,16 +422,18 @@ Result<std::unique_ptr<ViewContent>> ViewApp::takeOpened() {
   if (content == nullptr && (*loaded)->fault.empty()) return nullptr;  // it is beside
   if (content == nullptr) {
     cli::warn((*loaded)->fault);
-    notes.push_back({(*loaded)->fault, true});
+    notes.push_back({(*loaded)->fault, true, PictureNote::Of::failure});
     return nullptr;
   }
   if ((*loaded)->goes_back || model_.viewer.is_empty || isHopeless(model_.cell()) ||
       !isHopeless(content->model->cell())) {
     return content;
   }
-  notes.push_back(
-      {content->request.named().string() + " is not shown: it has nothing to draw", true});
-  for (PictureNote& note : content->model->viewer.panels.notes) notes.push_back(std::move(note));
+  notes.push_back({content->request.named().string() + " is not shown: it has nothing to draw",
+                   true, PictureNote::Of::failure});
+  for (PictureNote& note : content->model->viewer.panels.notes) {
+    notes.push_back({std::move(note.text), note.is_error, PictureNote::Of::failure});
+  }
   for (const std::string& warning : content->warnings) cli::warn(warning);
   return nullptr;
 }
@@ -448,12 +450,16 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
   }
   while (!window_->closeRequested() && !cli::stopRequested()) {
     if (record_.active()) recorded_now_ = std::chrono::steady_clock::now();
-    if (!scripted() || script_.takeAwaitsFiles()) {
+    if (!scripted() || script_.awaitsFiles()) {
       const auto dropped = window_->takeDropped();
       record_.addDrop(dropped);
       requests_.openFiles(dropped, now());
       auto opened = takeOpened();
+      // For all that was dropped; a record of input says so for each.
+      const bool waits = opening_.busy() && !evidence_.isMaking() && !requests_.isSaving();
+      if (script_.isTimed() || !waits) script_.takeAwaitsFiles();
       if (!opened.ok() || *opened != nullptr) return opened;
+      if (script_.awaitsFiles()) continue;
     }
     const SteadyTime began = std::chrono::steady_clock::now();
     auto changed = model_.update(now());

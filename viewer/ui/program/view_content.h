@@ -1,11 +1,13 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/parallel_for.h"
@@ -69,12 +71,26 @@ class ContentLoader {
   /// The same, after at most `most`.
   std::optional<Result<ViewContent>> waitFor(Nanoseconds most);
 
+  /// Files that are to be opened together, after what is loaded; in turn, if there are more.
+  void keepForLater(std::vector<std::filesystem::path> files) {
+    later_.push_back(std::move(files));
+  }
+  bool hasLater() const { return !later_.empty(); }
+  /// Those that are next; only if hasLater().
+  const std::vector<std::filesystem::path>& later() const { return later_.front(); }
+  std::vector<std::filesystem::path> takeLater() {
+    std::vector<std::filesystem::path> files = std::move(later_.front());
+    later_.pop_front();
+    return files;
+  }
+
   const std::string& name() const { return name_; }
   LoadProgress progress() const;
 
  private:
   std::string name_;
   bool busy_ = false;
+  std::deque<std::vector<std::filesystem::path>> later_;
   mutable std::mutex mutex_;
   LoadProgress progress_;  ///< guarded by mutex_
   /// Made on first use. One for all: its end would stop the sessions that it has opened.

@@ -124,6 +124,12 @@ TEST(Commands, ShowALogBesideTheOneThatIsShown) {
   constexpr const char* kNone = "there is no session beside (`beside FILE`, or view --beside LOG)";
   EXPECT_EQ(run("on"), kNone);
   EXPECT_EQ(run("none"), kNone);
+  model.viewer.panels.open.beside_comes = true;
+  EXPECT_EQ(run("on"), kNone);
+  EXPECT_EQ(run("none"), "") << "one is being loaded";
+  ASSERT_TRUE(requests.beside);
+  EXPECT_TRUE(requests.beside->file.empty());
+  model.viewer.panels.open.beside_comes = false;
   EXPECT_EQ(run("b%20c.mcap event:the gripper opens"), "");
   ASSERT_TRUE(requests.beside);
   EXPECT_EQ(requests.beside->file, "b c.mcap");

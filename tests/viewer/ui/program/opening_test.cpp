@@ -395,6 +395,67 @@ TEST_F(OpeningInAWindow, WhatCannotBeBesideIsASentenceAndWhatIsShownStays) {
             "no log is shown beside a live session: `save` it, and open that");
 }
 
+TEST_F(OpeningInAWindow, ALogThatIsStillLoadedIsNotShownBesideOnceThatIsEnded) {
+  test::writeSession(folder_ / "b.mcap", {{0, "joints arm 2.5\n"}});
+  EXPECT_EQ(open({folder_ / "arm.urdf", folder_ / "s.mcap"}), "s.mcap");
+  Opening opening(loader_, left_, *content_);
+  const auto& comes = model().viewer.panels.open.beside_comes;
+  EXPECT_TRUE(opening.showBeside({folder_ / "b.mcap", ""}));
+  EXPECT_TRUE(comes);
+  EXPECT_TRUE(opening.showBeside({}));
+  EXPECT_FALSE(comes);
+  EXPECT_EQ(opening.status()->waits_for, "it is not shown beside");
+  auto loaded = opening.take(true);
+  ASSERT_TRUE(loaded.ok() && *loaded);
+  EXPECT_EQ((*loaded)->fault,
+            "b.mcap is not shown beside: `beside none` came before it was loaded");
+  EXPECT_EQ(model().beside(), nullptr);
+  EXPECT_TRUE(opening.showBeside({folder_ / "b.mcap", ""}));
+  EXPECT_EQ((*opening.take(true))->fault, "") << "the next one is";
+  EXPECT_NE(model().beside(), nullptr);
+  EXPECT_FALSE(comes);
+  // One that cannot be read says that, and the next one is shown.
+  test::writeText(folder_ / "bad.mcap", "no log");
+  EXPECT_TRUE(opening.showBeside({folder_ / "bad.mcap", ""}));
+  EXPECT_TRUE(opening.showBeside({}));
+  EXPECT_EQ(model().beside(), nullptr);
+  EXPECT_NE((*opening.take(true))->fault, "");
+  EXPECT_TRUE(opening.showBeside({folder_ / "b.mcap", ""}));
+  EXPECT_EQ((*opening.take(true))->fault, "");
+}
+
+TEST_F(OpeningInAWindow, WhatComesBesideEndsErrorsOfEarlierFiles) {
+  test::writeSession(folder_ / "b.mcap", {{0, "joints arm 2.5\n"}});
+  EXPECT_EQ(open({folder_ / "arm.urdf", folder_ / "s.mcap"}), "s.mcap");
+  std::vector<PictureNote>& notes = model().viewer.panels.notes;
+  notes = {{"of the cell", true}, {"gone.mcap", true, PictureNote::Of::failure}};
+  EXPECT_EQ(beside(folder_ / "gone.mcap"), "there is no such file");
+  EXPECT_EQ(notes.size(), 2U);
+  EXPECT_EQ(beside(folder_ / "b.mcap"), "beside");
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].text, "of the cell");
+}
+
+TEST_F(OpeningInAWindow, WhatIsDroppedWhileSomethingIsLoadedIsOpenedThen) {
+  test::writeSession(folder_ / "b.mcap", {{0, "joints arm 2.5\n"}});
+  meanwhile_ = [&] {
+    Opening opening(loader_, left_, *content_);
+    EXPECT_TRUE(opening.open({folder_ / "gone.mcap"}));
+    EXPECT_TRUE(opening.open({folder_ / "s.mcap", folder_ / "b.mcap"}));
+    EXPECT_EQ(opening.status()->waits_for, "gone.mcap is opened then");
+    EXPECT_FALSE(opening.connect({unusedAddress()}));
+  };
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  const auto next = [&] { return done([](Opening&) { return Status(); }); };
+  EXPECT_TRUE(Opening(loader_, left_, *content_).busy());
+  EXPECT_NE(next().find("there is no such file"), std::string::npos) << "and the window stays";
+  EXPECT_TRUE(Opening(loader_, left_, *content_).busy());
+  EXPECT_EQ(next(), "s.mcap");
+  EXPECT_NE(model().beside(), nullptr);
+  EXPECT_FALSE(Opening(loader_, left_, *content_).busy());
+  EXPECT_EQ(next(), "nothing");
+}
+
 TEST_F(OpeningInAWindow, ALogThatTakesThePlaceOfAnotherOffersThatBesideIt) {
   test::writeSession(folder_ / "b.mcap", {{0, "joints arm 2.5\n"}});
   std::string other = test::kArmUrdf;
@@ -440,11 +501,20 @@ TEST(TheListBesideALog, HasOtherLogsAlone) {
 
 TEST_F(OpeningInAWindow, BadEndpointsAreSentencesAndWhatIsShownStays) {
   EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  {
+    Opening opening(loader_, left_, *content_);
+    EXPECT_TRUE(opening.connect({"nonsense:host:99999"}));
+    EXPECT_FALSE(opening.busy()) << "nothing is loaded for it";
+    EXPECT_EQ((*opening.take(false))->fault,
+              "an IPv6 address must be in brackets, as in [::1]:19960 (nonsense:host:99999)");
+  }
   EXPECT_EQ(connect({"nonsense"}), "an endpoint needs a port, as in HOST:19960 (nonsense)");
   auto held = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value());
   ASSERT_TRUE(held.ok());
   const std::string taken = "127.0.0.1:" + std::to_string(held->boundAddress().port);
-  EXPECT_NE(connect({taken}).find(" is held by "), std::string::npos);
+  const std::string is_taken = connect({taken});
+  EXPECT_NE(is_taken.find(" is held by "), std::string::npos);
+  EXPECT_EQ(is_taken.find("--tee"), std::string::npos) << "a window has no such option";
   EXPECT_FALSE(connect({"\x1B[31m%00\xFF:1"}).empty());
   EXPECT_FALSE(connect({std::string(100'000, '[') + ":1"}).empty());
   EXPECT_EQ(content_->request.title(), "arm.urdf");
