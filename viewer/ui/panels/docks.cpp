@@ -53,12 +53,13 @@ bool isFolded(const PanelPlaces& places, DockEdge edge) {
 
 /// Draws a window that is one button there; its state is that of the last item.
 template <class Draw>
-void drawBareButton(const char* name, const PanelRectangle& place, const Draw& draw) {
+void drawBareButton(const char* name, const PanelRectangle& place, const Draw& draw,
+                    ImGuiWindowFlags flags = kBareFlags) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
   ImGui::SetNextWindowPos(cornerOf(place));
   ImGui::SetNextWindowSize({place.width, place.height});
-  ImGui::Begin(name, nullptr, kBareFlags);
+  ImGui::Begin(name, nullptr, flags);
   ImGui::PopStyleVar(2);
   const bool pressed = ImGui::InvisibleButton("place", {place.width, place.height});
   draw(*ImGui::GetWindowDrawList(), pressed);
@@ -101,7 +102,9 @@ void open(PanelPlaces& places, DockEdge edge) {
 
 void drawStrip(PanelPlaces& places, DockEdge edge, const DockedSide& side, const char* title) {
   if (side.strip.width <= 0) return;
-  drawBareButton(title, side.strip, [&](ImDrawList& list, bool pressed) {
+  // Not its title: the panel that is looked at has that.
+  const std::string name = std::string(nameOf(edge)) + " strip";
+  drawBareButton(name.c_str(), side.strip, [&](ImDrawList& list, bool pressed) {
     if (pressed && side.peeked) {
       closeEdge(places, edge);
     } else if (pressed) {
@@ -119,6 +122,16 @@ void drawStrip(PanelPlaces& places, DockEdge edge, const DockedSide& side, const
                   panelColor(hovered ? PanelColor::text : PanelColor::dim_text), title);
     explain(side.peeked ? "a click closes it" : "a click opens it");
   });
+}
+
+/// What is looked at lies over the picture, which the mouse does not reach through it, also where
+/// no panel stands. Stays below the panels when it is clicked.
+void coverPicture(DockEdge edge, const DockedSide& side) {
+  if (!side.peeked) return;
+  const std::string name = std::string(nameOf(edge)) + " ground";
+  drawBareButton(
+      name.c_str(), side.panel, [](ImDrawList&, bool) {},
+      kBareFlags | ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
 void drawGutter(PanelPlaces& places, DockEdge edge, const DockedSide& side) {
@@ -248,6 +261,8 @@ void drawDocks(ViewModel& model, const DockLayout& layout) {
        {layout.time, layout.time_strip, layout.plots, layout.plots_strip}) {
     drawBehind(band);
   }
+  coverPicture(DockEdge::left, layout.left);
+  coverPicture(DockEdge::right, layout.right);
   drawStrip(places, DockEdge::left, layout.left, "Scene");
   drawStrip(places, DockEdge::right, layout.right, "Selection");
   drawGutter(places, DockEdge::left, layout.left);

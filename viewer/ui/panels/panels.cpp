@@ -147,6 +147,7 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
   const PixelRectangle part = model.viewer.picture_part = picturePart(layout);
   replaceInsets(model, part.width, part.height, px(1));
   if (model.viewer.is_empty) drawWelcome(model, status.loading.has_value(), requests);
+  drawGizmo(model);  // below what is opened over the picture
   if (model.viewer.panels.shown && !model.viewer.is_empty) {
     drawDocks(model, layout);
     drawScenePanel(model, status, layout.left.panel, now, requests);
@@ -156,7 +157,6 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
   }
   drawInsetTabs(model);
   drawInsetGrip(model);
-  drawGizmo(model);
   if (status.loading) drawLoading(*status.loading, model.viewer.is_empty);
   drawPictureLines(model, pictureLines(model, status, now), noticeRoom(model, layout.picture));
   drawDriveFrame(model);

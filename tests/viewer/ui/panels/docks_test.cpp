@@ -6,6 +6,7 @@
 
 #include "tests/viewer/support/arm_window.h"
 #include "viewer/ui/panels/panels.h"
+#include "viewer/ui/window/panel_style.h"
 
 namespace rocinante {
 namespace {
@@ -97,6 +98,53 @@ TEST_F(Docks, WhatIsLookedAtStandsAtItsEdgeAsSoonAsThereIsRoom) {
   EXPECT_GT(layout().left.panel.width, 0);
   resize(480, 720);
   EXPECT_FALSE(layout().left.peeked);
+}
+
+TEST_F(Docks, ASideThatIsLookedAtHasItsPanels) {
+  resize(480, 320);
+  click(11, 100);
+  frames();
+  const PanelRectangle left = layout().left.panel;
+  ASSERT_TRUE(layout().left.peeked);
+  const ImGuiWindow* const scene = ImGui::FindWindowByName("Scene");
+  EXPECT_EQ(scene->Pos.x, left.x);
+  EXPECT_EQ(scene->Size.x, left.width);
+  EXPECT_EQ(scene->Size.y, left.height);
+  click(11, 100);
+  click(469, 100);
+  frames();
+  ASSERT_TRUE(layout().right.peeked);
+  EXPECT_EQ(ImGui::FindWindowByName("figures")->Size.x, layout().right.panel.width);
+}
+
+TEST_F(Docks, WhatIsLookedAtHasTheMouseAndLiesOverTheGizmo) {
+  resize(480, 720);
+  click(469, 300);
+  frames();
+  const PanelRectangle right = layout().right.panel;
+  ASSERT_TRUE(layout().right.peeked);
+  // Where the device's panel would stand, and on the picture beside it.
+  places().places["device"].moved = true;
+  input_.mouse = {right.x + right.width / 2, right.y + right.height - 20};
+  frames();
+  EXPECT_EQ(ImGui::GetCurrentContext()->HoveredWindow, ImGui::FindWindowByName("right ground"));
+  EXPECT_TRUE(ImGui::GetIO().WantCaptureMouse);
+  // A click leaves it below them.
+  click(input_.mouse->first, input_.mouse->second);
+  input_.mouse = {right.x + 40, right.y + 20};
+  frames();
+  EXPECT_EQ(ImGui::GetCurrentContext()->HoveredWindow, ImGui::FindWindowByName("figures"));
+  input_.mouse = {right.x - 60, right.y + 300};
+  frames();
+  EXPECT_FALSE(ImGui::GetIO().WantCaptureMouse);
+  const ImVector<ImDrawVert>& behind = ImGui::GetBackgroundDrawList()->VtxBuffer;
+  const int without = behind.Size;
+  model_->selected = {"arm", ""};
+  model_->viewer.gizmo.shown = true;
+  frames();
+  ASSERT_GT(behind.Size, without);
+  // The last that is drawn is the ground of panels.
+  EXPECT_EQ(behind.back().col, panelColor(PanelColor::panel));
 }
 
 TEST_F(Docks, PlotsOpenedInALargeWindowYieldInASmallOne) {
