@@ -142,11 +142,14 @@ Status foldEdge(CommandWords words, const CommandStage& stage) {
   PanelPlaces& places = stage.model.viewer.panels.places;
   for (const DockEdge edge : {DockEdge::left, DockEdge::right, DockEdge::bottom}) {
     if (words[0] != nameOf(edge)) continue;
-    PanelPlace& place = places.places[nameOf(edge)];
-    const auto on = switched(words.subspan(1), place.collapsed);
+    const std::string name = nameOf(edge);
+    bool& collapsed = places.places[name].collapsed;
+    const bool is_folded = places.peeked != name && (collapsed || places.strips.contains(name));
+    const auto on = switched(words.subspan(1), is_folded);
     if (!on.ok()) return on.error();
-    place.collapsed = *on;
-    places.peeked.clear();
+    collapsed = *on;
+    // Where there is no room for it, it is looked at over the picture, as by a click on its strip.
+    places.peeked = *on ? std::string() : name;
     return {};
   }
   return badWord(fmt::format("`{}` is not left, right or bottom", words[0]));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct PanelPlaces {
   std::string grabbed;                          ///< empty: none
   bool grabbed_edge = false;                    ///< its width is changed, not its place
   float grab_x = 0, grab_y = 0;                 ///< of the pointer in the panel
+  std::set<std::string> strips;  ///< edges that the last frame had as strips, looked at or not
   std::string peeked;   ///< a folded edge whose panels are looked at over the picture; empty: none
   std::string pressed;  ///< on whose background the left button last went down; empty: none
   std::string pressed_before;  ///< the same of the press before that

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "viewer/ui/panels/panel_parts.h"
@@ -213,6 +214,14 @@ DockWish wishOf(const ViewModel& model) {
   return wish;
 }
 
+std::set<std::string> stripsOf(const DockLayout& layout) {
+  std::set<std::string> strips;
+  if (layout.left.strip.width > 0) strips.insert(nameOf(DockEdge::left));
+  if (layout.right.strip.width > 0) strips.insert(nameOf(DockEdge::right));
+  if (layout.time_strip.height > 0) strips.insert(nameOf(DockEdge::bottom));
+  return strips;
+}
+
 /// Whether that band would be there if it was looked at.
 bool wouldOpen(const ViewModel& model, PanelRectangle DockLayout::*band, const char* peeked) {
   DockWish wish = wishOf(model);
@@ -252,6 +261,7 @@ PixelRectangle picturePart(const DockLayout& layout) {
 
 void drawDocks(ViewModel& model, const DockLayout& layout) {
   PanelPlaces& places = model.viewer.panels.places;
+  places.strips = stripsOf(layout);
   for (const DockedSide* const side : {&layout.left, &layout.right}) {
     drawBehind(side->strip);
     drawBehind(side->panel);

@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include "tests/viewer/support/arm_window.h"
+#include "viewer/ui/commands/command.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/window/panel_style.h"
 
@@ -54,6 +55,12 @@ class Docks : public test::ArmWindow {
   }
   DockLayout layout() {
     return dockLayoutOf(*model_, static_cast<float>(width_), static_cast<float>(height_), 1);
+  }
+  void fold(const std::string& words) {
+    ViewerRequests requests;
+    const auto split = splitWords(words);
+    EXPECT_TRUE(runCommand("fold", split, {*model_, now_, height_, requests}).ok());
+    frames();
   }
   PanelPlaces& places() { return model_->viewer.panels.places; }
 
@@ -145,6 +152,40 @@ TEST_F(Docks, WhatIsLookedAtHasTheMouseAndLiesOverTheGizmo) {
   ASSERT_GT(behind.Size, without);
   // The last that is drawn is the ground of panels.
   EXPECT_EQ(behind.back().col, panelColor(PanelColor::panel));
+}
+
+TEST_F(Docks, TheCommandOpensASideForWhichThereIsNoRoom) {
+  resize(480, 320);
+  for (const auto& [edge, side] :
+       {std::pair("left", &DockLayout::left), std::pair("right", &DockLayout::right)}) {
+    SCOPED_TRACE(edge);
+    const std::string name = edge;
+    EXPECT_EQ((layout().*side).panel.width, 0);
+    fold(name + " off");
+    EXPECT_TRUE((layout().*side).peeked);
+    EXPECT_GT((layout().*side).panel.width, 0);
+    fold(name);
+    EXPECT_EQ((layout().*side).panel.width, 0);
+    fold(name);
+    EXPECT_TRUE((layout().*side).peeked);
+    fold(name + " on");
+    EXPECT_EQ((layout().*side).panel.width, 0);
+  }
+  // One that yielded is opened at once.
+  places().places.clear();
+  frames();
+  fold("left");
+  EXPECT_TRUE(layout().left.peeked);
+  resize(480, 180);
+  EXPECT_EQ(layout().time.height, 0);
+  fold("bottom off");
+  EXPECT_GT(layout().time.height, 0);
+  resize(1280, 720);
+  fold("bottom");
+  EXPECT_GT(layout().time_strip.height, 0);
+  fold("bottom off");
+  EXPECT_GT(layout().time.height, 0);
+  EXPECT_TRUE(places().peeked.empty());
 }
 
 TEST_F(Docks, PlotsOpenedInALargeWindowYieldInASmallOne) {
