@@ -10,6 +10,7 @@ connect 127.0.0.1:$port
 await 1s
 drop $demo/session.mcap
 await-files
+await-line live behind this
 panels off
 seek 5s
 frame 2

@@ -9,6 +9,7 @@ cat >script.txt <<'SCRIPT'
 await 1.5s
 pause
 seek 1s
+await-line an earlier moment, not now
 panels off
 frame 2
 screenshot past.png

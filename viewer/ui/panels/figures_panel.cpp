@@ -92,10 +92,6 @@ void drawKept(const ViewModel& model) {
     ImGui::TextUnformatted(("kept: " + sizeText(keeper->progress().bytes)).c_str());
     explain("earlier moments can be shown; Shift S saves them as a log");
   }
-  if (!model.showsNow()) {
-    ImGui::TextColored(panelInk(PanelColor::fault), "an earlier moment, not now");
-    explain("N goes to now");
-  }
 }
 
 void drawSession(const ViewModel& model, SteadyTime now) {
@@ -105,16 +101,6 @@ void drawSession(const ViewModel& model, SteadyTime now) {
   } else if (const Timeline* session = model.session()) {
     drawFile(session->log().name(), "");
     ImGui::TextUnformatted(cli::counted(session->log().summary().messages, "datagram").c_str());
-    if (const std::size_t places = session->log().damage().size(); places > 0) {
-      ImGui::TextColored(panelInk(PanelColor::fault), "damaged in %s",
-                         countText(places, "place").c_str());
-      explain("rocinante log doctor says where, and what it cost");
-    }
-    if (model.recordedLosses() > 0) {
-      ImGui::TextColored(panelInk(PanelColor::fault), "%llu lost while recording",
-                         static_cast<unsigned long long>(model.recordedLosses()));
-      explain("counted by the recorder; rocinante log info says when");
-    }
   } else {
     ImGui::TextDisabled("at rest; Ctrl+O opens a log");
   }
@@ -131,12 +117,11 @@ std::string fewOf(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Draws the live session that goes on behind what is shown.
-void drawLeft(const ViewModel& model) {
-  const std::vector<std::string>& left = model.viewer.panels.open.left;
-  if (left.empty()) return;
-  ImGui::TextDisabled("live behind this: %s", fewOf(left).c_str());
-  explain("it is heard and kept; `live` in the palette (Ctrl P) goes back to it");
+void drawCaveats(const ViewModel& model) {
+  for (const Caveat& caveat : caveatsOf(model)) {
+    ImGui::TextColored(panelInk(caveat.color), "%s", caveat.what.c_str());
+    explain(caveat.hint.c_str());
+  }
 }
 
 /// Draws what the session beside is, and what is apart from it at the shown moment.
@@ -289,6 +274,32 @@ void drawRung(const ViewerStatus& status, ViewerRequests& requests) {
 
 }  // namespace
 
+std::vector<Caveat> caveatsOf(const ViewModel& model) {
+  std::vector<Caveat> caveats;
+  const Timeline* const session = model.session();
+  if (model.isLive()) {
+    if (!model.showsNow()) {
+      caveats.push_back({"an earlier moment, not now", "N goes to now", PanelColor::fault, true});
+    }
+  } else if (session != nullptr) {
+    if (const std::size_t places = session->log().damage().size(); places > 0) {
+      caveats.push_back({"damaged in " + countText(places, "place"),
+                         "rocinante log doctor says where, and what it cost", PanelColor::fault});
+    }
+    if (model.recordedLosses() > 0) {
+      caveats.push_back({fmt::format("{} lost while recording", model.recordedLosses()),
+                         "counted by the recorder; rocinante log info says when",
+                         PanelColor::fault});
+    }
+  }
+  if (const std::vector<std::string>& left = model.viewer.panels.open.left; !left.empty()) {
+    caveats.push_back({"live behind this: " + fewOf(left),
+                       "it is heard and kept; `live` in the palette (Ctrl P) goes back to it",
+                       PanelColor::dim_text, true});
+  }
+  return caveats;
+}
+
 void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests) {
   drawRung(status, requests);
   ImGui::TextUnformatted(cli::counted(status.triangles, "triangle").c_str());
@@ -306,7 +317,7 @@ float drawFigures(ViewModel& model, const ViewerStatus& status, SteadyTime now,
     drawCollapsed("Figures");
   } else {
     drawSession(model, now);
-    drawLeft(model);
+    drawCaveats(model);
     drawBeside(model, now);
     drawMisfits(model);
     std::string frame = rungText(status);

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/parallel_for.h"
 #include "core/base/time.h"
@@ -14,6 +15,7 @@
 #include "viewer/ui/model/view_model.h"
 #include "viewer/ui/panels/frame_times.h"
 #include "viewer/ui/panels/time_axis.h"
+#include "viewer/ui/window/panel_colors.h"
 
 namespace rocinante {
 
@@ -62,6 +64,15 @@ void drawSignals(ViewModel& model, const std::string& device, const std::string&
 
 /// Draws the tab of the left panel with the amount drawn and the frame's cost by stage.
 void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests);
+
+/// What must be known of what is shown, as that it is not now; the figures say it, or else a line
+/// over the picture.
+struct Caveat {
+  std::string what, hint;
+  PanelColor color = PanelColor::fault;
+  bool stays = false;  ///< as NoticeKey has it
+};
+std::vector<Caveat> caveatsOf(const ViewModel& model);
 
 /// Draws the session's figures at the top of the right edge's `room` or where the user put them;
 /// returns where the rest of the room begins.

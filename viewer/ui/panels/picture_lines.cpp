@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <set>
 #include <utility>
 
 #include "core/base/figure_text.h"
+#include "core/base/plain_text.h"
 #include "viewer/ui/model/applied_layout.h"
 #include "viewer/ui/model/pose_fields.h"
 #include "viewer/ui/panels/hand_panel.h"
@@ -115,6 +117,12 @@ bool drawMore(std::size_t slot, const std::string& text, const std::string& rest
   return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
+/// The panels are there, and the figures have no room among them.
+bool figuresAreFolded(const ViewModel& model) {
+  const PanelState& panels = model.viewer.panels;
+  return panels.shown && !model.viewer.is_empty && !panels.places.drawn.contains("figures");
+}
+
 /// What is dismissed is not said any more, as far as that is in the panels' hands.
 void dismiss(PanelState& panels, const PictureLine& line) {
   panels.notices.dismiss(line.key);
@@ -140,6 +148,18 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   if (!model.damage().empty()) {
     add("damage", model.damage().what(), "what is shown may be older than its time says",
         PanelColor::fault);
+  }
+  if (figuresAreFolded(model)) {
+    for (const Caveat& caveat : caveatsOf(model)) {
+      add("caveat " + caveat.what, caveat.what, caveat.hint, caveat.color);
+      lines.back().stays = caveat.stays;
+    }
+    const BesideSession* const beside = model.beside();
+    if (beside != nullptr && model.beside_shown) {
+      const std::filesystem::path file(beside->session().log().name());
+      add("beside " + file.string(), "beside: " + plainText(file.filename().string()), "",
+          PanelColor::hint);
+    }
   }
   if (const HandBanner hand = handBanner(model); !hand.what.empty()) {
     add("hand", hand.what, hand.hint, hand.color);

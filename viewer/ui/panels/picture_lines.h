@@ -22,7 +22,8 @@ struct PictureLine {
   bool central = false;                 ///< nothing is shown that it would hide
 };
 
-/// What the window has to say now, the most important first.
+/// What the window has to say now, the most important first; after the panels, as it has what
+/// folded figures would say.
 std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus& status,
                                       SteadyTime now);
 

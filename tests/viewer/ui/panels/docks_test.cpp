@@ -4,6 +4,9 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "tests/viewer/support/arm_window.h"
 #include "viewer/ui/commands/command.h"
 #include "viewer/ui/panels/panels.h"
@@ -17,8 +20,11 @@ class Docks : public test::ArmWindow {
  protected:
   Docks() {
     test::writeArmSession(folder_ / "arm.mcap");
+    show("arm.mcap");
+  }
+  void show(const char* log) {
     auto cell = loadCell(folder_ / "arm.urdf", {});
-    auto session = Timeline::open(folder_ / "arm.mcap");
+    auto session = Timeline::open(folder_ / log);
     model_ = std::make_unique<ViewModel>(
         ViewModel::make(std::move(cell.value()), std::move(session.value()), std::nullopt, {}, {})
             .value());
@@ -61,6 +67,9 @@ class Docks : public test::ArmWindow {
     const auto split = splitWords(words);
     EXPECT_TRUE(runCommand("fold", split, {*model_, now_, height_, requests}).ok());
     frames();
+  }
+  bool says(const std::string& line) const {
+    return std::ranges::count(model_->viewer.panels.lines, line) == 1;
   }
   PanelPlaces& places() { return model_->viewer.panels.places; }
 
@@ -186,6 +195,44 @@ TEST_F(Docks, TheCommandOpensASideForWhichThereIsNoRoom) {
   fold("bottom off");
   EXPECT_GT(layout().time.height, 0);
   EXPECT_TRUE(places().peeked.empty());
+}
+
+TEST_F(Docks, WhatFoldedFiguresWouldSayIsSaidOverThePicture) {
+  const std::string behind = "live behind this: udp://127.0.0.1:19960";
+  model_->viewer.panels.open.left = {"udp://127.0.0.1:19960"};
+  ASSERT_TRUE(model_->showBeside(Timeline::open(folder_ / "arm.mcap").value(), "").ok());
+  frames();
+  EXPECT_FALSE(says(behind)) << "they are there";
+  resize(800, 560);
+  ASSERT_GT(layout().right.strip.width, 0);
+  EXPECT_TRUE(says(behind));
+  EXPECT_TRUE(says("beside: arm.mcap"));
+  model_->viewer.panels.notices.dismissAll();
+  frames();
+  EXPECT_TRUE(says(behind));
+  EXPECT_FALSE(says("beside: arm.mcap"));
+  click(789, 300);
+  frames();
+  ASSERT_TRUE(layout().right.peeked);
+  EXPECT_FALSE(says(behind));
+  click(789, 300);
+  frames();
+  EXPECT_TRUE(says(behind));
+  model_->viewer.panels.shown = false;
+  frames();
+  EXPECT_FALSE(says(behind));
+}
+
+TEST_F(Docks, ThatALogIsDamagedIsSaidWhateverIsFolded) {
+  std::filesystem::resize_file(folder_ / "arm.mcap",
+                               std::filesystem::file_size(folder_ / "arm.mcap") / 2);
+  show("arm.mcap");
+  ASSERT_EQ(model_->session()->log().damage().size(), 2U);
+  resize(800, 560);
+  EXPECT_TRUE(says("damaged in 2 places"));
+  EXPECT_TRUE(says("rocinante log doctor says where, and what it cost"));
+  resize(1280, 720);
+  EXPECT_FALSE(says("damaged in 2 places"));
 }
 
 TEST_F(Docks, PlotsOpenedInALargeWindowYieldInASmallOne) {
