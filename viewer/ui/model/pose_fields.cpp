@@ -28,14 +28,22 @@ double poseNumber(const Pose& pose, std::size_t field) {
 
 Result<double> typedLength(std::string_view text, LengthUnit unit) {
   const auto metres = parseLength(text, unit);
-  if (!metres) return notTyped(fmt::format("`{}` is not a length: 0.12, 0.12m, 120mm", text));
+  if (!metres) {
+    const bool has_metres = unit == LengthUnit::metres;
+    return notTyped(fmt::format("`{}` is not a length: {}", text,
+                                has_metres ? "0.12, 0.12m, 120mm" : "120, 120mm, 0.12m"));
+  }
   if (std::abs(*metres) > kFarthest_m) return notTyped(fmt::format("`{}` is beyond 1000 km", text));
   return *metres;
 }
 
 Result<double> typedAngle(std::string_view text, AngleUnit unit) {
   const auto radians = parseAngle(text, unit);
-  if (!radians) return notTyped(fmt::format("`{}` is not an angle: 0.5, 0.5rad, 30deg", text));
+  if (!radians) {
+    const bool has_radians = unit == AngleUnit::radians;
+    return notTyped(fmt::format("`{}` is not an angle: {}", text,
+                                has_radians ? "0.5, 0.5rad, 30deg" : "30, 30deg, 0.5rad"));
+  }
   if (std::abs(degreesOf(*radians)) > kMostTurns * 360) {
     return notTyped(fmt::format("`{}` is beyond 1000 turns", text));
   }
@@ -102,9 +110,5 @@ bool hasPoseFields(const ViewModel& model) {
 }
 
 std::size_t poseFieldColumns(float room, float both) { return room >= both ? 2 : 1; }
-
-std::size_t poseFieldAt(std::size_t place, std::size_t columns) {
-  return columns == 2 ? place / 2 + 3 * (place % 2) : place;
-}
 
 }  // namespace rocinante

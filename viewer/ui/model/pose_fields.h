@@ -35,7 +35,8 @@ struct PoseFields {
 };
 
 /// A length or an angle that is typed for a pose, in metres or radians; without a unit it is in
-/// `unit`. bad_argument, as a sentence, for what is none, and beyond 1000 km or 1000 turns.
+/// `unit`. bad_argument, as a sentence, for what is none, with examples that begin with `unit`, and
+/// beyond 1000 km or 1000 turns.
 Result<double> typedLength(std::string_view text, LengthUnit unit);
 Result<double> typedAngle(std::string_view text, AngleUnit unit);
 
@@ -59,7 +60,5 @@ bool hasPoseFields(const ViewModel& model);
 /// In how many columns the fields stand: x, y, z beside roll, pitch, yaw, which takes the width
 /// `both`, or all below each other where `room` is narrower. Pure.
 std::size_t poseFieldColumns(float room, float both);
-/// Which field has that place, row by row. Pure.
-std::size_t poseFieldAt(std::size_t place, std::size_t columns);
 
 }  // namespace rocinante

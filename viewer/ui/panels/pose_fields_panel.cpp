@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -58,7 +59,10 @@ void drawPoseField(ViewModel& model, const Pose& pose, std::size_t field,
                    ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackAlways,
                    openExactly, is_open ? nullptr : &shown.opened);
   ImGui::EndDisabled();
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive()) {
+  // It would lie over the fields below, and over what is wrong.
+  const bool has_tip = !fixed.empty() || (!fields.typing && fields.trouble.empty());
+  if (has_tip && !ImGui::IsItemActive() &&
+      ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
     ImGui::SetTooltip("%s", fixed.empty() ? fieldTip(shown, units).c_str() : fixed.c_str());
   }
   const bool has_keyboard = ImGui::IsItemActive();
@@ -68,6 +72,31 @@ void drawPoseField(ViewModel& model, const Pose& pose, std::size_t field,
   }
   if (has_keyboard) shown.frame = ImGui::GetFrameCount();
   if (has_keyboard || is_open) fields.typing = std::move(shown);
+}
+
+/// What the fields are drawn of.
+struct DrawnFields {
+  const Pose& pose;
+  const std::string& fixed;  ///< as drawPoseField()
+  float names = 0;           ///< the width of their names
+};
+
+/// Fields below each other, in the order in which Tab goes.
+void drawFieldColumn(ViewModel& model, const DrawnFields& drawn, std::size_t first, std::size_t end,
+                     float width) {
+  const std::string id = fmt::format("pose by hand {}", first);
+  if (!ImGui::BeginTable(id.c_str(), 2, 0, ImVec2(width, 0))) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, drawn.names);
+  ImGui::TableSetupColumn("number", ImGuiTableColumnFlags_WidthStretch);
+  for (std::size_t field = first; field < end; ++field) {
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", kPoseFields[field].data());
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(field));
+    drawPoseField(model, drawn.pose, field, drawn.fixed);
+    ImGui::PopID();
+  }
+  ImGui::EndTable();
 }
 
 }  // namespace
@@ -91,25 +120,16 @@ void drawPoseFields(ViewModel& model) {
   };
   const float places = widest(0, 3), angles = widest(3, 6);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(3), 0));
-  const float gaps = 6 * ImGui::GetStyle().CellPadding.x;
-  const float both = places + angles + 2 * (drawnWidth("-1234.5") + px(6)) + gaps;
-  const std::size_t columns = poseFieldColumns(ImGui::GetContentRegionAvail().x, both);
-  if (ImGui::BeginTable("pose by hand", static_cast<int>(2 * columns))) {
-    for (std::size_t column = 0; column < columns; ++column) {
-      ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed,
-                              column + 1 < columns ? places : angles);
-      ImGui::TableSetupColumn("number", ImGuiTableColumnFlags_WidthStretch);
-    }
-    for (std::size_t place = 0; place < kPoseFields.size(); ++place) {
-      const std::size_t field = poseFieldAt(place, columns);
-      ImGui::TableNextColumn();
-      ImGui::TextDisabled("%s", kPoseFields[field].data());
-      ImGui::TableNextColumn();
-      ImGui::PushID(static_cast<int>(field));
-      drawPoseField(model, pose, field, fixed);
-      ImGui::PopID();
-    }
-    ImGui::EndTable();
+  const float gap = 2 * ImGui::GetStyle().CellPadding.x;  // as between columns of a table
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float both = places + angles + 2 * (drawnWidth("-1234.5") + px(6)) + 3 * gap;
+  if (poseFieldColumns(room, both) == 2) {
+    const float number = std::floor((room - places - angles - 3 * gap) / 2);
+    drawFieldColumn(model, {pose, fixed, places}, 0, 3, places + gap + number);
+    ImGui::SameLine(0, gap);
+    drawFieldColumn(model, {pose, fixed, angles}, 3, 6, 0);
+  } else {
+    drawFieldColumn(model, {pose, fixed, angles}, 0, 6, 0);
   }
   ImGui::PopStyleVar();
   const std::string& trouble = model.viewer.panels.pose_fields.trouble;

@@ -91,18 +91,27 @@ TEST(PoseFields, SayTheSameNumberWithoutAMove) {
 }
 
 TEST(PoseFields, RefuseWhatIsNoPlace) {
-  EXPECT_EQ(whyNot(0, "12q"), "`12q` is not a length: 0.12, 0.12m, 120mm");
-  EXPECT_EQ(whyNot(5, "12mm"), "`12mm` is not an angle: 0.5, 0.5rad, 30deg");
+  EXPECT_EQ(whyNot(0, "12q"), "`12q` is not a length: 120, 120mm, 0.12m");
+  EXPECT_EQ(whyNot(5, "12mm"), "`12mm` is not an angle: 30, 30deg, 0.5rad");
   for (const std::size_t field : {0U, 4U}) {
     for (const char* text : {"", " ", "nan", "inf", "-inf", "1e999", "0x10", "1,5", "--1", "1 2"}) {
       EXPECT_NE(whyNot(field, text), "") << text;
     }
   }
-  EXPECT_EQ(whyNot(2, "1000km"), "`1000km` is not a length: 0.12, 0.12m, 120mm");
+  EXPECT_EQ(whyNot(2, "1000km"), "`1000km` is not a length: 120, 120mm, 0.12m");
   EXPECT_EQ(whyNot(2, "1e6m"), "");
   EXPECT_EQ(whyNot(2, "-1e300"), "`-1e300` is beyond 1000 km");
   EXPECT_EQ(whyNot(4, "-720"), "");
   EXPECT_EQ(whyNot(4, "360001"), "`360001` is beyond 1000 turns");
+}
+
+TEST(PoseFields, GiveExamplesInTheUnitOfThePanel) {
+  EXPECT_EQ(typedPose(kOdd, typingOf(0, "12q"), kMetric).error().what,
+            "`12q` is not a length: 0.12, 0.12m, 120mm");
+  EXPECT_EQ(typedPose(kOdd, typingOf(5, "12q"), kMetric).error().what,
+            "`12q` is not an angle: 0.5, 0.5rad, 30deg");
+  // All of them are one length.
+  for (const char* text : {"120", "120mm", "0.12m"}) EXPECT_EQ(oddWith(0, text)->position.x, 0.12);
 }
 
 TEST(PoseFields, AreRoundedUntilTheyAreTypedOver) {
@@ -119,12 +128,6 @@ TEST(PoseFields, AreRoundedUntilTheyAreTypedOver) {
 TEST(PoseFields, StandInColumnsWhereThereIsRoom) {
   EXPECT_EQ(poseFieldColumns(200, 200), 2U);
   EXPECT_EQ(poseFieldColumns(199, 200), 1U);
-  std::string order;
-  for (std::size_t place = 0; place < 6; ++place) {
-    order += std::string(kPoseFields[poseFieldAt(place, 2)]) + " ";
-  }
-  EXPECT_EQ(order, "x roll y pitch z yaw ");
-  for (std::size_t place = 0; place < 6; ++place) EXPECT_EQ(poseFieldAt(place, 1), place);
 }
 
 /// An arm, and another that stands on its hand.
@@ -168,7 +171,7 @@ TEST_F(TakenPose, IsInTheSpaceThatTheCellSaysItIn) {
 
 TEST_F(TakenPose, OfAWrongTextIsASentenceAndNoMove) {
   take(typingOf(0, "12q"));
-  EXPECT_EQ(trouble(), "x of arm: `12q` is not a length: 0.12, 0.12m, 120mm");
+  EXPECT_EQ(trouble(), "x of arm: `12q` is not a length: 120, 120mm, 0.12m");
   EXPECT_FALSE(model_->moves.canUndo());
   take(typingOf(0, "12"));
   EXPECT_EQ(trouble(), "");

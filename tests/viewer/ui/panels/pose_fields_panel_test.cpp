@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <string>
 #include <string_view>
@@ -59,6 +60,14 @@ class DrawnPoseFields : public test::ArmWindow {
     input_.typed = letters;
     frame();
     frame();
+  }
+  /// The tip of the last frame; null: there was none.
+  static const ImGuiWindow* tip() {
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+      const bool is_tip = (window->Flags & ImGuiWindowFlags_Tooltip) != 0;
+      if (is_tip && window->Active && !window->Hidden) return window;
+    }
+    return nullptr;
   }
   /// Clicks on what is in the panel until the field has the keyboard.
   bool open(std::string_view name) {
@@ -133,7 +142,7 @@ TEST_F(DrawnPoseFields, AreLeftByTab) {
   key(GLFW_KEY_TAB);
   frame();
   ASSERT_TRUE(typing().has_value());
-  EXPECT_EQ(kPoseFields[typing()->field], "roll");
+  EXPECT_EQ(kPoseFields[typing()->field], "y");
   EXPECT_EQ(text(), "0");
   EXPECT_EQ(x(), 2);
   type("30");
@@ -143,11 +152,49 @@ TEST_F(DrawnPoseFields, AreLeftByTab) {
   EXPECT_TRUE(model_->moves.canUndo());
 }
 
+/// In two columns and in one.
+TEST_F(DrawnPoseFields, AreGoneThroughByTabInTheirOrder) {
+  for (const float width : {280.0F, 130.0F}) {
+    width_ = width;
+    frame();
+    ASSERT_TRUE(open("x"));
+    std::string order;
+    for (std::size_t i = 0; i < kPoseFields.size(); ++i) {
+      ASSERT_TRUE(typing().has_value());
+      order += std::string(kPoseFields[typing()->field]) + " ";
+      if (i < 3) type(std::to_string(100 * (i + 1)));
+      if (i + 1 < kPoseFields.size()) key(GLFW_KEY_TAB);
+      frame();
+    }
+    key(GLFW_KEY_ENTER);
+    EXPECT_EQ(order, "x y z roll pitch yaw ");
+    EXPECT_EQ(model_->movablePose("arm")->position, Vec3(0.1, 0.2, 0.3));
+  }
+}
+
+TEST_F(DrawnPoseFields, HaveATipWhileNothingIsTypedAndNothingIsWrong) {
+  ASSERT_TRUE(open("x"));
+  frame();
+  EXPECT_EQ(tip(), nullptr) << "it is typed into";
+  type("banana");
+  EXPECT_EQ(tip(), nullptr);
+  key(GLFW_KEY_ENTER);
+  frame();
+  EXPECT_NE(trouble(), "");
+  EXPECT_EQ(tip(), nullptr) << "the sentence stands below";
+  click(opened_at_);
+  type("12");
+  key(GLFW_KEY_ENTER);
+  frame();
+  EXPECT_EQ(trouble(), "");
+  EXPECT_NE(tip(), nullptr);
+}
+
 TEST_F(DrawnPoseFields, SayWhatIsWrongAndMoveNothing) {
   ASSERT_TRUE(open("x"));
   type("12q");
   key(GLFW_KEY_ENTER);
-  EXPECT_EQ(trouble(), "x of arm: `12q` is not a length: 0.12, 0.12m, 120mm");
+  EXPECT_EQ(trouble(), "x of arm: `12q` is not a length: 120, 120mm, 0.12m");
   EXPECT_FALSE(model_->moves.canUndo());
   ASSERT_TRUE(open("x"));
   EXPECT_EQ(text(), "123.457");
