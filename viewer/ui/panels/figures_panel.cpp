@@ -124,6 +124,13 @@ void drawCaveats(const ViewModel& model) {
   }
 }
 
+/// A text that names a file, by the file's name alone.
+std::string withoutFolder(std::string text, const std::filesystem::path& file) {
+  const std::size_t at = text.find(file.string());
+  if (at != text.npos) text.replace(at, file.string().size(), file.filename().string());
+  return text;
+}
+
 /// Draws what the session beside is, and what is apart from it at the shown moment.
 void drawBeside(ViewModel& model, SteadyTime now) {
   const BesideSession* const beside = model.beside();
@@ -139,7 +146,11 @@ void drawBeside(ViewModel& model, SteadyTime now) {
   if (partings == nullptr || !partings->isFinished()) {
     ImGui::TextDisabled("looking for where the two part");
   } else if (const std::string fault = partings->fault(); !fault.empty()) {
-    ImGui::TextDisabled("not compared");
+    const std::string& shown = model.session()->log().name();
+    const std::string brief = withoutFolder(withoutFolder(fault, name), shown);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + nameRoom());
+    ImGui::TextColored(panelInk(PanelColor::dim_text), "not compared: %s", brief.c_str());
+    ImGui::PopTextWrapPos();
     explain(fault.c_str());
   } else if (const auto apart = partings->apartAt(model.shownTime()); apart.empty()) {
     ImGui::TextUnformatted("the two are not apart here");

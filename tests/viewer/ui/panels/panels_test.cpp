@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <filesystem>
 #include <functional>
 
 #include "tests/viewer/support/arm_window.h"
 #include "viewer/ui/panels/picture_lines.h"
+#include "viewer/ui/window/panel_texts.h"
 
 namespace rocinante {
 namespace {
@@ -39,6 +41,35 @@ TEST(Panels, OfTensOfThousandsOfEventsDrawWhatThereIsRoomFor) {
   ASSERT_TRUE(model->update(SteadyTime{}).ok());
   ASSERT_GT(model->events().size(), 15'000U);
   EXPECT_LT(drawnCorners(*model), 20'000);
+}
+
+TEST(Panels, SayWhyALogBesideIsNotCompared) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", test::kArmUrdf);
+  for (const char* name : {"s.mcap", "part.mcap"}) test::writeArmSession(folder / name);
+  std::filesystem::resize_file(folder / "part.mcap",
+                               std::filesystem::file_size(folder / "part.mcap") - 20);
+  auto cell = loadCell(folder / "arm.urdf", {});
+  auto session = Timeline::open(folder / "s.mcap"), part = Timeline::open(folder / "part.mcap");
+  ASSERT_TRUE(cell.ok() && session.ok() && part.ok());
+  auto model = ViewModel::make(std::move(*cell), std::move(*session), std::nullopt, {}, {});
+  ASSERT_TRUE(model.ok());
+  ASSERT_TRUE(model->showBeside(std::move(*part), {}).has_value());
+  ASSERT_TRUE(model->update(SteadyTime{}).ok());
+  ASSERT_NE(model->partings(), nullptr);
+  model->partings()->wait();
+  InterfaceContext interface(nullptr);
+  ImGui::GetIO().Fonts->Build();
+  ViewerRequests requests;
+  for (int frame = 0; frame < 4; ++frame) {
+    interface.beginFrame(1280, 720);
+    drawPanels(*model, ViewerStatus(), SteadyTime{}, requests);
+    ImGui::Render();
+  }
+  std::string said;
+  for (const PanelText& text : panelTexts(*ImGui::GetDrawData())) said += text.text + " ";
+  EXPECT_NE(said.find("not compared: the log has no end"), std::string::npos) << said;
+  EXPECT_EQ(said.find(folder.path().string()), std::string::npos) << "its name is enough";
 }
 
 /// Of 1280x720; each frame has the panels that the test draws.
