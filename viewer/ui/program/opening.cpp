@@ -10,7 +10,6 @@
 
 #include "core/base/plain_text.h"
 #include "core/cli/program.h"
-#include "viewer/ui/model/misfits.h"
 #include "viewer/ui/study/endpoint_survey.h"
 #include "viewer/view/camera_choice.h"
 
@@ -176,20 +175,13 @@ void Opening::offerBeside(ViewContent& next) const {
 
 std::string Opening::takeBeside(ViewContent read) {
   const std::string name = plainText(read.request.title());
-  Timeline& session = read.beside->session;
-  const auto last = session.stateAt(session.end());
-  if (!last.ok()) return last.error().text();
-  const std::string why = whyNoSession(model_.cell(), **last);
-  if (!why.empty()) return name + " is not shown beside: it " + why;
-  const auto warnings = addBeside(std::move(*read.beside), read.request.align, content_);
-  if (!warnings.ok()) return name + " is not shown beside: " + warnings.error().text();
+  const auto added = addBeside(std::move(*read.beside), read.request, content_);
+  if (!added.ok()) return name + " is not shown beside: " + added.error().text();
+  if (!added->refusal.empty()) return added->refusal;
   shown_.beside = std::move(read.request.beside);
   shown_.align = std::move(read.request.align);
   model_.viewer.panels.dropNotes(PictureNote::Of::failure);
-  for (const std::string& warning : *warnings) {
-    model_.viewer.panels.notes.push_back({name + ": " + warning, false});
-    cli::warn(model_.viewer.panels.notes.back().text);
-  }
+  for (const std::string& warning : added->warnings) cli::warn(warning);
   return {};
 }
 

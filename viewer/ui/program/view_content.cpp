@@ -133,16 +133,20 @@ Result<BesideLog> readBeside(const ContentRequest& request, const fs::path& cell
   return beside;
 }
 
-/// The log beside, if one is wanted.
-Status showBeside(const ContentRequest& request, const fs::path& cell,
-                  const TellLoadProgress& progress, const std::stop_token& stop,
-                  ViewContent& content) {
+/// The log beside, if one is wanted: none any more where it is none of the cell.
+Status showBeside(ContentRequest& request, const fs::path& cell, const TellLoadProgress& progress,
+                  const std::stop_token& stop, ViewContent& content) {
   if (request.beside.empty()) return {};
   auto beside = readBeside(request, cell, progress, stop);
   if (!beside.ok()) return beside.error();
-  auto warnings = addBeside(std::move(*beside), request.align, content);
-  if (!warnings.ok()) return warnings.error();
-  std::ranges::move(*warnings, std::back_inserter(content.warnings));
+  auto added = addBeside(std::move(*beside), request, content);
+  if (!added.ok()) return added.error();
+  std::ranges::move(added->warnings, std::back_inserter(content.warnings));
+  if (added->refusal.empty()) return {};
+  content.warnings.push_back(added->refusal);
+  content.model->viewer.panels.notes.push_back({std::move(added->refusal), true});
+  request.beside.clear();
+  request.align.clear();
   return {};
 }
 
@@ -253,18 +257,6 @@ bool isHopeless(const Cell& cell) {
         return model != nullptr && hasGeometry(*model);
       });
   return !draws;
-}
-
-Result<std::vector<std::string>> addBeside(BesideLog beside, const std::string& align,
-                                           ViewContent& content) {
-  const Cell& cell = content.model->cell();
-  const std::string note =
-      logAccount(beside.session, cell.bare_model.empty() ? &cell : nullptr).note();
-  if (!note.empty()) beside.warnings.push_back(note);
-  const Status shown = content.model->showBeside(std::move(beside.session), align);
-  if (!shown) return shown.error();
-  content.beside_folder = std::move(beside.folder);
-  return std::move(beside.warnings);
 }
 
 Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress,

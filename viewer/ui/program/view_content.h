@@ -12,20 +12,13 @@
 
 #include "core/base/parallel_for.h"
 #include "core/base/result.h"
-#include "core/bundle/private_folder.h"
 #include "viewer/backdrop/backdrop.h"
 #include "viewer/ui/model/view_model.h"
+#include "viewer/ui/program/beside_log.h"
 #include "viewer/ui/program/content_request.h"
 #include "viewer/ui/study/worker.h"
 
 namespace rocinante {
-
-/// A log that was read to be shown beside another one.
-struct BesideLog {
-  Timeline session;
-  std::vector<std::string> warnings;            ///< one sentence each
-  std::shared_ptr<const PrivateFolder> folder;  ///< a temporary log lies in it; null: it is none
-};
 
 /// What is shown: a model and where it came from.
 struct ViewContent {
@@ -37,12 +30,6 @@ struct ViewContent {
   std::shared_ptr<const PrivateFolder> beside_folder;  ///< a temporary log beside lies in it
   std::optional<BesideLog> beside{};  ///< read alone (ContentRequest): then there is no model
 };
-
-/// Shows a log beside that of the content, aligned as alignBeside() says, and what it has to be
-/// said of it and the cell. bad_argument, when the content stays as it is. Main thread once it is
-/// shown.
-Result<std::vector<std::string>> addBeside(BesideLog beside, const std::string& align,
-                                           ViewContent& content);
 
 /// Errors of the cell and its files, and what of them is left out.
 std::vector<PictureNote> notesOf(const Cell& cell);

@@ -481,6 +481,30 @@ TEST_F(OpeningInAWindow, ALogThatTakesThePlaceOfAnotherOffersThatBesideIt) {
   EXPECT_EQ(content_->request.beside, folder_ / "b.mcap");
 }
 
+TEST_F(OpeningInAWindow, ADroppedLogOfAnotherCellIsNotBesideTheFirst) {
+  test::writeSession(folder_ / "other.mcap", {{0, "joints welder 1 2 3\n"}});
+  test::writeSession(folder_ / "more.mcap", {{0, "joints arm 1\njoints welder 1 2 3\n"}});
+  const std::string sentence =
+      "other.mcap is not shown beside: it moves nothing of this cell: welder is not a device of "
+      "the cell and was not added";
+  EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
+  EXPECT_EQ(open({folder_ / "s.mcap", folder_ / "other.mcap"}), "s.mcap");
+  EXPECT_EQ(model().beside(), nullptr);
+  EXPECT_TRUE(content_->request.beside.empty());
+  ASSERT_FALSE(model().viewer.panels.notes.empty());
+  EXPECT_EQ(model().viewer.panels.notes.back().text, sentence);
+  EXPECT_TRUE(model().viewer.panels.notes.back().is_error);
+  ASSERT_FALSE(content_->warnings.empty());
+  EXPECT_EQ(content_->warnings.back(), sentence) << "in the terminal, too";
+  // One that has a device too many is, and that is over the picture.
+  EXPECT_EQ(open({folder_ / "s.mcap", folder_ / "more.mcap"}), "s.mcap");
+  EXPECT_NE(model().beside(), nullptr);
+  ASSERT_FALSE(model().viewer.panels.notes.empty());
+  const std::string said = model().viewer.panels.notes.back().text;
+  EXPECT_TRUE(said.starts_with("more.mcap: the cell has no device welder")) << said;
+  EXPECT_EQ(content_->warnings.back(), said);
+}
+
 TEST(TheListBesideALog, HasOtherLogsAlone) {
   OpenState open;
   open.log = "/s/today.mcap";
