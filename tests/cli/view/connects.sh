@@ -26,7 +26,10 @@ await-line this window listens at 127.0.0.1:$port already
 connect :$port
 await-line this window listens at that port itself
 save saved.mcap
+await-line saved: saved.mcap (
 disconnect forget
+await-line disconnected from udp://127.0.0.1:$port; what it kept is deleted:
+dismiss
 panels off
 frame 2
 screenshot rest.png

@@ -19,6 +19,8 @@ frame 2
 seek 1s
 pause
 save saved.mcap
+await-line saved: saved.mcap (
+dismiss
 frame 2
 screenshot again.png
 quit

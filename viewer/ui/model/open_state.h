@@ -61,6 +61,7 @@ struct OpenState {
   std::array<char, 256> endpoint{};  ///< being typed, NUL-terminated
   /// Endpoints of live sessions behind what is shown, with blanks between; the last shown first.
   std::vector<std::string> left;
+  std::string ended;  ///< what became of a live session that was ended, to be said; or empty
 
   /// Shows the list, of the last folder or else of `where`.
   void open(const std::filesystem::path& where);

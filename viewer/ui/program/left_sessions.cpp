@@ -7,6 +7,9 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/figure_text.h"
+#include "core/base/plain_text.h"
+
 namespace rocinante {
 namespace {
 
@@ -19,6 +22,16 @@ bool hasHeard(const ViewModel& model) {
   const LiveKeeper* const keeper = model.feed().keeper();
   return (model.live() != nullptr && model.live()->datagrams > 0) ||
          (keeper != nullptr && keeper->progress().datagrams > 0);
+}
+
+std::string endedText(const ContentRequest& request, const ViewModel& model) {
+  const std::string text = "disconnected from " + plainText(endpointsText(request));
+  if (!hasHeard(model)) return text + ", where nothing was heard";
+  const LiveKeeper* const keeper = model.feed().keeper();
+  if (keeper == nullptr) return text + "; nothing of it was kept";
+  const KeptProgress kept = keeper->progress();
+  return fmt::format("{}; what it kept is deleted: {}, {}", text,
+                     countText(kept.datagrams, "datagram"), sizeText(kept.bytes));
 }
 
 void LeftSessions::leave(std::unique_ptr<ViewContent> content, ViewContent& next) {

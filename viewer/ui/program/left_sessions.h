@@ -14,6 +14,10 @@ namespace rocinante {
 /// A live session heard something, which is lost when it ends.
 bool hasHeard(const ViewModel& model);
 
+/// What ending a live session of that request does, in one line: how much it kept, which is
+/// deleted.
+std::string endedText(const ContentRequest& request, const ViewModel& model);
+
 /// The live sessions of a window that shows something else: they listen and keep on. Main thread.
 class LeftSessions {
  public:
@@ -30,6 +34,7 @@ class LeftSessions {
   std::vector<std::string> names() const;
   /// The number of the one with these endpoints, as they were typed or as names() has them.
   std::optional<std::size_t> find(const std::vector<std::string>& endpoints) const;
+  const ContentRequest& request(std::size_t number) const { return contents_[number]->request; }
   const ViewModel& model(std::size_t number) const { return *contents_[number]->model; }
   /// Gives one back to be shown.
   std::unique_ptr<ViewContent> take(std::size_t number);

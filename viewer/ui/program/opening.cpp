@@ -223,6 +223,7 @@ Status Opening::disconnect(bool forgets) {
   if (is_shown) {
     loader_.start(withoutConnection(shown_, forgets));
   } else {
+    model_.viewer.panels.open.ended = endedText(left_.request(0), left_.model(0));
     left_.forget(0);
     tellLeft();
   }
@@ -271,6 +272,10 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
     }
     loaded->content = std::make_unique<ViewContent>(std::move(**result));
     offerBeside(*loaded->content);
+    using Leaving = ContentRequest::Leaving;
+    if (next.leaving == Leaving::ends || next.leaving == Leaving::ends_unheard) {
+      loaded->content->model->viewer.panels.open.ended = endedText(shown_, model_);
+    }
   } else if (model_.viewer.is_empty && !model_.viewer.panels.open.used) {
     return result->error();
   } else if ((model_.isLive() || !left_.empty()) && isOwnPort(result->error())) {

@@ -23,6 +23,9 @@ Status RequestDesk::apply(const ViewerRequests& requests, const WindowSize& size
   openFiles(requests.open, now);
   if (requests.beside) tellRefusal(my_.opening.showBeside(*requests.beside), now);
   tellRefusal(connect(requests), now);
+  if (std::string& ended = my_.model.viewer.panels.open.ended; !ended.empty()) {
+    say(std::exchange(ended, {}), false, now);
+  }
   if (requests.notice) say(*requests.notice, false, now);
   if (requests.fault) say(*requests.fault, true, now);
   if (auto made = makeFiles(requests, size, now); !made) return made;
@@ -107,7 +110,12 @@ Status RequestDesk::addCamera(const std::string& name, SteadyTime now) {
 }
 
 Status RequestDesk::saveLive(const std::filesystem::path& file, SteadyTime now) {
-  if (scripted_) return saving_.make(my_.model, file);
+  if (scripted_) {
+    const auto made = saving_.make(my_.model, file);
+    if (!made.ok()) return made.error();
+    say(made->text, made->is_fault, now);
+    return {};
+  }
   const Status begun = saving_.ask(my_.model, file);
   say(begun ? "the live session is being saved ..." : begun.error().text(), !begun, now);
   return {};

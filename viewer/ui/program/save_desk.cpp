@@ -2,8 +2,23 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
+
+#include "core/base/figure_text.h"
 
 namespace rocinante {
+namespace {
+
+SaveDesk::News newsOf(const LiveSaver::Saved& made) {
+  std::string text = "saved: " + made.file.string();
+  std::error_code fault;
+  const std::uintmax_t bytes = std::filesystem::file_size(made.file, fault);
+  if (!fault) text += " (" + sizeText(bytes) + ")";
+  if (made.doubt.empty()) return {std::move(text), false};
+  return {text + "; " + made.doubt, true};
+}
+
+}  // namespace
 
 Status SaveDesk::ask(ViewModel& model, const std::filesystem::path& file) {
   LiveKeeper* const keeper = model.isLive() ? model.feed().keeper() : nullptr;
@@ -17,15 +32,15 @@ Status SaveDesk::ask(ViewModel& model, const std::filesystem::path& file) {
   return saver_.start(*keeper, {shown_.cell, shown_.where, output, model.live()->time});
 }
 
-Status SaveDesk::make(ViewModel& model, const std::filesystem::path& file) {
-  if (auto begun = ask(model, file); !begun) return begun;
+Result<SaveDesk::News> SaveDesk::make(ViewModel& model, const std::filesystem::path& file) {
+  if (auto begun = ask(model, file); !begun) return begun.error();
   while (true) {
     if (const auto saved = saver_.look(*model.feed().keeper())) {
       if (!saved->ok()) return saved->error();
       const LiveSaver::Saved& made = **saved;
       if (!made.doubt.empty())
         model.viewer.panels.doubts.push_back(made.file.string() + ": " + made.doubt);
-      return {};
+      return newsOf(made);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
@@ -36,9 +51,7 @@ std::optional<SaveDesk::News> SaveDesk::look(ViewModel& model) {
   const auto saved = saver_.look(*model.feed().keeper());
   if (!saved) return std::nullopt;
   if (!saved->ok()) return News{"the session was not saved: " + saved->error().text(), true};
-  const LiveSaver::Saved& made = **saved;
-  if (made.doubt.empty()) return News{"saved: " + made.file.string(), false};
-  return News{"saved: " + made.file.string() + "; " + made.doubt, true};
+  return newsOf(**saved);
 }
 
 }  // namespace rocinante

@@ -19,13 +19,14 @@ class SaveDesk {
   /// Begins; without a file into a new one of the working folder. bad_argument when the session is
   /// not live or not kept, refused while another save runs.
   Status ask(ViewModel& model, const std::filesystem::path& file = {});
-  /// The same, and waits for its end. What is not in the file becomes a doubt of the model.
-  Status make(ViewModel& model, const std::filesystem::path& file);
 
   struct News {
-    std::string text;
+    std::string text;  ///< one line: where it is, how much, and what is not in it
     bool is_fault = false;
   };
+  /// The same as ask(), and waits for its end. What is not in the file becomes a doubt of the
+  /// model, too.
+  Result<News> make(ViewModel& model, const std::filesystem::path& file);
   /// To be called now and then: what became of the save, once.
   std::optional<News> look(ViewModel& model);
 

@@ -78,6 +78,8 @@ class OpeningInAWindow : public testing::Test {
     return done([&](Opening& opening) { return opening.disconnect(forgets); });
   }
   ViewModel& model() { return *content_->model; }
+  /// What is to be said of a live session that was ended.
+  std::string ended() { return model().viewer.panels.open.ended; }
   /// Sends until the shown session, or else those behind it, have heard it, and keep it.
   void say(const std::string& endpoint, const std::string& statement,
            const std::function<bool()>& heard) {
@@ -209,10 +211,14 @@ TEST_F(OpeningInAWindow, DisconnectingAsksBeforeSomethingIsLost) {
   EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
   EXPECT_EQ(disconnect(true), "nothing");
   EXPECT_TRUE(left_.empty());
+  const std::string of_left = ended(), deleted = "; what it kept is deleted: ";
+  EXPECT_TRUE(of_left.starts_with("disconnected from " + endpoint + deleted)) << of_left;
+  EXPECT_NE(of_left.find(" datagram"), std::string::npos) << of_left;
   // The port is free again, and the cell stays.
   EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
   EXPECT_EQ(connect({endpoint}), "arm.urdf");
   EXPECT_EQ(disconnect(false), "arm.urdf") << "nothing was heard";
+  EXPECT_EQ(ended(), "disconnected from " + endpoint + ", where nothing was heard");
   EXPECT_FALSE(model().isLive());
   EXPECT_TRUE(left_.empty());
 }
@@ -227,8 +233,11 @@ TEST_F(OpeningInAWindow, WhatIsHeardWhileASessionEndsIsLostOnlyWhenItIsToBeForgo
   EXPECT_EQ(&model(), shown);
   EXPECT_TRUE(hasHeard(model()));
   EXPECT_EQ(disconnect(true), "arm.urdf");
+  EXPECT_TRUE(ended().starts_with("disconnected from " + endpoint + "; what it kept is deleted: "))
+      << ended();
   EXPECT_FALSE(model().isLive());
   EXPECT_EQ(connect({endpoint}), "arm.urdf");
+  EXPECT_EQ(ended(), "") << "said of one change";
   meanwhile_ = [&] { hear(endpoint); };
   EXPECT_EQ(disconnect(true), "arm.urdf");
   EXPECT_FALSE(model().isLive());
