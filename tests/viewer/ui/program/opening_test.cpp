@@ -484,7 +484,7 @@ TEST_F(OpeningInAWindow, ALogThatTakesThePlaceOfAnotherOffersThatBesideIt) {
   EXPECT_TRUE(offered().empty()) << "the same one";
   EXPECT_EQ(open({folder_ / "gripper.urdf", folder_ / "s.mcap"}), "s.mcap");
   EXPECT_TRUE(offered().empty()) << "of another cell";
-  EXPECT_EQ(open({folder_ / "s.mcap", folder_ / "b.mcap"}), "s.mcap");
+  EXPECT_EQ(open({folder_ / "arm.urdf", folder_ / "s.mcap", folder_ / "b.mcap"}), "s.mcap");
   EXPECT_TRUE(offered().empty());
   ASSERT_NE(model().beside(), nullptr) << "two dropped together";
   EXPECT_EQ(content_->request.beside, folder_ / "b.mcap");
