@@ -11,6 +11,8 @@ await-line nothing received for the last 2 s
 await-line the sender stopped, or the network path is broken; the last known state is shown
 evidence gone.png
 save gone.mcap
+await-line saved: gone.mcap
+dismiss
 screenshot stopped.png
 await-line
 await 8s
