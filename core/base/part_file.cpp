@@ -177,6 +177,9 @@ Status PartFile::publish(bool overwrite) {
   // Held during the replacement, so that no recorder begins to write the file being replaced.
   const Result<HeldFile> held = HeldFile::at(path_, HeldFile::For::replacing);
   if (!held) return held.error();
+  // It is complete: who replaces it next need not wait until this process gets to close it. Shared,
+  // the lock still tells it from a leftover.
+  if (file_ >= 0) static_cast<void>(::flock(file_, LOCK_SH));
   if (is_folder_ || overwrite) return publishOver(*held);
   if (renameToFree(beside_, path_) != 0) {
     if (errno != EEXIST) return cannotCreate(path_, errno);

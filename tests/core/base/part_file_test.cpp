@@ -164,6 +164,14 @@ TEST(PartFile, ManyOfOneOutputDoNotRemoveEachOther) {
   EXPECT_THAT(namesIn(folder.path()), UnorderedElementsAre("a"));
 }
 
+TEST(PartFile, APublishedFileIsReplacedThoughItsMakerHasNotClosedIt) {
+  const test::TemporaryFolder folder;
+  Result<PartFile> first = PartFile::make(folder / "a");
+  ASSERT_TRUE(first.ok());
+  ASSERT_TRUE(first->publish(false).ok());
+  EXPECT_TRUE(writeFileWhole(folder / "a", bytesOf("x"), true, Sync::later).ok());
+}
+
 TEST(PartFile, ALinkToNothingIsRefusedAtOnce) {
   const test::TemporaryFolder folder;
   std::filesystem::create_symlink("nowhere", folder / "a");
