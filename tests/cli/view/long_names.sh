@@ -1,5 +1,5 @@
-# Names that are longer than a panel is wide: no edge cuts them, and where their middle is left out the whole is told on
-# hover. `legibility` tells what the window says.
+# Names that are longer than a panel is wide: no edge cuts them, and where their middle is left out the mouse shows the
+# whole name. `legibility` tells what the window says.
 export ASAN_OPTIONS=detect_leaks=0
 cat >arm.urdf <<'URDF'
 <robot name="arm"><link name="base"><visual><geometry><box size="1 1 1"/></geometry></visual></link></robot>

@@ -143,7 +143,7 @@ void Window::onButton(GLFWwindow* window, int button, int action, int /*modifier
   self.news_ = true;
   const auto kind = action == GLFW_PRESS ? InputEvent::Kind::press : InputEvent::Kind::release;
   InputEvent event{kind, static_cast<std::size_t>(button), self.mouse_x_, self.mouse_y_, {}};
-  // What came while a frame was drawn is told at once.
+  // What came while a frame was drawn is reported at once.
   constexpr std::chrono::milliseconds kAtOnce(5);
   event.to = std::chrono::steady_clock::now();
   event.from = event.to - self.asked_at_ < kAtOnce ? self.answered_at_ : event.to;

@@ -50,7 +50,7 @@ class Window final : public RenderContext {
   /// Shows framebuffer 0. Waits for the display when `paced`.
   void swap();
   void setPaced(bool paced);
-  /// Takes the events that came, waiting for one for at most so many seconds; 0: does not wait.
+  /// Takes the events that came, waiting for one for at most `most_s` seconds; 0: does not wait.
   void takeEvents(double most_s);
   /// From now on letters are events, and Dear ImGui's own callback does not hear of them.
   void takeLetters();
