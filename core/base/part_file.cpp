@@ -177,22 +177,26 @@ Status PartFile::publish(bool overwrite) {
   // Held during the replacement, so that no recorder begins to write the file being replaced.
   const Result<HeldFile> held = HeldFile::at(path_, HeldFile::For::replacing);
   if (!held) return held.error();
-  // It is complete: who replaces it next need not wait until this process gets to close it. Shared,
-  // the lock still tells it from a leftover.
-  if (file_ >= 0) static_cast<void>(::flock(file_, LOCK_SH));
   if (is_folder_ || overwrite) return publishOver(*held);
   if (renameToFree(beside_, path_) != 0) {
     if (errno != EEXIST) return cannotCreate(path_, errno);
     return Error{ErrorKind::refused, "the file exists; --force overwrites it", path_.string()};
   }
-  beside_.clear();
+  published();
   return {};
 }
 
 Status PartFile::publishOver(const HeldFile&) {
   if (::rename(beside_.c_str(), path_.c_str()) != 0) return cannotCreate(path_, errno);
-  beside_.clear();
+  published();
   return {};
+}
+
+void PartFile::published() {
+  beside_.clear();
+  // It is complete: who replaces it next need not wait until this process gets to close it. Not
+  // before it has its name: the lock is given up for a moment, in which a part looks left over.
+  if (file_ >= 0) static_cast<void>(::flock(file_, LOCK_SH));
 }
 
 }  // namespace rocinante

@@ -38,6 +38,7 @@ class PartFile {
  private:
   PartFile() = default;
   void swap(PartFile& other) noexcept;
+  void published();
 
   std::filesystem::path path_, beside_;  ///< `beside_` is empty once published
   int file_ = -1;
