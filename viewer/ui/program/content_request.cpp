@@ -22,7 +22,7 @@ ContentRequest optionsOf(const ContentRequest& shown) {
 /// "bag/" is "bag", by whose name the window is called.
 std::filesystem::path wholePath(const std::filesystem::path& given) {
   std::error_code fault;
-  const std::filesystem::path whole = std::filesystem::absolute(given, fault);
+  const std::filesystem::path whole = std::filesystem::absolute(given, fault).lexically_normal();
   return whole.has_filename() ? whole : whole.parent_path();
 }
 

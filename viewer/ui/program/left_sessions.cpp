@@ -41,14 +41,24 @@ void LeftSessions::leave(std::unique_ptr<ViewContent> content, ViewContent& next
   ViewModel& model = *content->model;
   model.hand.stopDriving();
   model.publishing.end(std::chrono::steady_clock::now(), std::chrono::system_clock::now());
-  if (!model.isLive() || leaving == Leaving::ends) return;
+  if (!model.isLive()) return;
+  std::string& told = next.model->viewer.panels.open.ended;
+  const bool is_heard = hasHeard(model);
+  if (leaving == Leaving::ends || (leaving == Leaving::ends_unheard && !is_heard)) {
+    told = endedText(content->request, model);
+    return;
+  }
   if (leaving == Leaving::goes_along) {
     next.model->takeLive(model);
     next.request.live = content->request.live;
     next.request.connect = content->request.connect;
     return;
   }
-  if (!hasHeard(model)) return;
+  if (!is_heard) return;
+  if (leaving == Leaving::ends_unheard) {
+    told = plainText(endpointsText(content->request)) +
+           " was heard just now and goes on behind this: `live` shows it";
+  }
   model.viewer.hover = {};  // its texture is the window's
   model.viewer.was_shown = true;
   model.viewer.panels.open.shown = model.viewer.panels.palette.shown = false;

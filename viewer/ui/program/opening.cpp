@@ -42,11 +42,12 @@ bool isOwnPort(const Error& error) {
 
 Error badArgument(std::string what) { return {ErrorKind::bad_argument, std::move(what), {}}; }
 
-/// Both are recorded, and of the same devices.
+/// Both are recorded, and of the same devices of a cell.
 bool areAlike(const ViewModel& shown, const ViewModel& next) {
   const bool recorded =
       shown.session() != nullptr && !shown.isLive() && next.session() != nullptr && !next.isLive();
-  return recorded && std::ranges::equal(shown.cell().devices, next.cell().devices, {},
+  return recorded && !shown.cell().devices.empty() &&
+         std::ranges::equal(shown.cell().devices, next.cell().devices, {},
                                         &CellDevice::name, &CellDevice::name);
 }
 
@@ -272,10 +273,6 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
     }
     loaded->content = std::make_unique<ViewContent>(std::move(**result));
     offerBeside(*loaded->content);
-    using Leaving = ContentRequest::Leaving;
-    if (next.leaving == Leaving::ends || next.leaving == Leaving::ends_unheard) {
-      loaded->content->model->viewer.panels.open.ended = endedText(shown_, model_);
-    }
   } else if (model_.viewer.is_empty && !model_.viewer.panels.open.used) {
     return result->error();
   } else if ((model_.isLive() || !left_.empty()) && isOwnPort(result->error())) {

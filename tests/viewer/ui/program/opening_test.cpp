@@ -251,6 +251,7 @@ TEST_F(OpeningInAWindow, WhatIsHeardJustBeforeASessionEndsGoesOnBehind) {
   left_.leave(std::move(content_), *next);
   content_ = std::move(next);
   EXPECT_EQ(left_.names(), std::vector<std::string>{endpoint});
+  EXPECT_EQ(ended(), endpoint + " was heard just now and goes on behind this: `live` shows it");
   EXPECT_EQ(content_->request.leaving, ContentRequest::Leaving::stays_behind) << "held for once";
 }
 
@@ -482,12 +483,21 @@ TEST_F(OpeningInAWindow, ALogThatTakesThePlaceOfAnotherOffersThatBesideIt) {
   EXPECT_EQ(lines[0].log, folder_ / "s.mcap");
   EXPECT_EQ(open({folder_ / "b.mcap"}), "b.mcap");
   EXPECT_TRUE(offered().empty()) << "the same one";
+  EXPECT_EQ(open({folder_ / "." / "b.mcap"}), "b.mcap");
+  EXPECT_TRUE(offered().empty()) << "the same one, by another name";
   EXPECT_EQ(open({folder_ / "gripper.urdf", folder_ / "s.mcap"}), "s.mcap");
   EXPECT_TRUE(offered().empty()) << "of another cell";
   EXPECT_EQ(open({folder_ / "arm.urdf", folder_ / "s.mcap", folder_ / "b.mcap"}), "s.mcap");
   EXPECT_TRUE(offered().empty());
   ASSERT_NE(model().beside(), nullptr) << "two dropped together";
   EXPECT_EQ(content_->request.beside, folder_ / "b.mcap");
+}
+
+TEST_F(OpeningInAWindow, OfTwoLogsWithoutACellNoneIsOfferedBesideTheOther) {
+  test::writeSession(folder_ / "welder.mcap", {{0, "pose welder 1 2 3 0 0 0 1\n"}});
+  EXPECT_EQ(open({folder_ / "s.mcap"}), "s.mcap");
+  EXPECT_EQ(open({folder_ / "welder.mcap"}), "welder.mcap");
+  EXPECT_TRUE(model().viewer.panels.open.before.empty());
 }
 
 TEST_F(OpeningInAWindow, ADroppedLogOfAnotherCellIsNotBesideTheFirst) {
