@@ -3,6 +3,7 @@
 namespace rocinante {
 
 Result<PictureRest::News> PictureRest::step(SteadyTime now, bool is_empty, bool said) {
+  stepped_ = now;
   if (warmsUp(is_empty)) {
     const bool more = warm_up_.advance(picture_, detail_);
     if (warm_up_.done()) picture_.warmedUp();

@@ -509,6 +509,9 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (scripted()) composer_.composed().blitTo(0);
     if (swaps_) window_->swap();
     writeDown();
+    if (rest_.isOverdue(now(), model_.viewer.is_empty)) {
+      if (auto rested = rest(); !rested) return rested.error();
+    }
     if (std::exchange(model_.study_delayed, false)) frame_due_.happened(now());
     waitForNews();
   }
