@@ -107,6 +107,8 @@ class ViewModel {
   void takeLive(ViewModel& from);
   /// Why nothing moves in a live session; empty otherwise.
   std::optional<Finding> liveReason(SteadyTime now) const;
+  /// Since the last datagram of a live session, or since it began; empty: it is not live.
+  std::optional<Nanoseconds> liveSilence(SteadyTime now) const;
   /// Received data that does not fit the cell; in a live session at most half a second old.
   const std::vector<Misfit>& misfits() const { return misfits_; }
   /// Damage of the log that affects the picture, and any picture shown so far.

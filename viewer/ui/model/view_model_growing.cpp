@@ -187,12 +187,18 @@ Result<std::filesystem::path> ViewModel::logOfShownMoment() {
   return std::filesystem::path(session_->logAt(moment).name());
 }
 
-std::optional<Finding> ViewModel::liveReason(SteadyTime now) const {
+std::optional<Nanoseconds> ViewModel::liveSilence(SteadyTime now) const {
   if (!feed_ || !live_since_) return std::nullopt;
+  return now - last_arrival_.value_or(*live_since_);
+}
+
+std::optional<Finding> ViewModel::liveReason(SteadyTime now) const {
+  const std::optional<Nanoseconds> silent = liveSilence(now);
+  if (!silent) return std::nullopt;
   LiveFacts facts;
   facts.endpoints = feed_->endpoints();
   facts.watched = now - *live_since_;
-  facts.silent = now - last_arrival_.value_or(*live_since_);
+  facts.silent = *silent;
   if (heard_) {
     facts.datagrams = live_->datagrams;
     facts.undecoded = live_->undecoded;

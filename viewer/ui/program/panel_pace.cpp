@@ -4,14 +4,15 @@
 
 namespace rocinante {
 
-Nanoseconds panelsChangeEvery(const ViewModel& model, const ProgramBusy& busy) {
+Nanoseconds panelsChangeEvery(const ViewModel& model, const ProgramBusy& busy, SteadyTime now) {
   using namespace std::chrono_literals;
   // One frame after the other.
   if (model.viewer.fly.moving()) return Nanoseconds(0);
   if (model.viewer.packet.searching()) return 16ms;
   if (busy.loading) return 50ms;
   if (busy.notice || busy.typing) return 200ms;
-  return model.isLive() ? Nanoseconds(1s) : Nanoseconds::max();
+  const std::optional<Nanoseconds> silent = model.liveSilence(now);
+  return silent ? agesChangeEvery(*silent) : Nanoseconds::max();
 }
 
 double newsWait(const ViewModel& model) {

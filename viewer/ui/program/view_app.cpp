@@ -366,11 +366,14 @@ void ViewApp::writeDown() {
 
 bool ViewApp::frameDue(bool changed) const {
   const TimelineCursor* cursor = model_.cursor();
+  const SteadyTime at = now();
   return scripted() || changed || isStill() != status_.still ||
          (cursor != nullptr && cursor->playing() && !cursor->following()) ||
-         frame_due_.at(now(), panelsChangeEvery(model_, {opening_.busy(),
-                                                         evidence_.active() || requests_.isSaving(),
-                                                         ImGui::GetIO().WantTextInput}));
+         frame_due_.at(at, panelsChangeEvery(model_,
+                                             {opening_.busy(),
+                                              evidence_.active() || requests_.isSaving(),
+                                              ImGui::GetIO().WantTextInput},
+                                             at));
 }
 
 void ViewApp::waitForNews() {

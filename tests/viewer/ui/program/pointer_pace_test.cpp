@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "viewer/ui/program/panel_pace.h"
+
 namespace rocinante {
 namespace {
 
@@ -23,6 +25,12 @@ TEST(PointerPace, LooksTenTimesASecondAndWhereTheMouseRests) {
   EXPECT_FALSE(pace.due(PicturePlace(999, 5), SteadyTime(1300ms)));
   EXPECT_TRUE(pace.due(std::nullopt, SteadyTime(1301ms)));  // it left the picture
   EXPECT_FALSE(pace.due(std::nullopt, SteadyTime(2000ms)));
+}
+
+TEST(PanelPace, TellsOfALongSilenceLessOften) {
+  EXPECT_EQ(agesChangeEvery(0s), 1s);
+  EXPECT_EQ(agesChangeEvery(4999ms), 1s) << "the reason of a silence is there after two";
+  EXPECT_EQ(agesChangeEvery(5s), 5s);
 }
 
 }  // namespace
