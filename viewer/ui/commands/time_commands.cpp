@@ -100,8 +100,7 @@ Status setLoop(CommandWords words, const CommandStage& stage) {
 Status markMoment(CommandWords words, const CommandStage& stage) {
   ViewModel& model = stage.model;
   if (words.empty()) {
-    model.viewer.panels.mark_text[0] = 0;
-    model.viewer.panels.asks_mark = true;
+    model.viewer.panels.mark.ask();
     return {};
   }
   stage.requests.mark = fmt::format("{}", fmt::join(words, " "));
@@ -109,8 +108,11 @@ Status markMoment(CommandWords words, const CommandStage& stage) {
 }
 
 Status askTime(CommandWords /*words*/, const CommandStage& stage) {
-  stage.model.viewer.panels.time_text[0] = 0;
-  stage.model.viewer.panels.asks_time = true;
+  PanelState& panels = stage.model.viewer.panels;
+  panels.time.ask();
+  // It is typed into the time line.
+  panels.shown = true;
+  panels.places.openEdge("bottom");
   return {};
 }
 

@@ -31,6 +31,12 @@ struct PanelPlaces {
 
   /// Null when the panel lies where it always does, at its own width, and is open.
   const PanelPlace* find(const std::string& panel) const;
+  /// A folded edge is opened where there is room, else looked at over the picture.
+  void openEdge(const std::string& edge) {
+    const auto place = places.find(edge);
+    if (place != places.end()) place->second.collapsed = false;
+    peeked = edge;
+  }
 };
 
 /// `moving`, with an edge that is within `reach` of the window's margin or of another panel put

@@ -58,6 +58,19 @@ struct PaletteState {
   }
 };
 
+/// A short text that is asked for: its field gets the keyboard a few frames later.
+struct AskedText {
+  bool shown = false;
+  bool begun = false;            ///< it has the keyboard
+  std::array<char, 256> text{};  ///< NUL-terminated
+
+  void ask() {
+    *this = AskedText();
+    shown = true;
+  }
+  bool awaitsKeyboard() const { return shown && !begun; }
+};
+
 /// What a terminal was told about the files that are shown or were refused.
 struct PictureNote {
   /// What it is about: what is shown, something that could not be, or a layout.
@@ -79,10 +92,8 @@ struct PanelState {
   PanelPlaces places;
   OpenState open;
   PaletteState palette;
-  bool asks_mark = false;                ///< the text of a mark is being typed
-  std::array<char, 256> mark_text{};     ///< being typed; NUL-terminated
-  bool asks_time = false;                ///< an exact time is being typed
-  std::array<char, 64> time_text{};      ///< that; NUL-terminated
+  AskedText mark;                        ///< of a mark
+  AskedText time;                        ///< an exact time
   std::array<char, 64> device_filter{};  ///< part of the listed names; NUL-terminated
   std::array<char, 64> source_filter{};  ///< the same for sources
   std::array<char, 64> event_filter{};   ///< the same for events
@@ -103,10 +114,9 @@ struct PanelState {
   /// The left panel with that tab: "Scene", "Look", "Sources", "Events", "Check" or "Frame".
   void openTab(std::string name) {
     shown = true;
-    for (const char* folded : {"Scene", "left"}) {
-      const auto place = places.places.find(folded);
-      if (place != places.places.end()) place->second.collapsed = false;
-    }
+    const auto scene = places.places.find("Scene");
+    if (scene != places.places.end()) scene->second.collapsed = false;
+    places.openEdge("left");
     wanted_tab = std::move(name);
   }
 };

@@ -93,14 +93,6 @@ void addArrow(ImDrawList& list, ImVec2 middle, ImVec2 towards, ImU32 color) {
                          color);
 }
 
-/// A folded edge is opened where there is room (endNeedlessPeek), else looked at at the picture's
-/// cost.
-void open(PanelPlaces& places, DockEdge edge) {
-  const auto place = places.places.find(nameOf(edge));
-  if (place != places.places.end()) place->second.collapsed = false;
-  places.peeked = nameOf(edge);
-}
-
 void drawStrip(PanelPlaces& places, DockEdge edge, const DockedSide& side, const char* title) {
   if (side.strip.width <= 0) return;
   // Not its title: the panel that is looked at has that.
@@ -109,7 +101,7 @@ void drawStrip(PanelPlaces& places, DockEdge edge, const DockedSide& side, const
     if (pressed && side.peeked) {
       closeEdge(places, edge);
     } else if (pressed) {
-      open(places, edge);
+      places.openEdge(nameOf(edge));
     }
     const bool hovered = ImGui::IsItemHovered();
     if (hovered)
@@ -283,7 +275,7 @@ void drawDocks(ViewModel& model, const DockLayout& layout) {
   }
   const char* const bottom = nameOf(DockEdge::bottom);
   if (drawBand("Time", layout.time_strip, wouldOpen(model, &DockLayout::time, bottom))) {
-    open(places, DockEdge::bottom);
+    places.openEdge(nameOf(DockEdge::bottom));
   }
 }
 

@@ -13,19 +13,16 @@ void drawMarkPrompt(ViewModel& model, ViewerRequests& requests) {
   ImGui::Text("a mark at %s s",
               secondsText(std::chrono::floor<std::chrono::milliseconds>(at), 3).c_str());
   ImGui::SetNextItemWidth(px(320));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputTextWithHint(
-      "##text", "what is to be seen here", model.viewer.panels.mark_text.data(),
-      model.viewer.panels.mark_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-  const bool left = ImGui::IsItemDeactivated();
+  AskedText& mark = model.viewer.panels.mark;
+  if (!mark.begun) ImGui::SetKeyboardFocusHere();
+  const bool entered =
+      ImGui::InputTextWithHint("##text", "what is to be seen here", mark.text.data(),
+                               mark.text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool left = mark.begun && ImGui::IsItemDeactivated();
+  mark.begun = mark.begun || ImGui::IsItemActive();
   ImGui::TextDisabled("Enter keeps it, Esc does not");
-  if (entered)
-    requests.mark =
-        model.viewer.panels.mark_text[0] == 0 ? "mark" : model.viewer.panels.mark_text.data();
-  if (entered || left) {
-    model.viewer.panels.asks_mark = false;
-    model.viewer.panels.mark_text[0] = 0;
-  }
+  if (entered) requests.mark = mark.text[0] == 0 ? "mark" : mark.text.data();
+  if (entered || left) mark = AskedText();
   ImGui::End();
 }
 

@@ -92,7 +92,11 @@ void drawTimePanels(ViewModel& model, const DockLayout& layout, SteadyTime now) 
   if (cursor->playing()) model.viewer.time_view.follow(cursor->position(now));
   const TimeAxis axis = timeAxis(model, ImGui::GetIO().DisplaySize.x);
   askStudy(model, axis);
-  if (layout.time.height > 0) drawTimeBar(model, *cursor, axis, layout.time, now);
+  if (layout.time.height > 0) {
+    drawTimeBar(model, *cursor, axis, layout.time, now);
+  } else {
+    model.viewer.panels.time.shown = false;  // a line that comes back asks for nothing
+  }
   if (layout.plots.height > 0) drawPlots(model, *cursor, axis, layout.plots, now);
   drawPlotDrag(model, layout.picture.y + layout.picture.height);
 }
@@ -160,7 +164,7 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
   if (status.loading) drawLoading(*status.loading, model.viewer.is_empty);
   drawPictureLines(model, pictureLines(model, status, now), noticeRoom(model, layout.picture));
   drawDriveFrame(model);
-  if (model.viewer.panels.asks_mark) drawMarkPrompt(model, requests);
+  if (model.viewer.panels.mark.shown) drawMarkPrompt(model, requests);
   if (model.viewer.panels.help_shown) drawHelp(model);
   if (model.viewer.panels.open.shown) drawOpenList(model, requests);
   if (model.viewer.panels.palette.shown) drawPalette(model, now, requests);

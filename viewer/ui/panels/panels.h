@@ -117,9 +117,8 @@ void drawJointSliders(ViewModel& model, const PosedDevice& device, const std::st
 /// Draws a tab of the left panel.
 void drawLookTab(ViewModel& model);
 
-/// Asks for the text of a mark at the shown moment, while model.viewer.panels.asks_mark: Enter
-/// keeps it
-/// ("mark" when nothing was typed), Esc does not.
+/// Asks for the text of a mark at the shown moment, while model.viewer.panels.mark.shown: Enter
+/// keeps it ("mark" when nothing was typed), Esc does not.
 void drawMarkPrompt(ViewModel& model, ViewerRequests& requests);
 
 /// The command palette: a line to type in, and the matching commands with their keys. Runs the one

@@ -384,7 +384,7 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
   }
   if (follows) ImGui::SetScrollHereY(1);
   ImGui::EndChild();
-  auto& text = model.viewer.panels.mark_text;
+  auto& text = model.viewer.panels.mark.text;
   ImGui::SetNextItemWidth(px(-60));
   const bool entered = ImGui::InputTextWithHint("##mark", "a mark at this moment", text.data(),
                                                 text.size(), ImGuiInputTextFlags_EnterReturnsTrue);

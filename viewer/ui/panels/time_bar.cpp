@@ -133,21 +133,23 @@ void drawButtons(const ViewModel& model, TimelineCursor& cursor, SteadyTime now,
 
 /// The shown moment, and where to type another.
 void drawTime(ViewModel& model, TimelineCursor& cursor, SteadyTime now, float room) {
-  if (model.viewer.panels.asks_time) {
+  AskedText& time = model.viewer.panels.time;
+  if (time.shown) {
     ImGui::SetNextItemWidth(px(130));
-    if (ImGui::IsWindowAppearing() || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
-    const bool entered = ImGui::InputTextWithHint(
-        "##time", "12.5 or 1m02.5s", model.viewer.panels.time_text.data(),
-        model.viewer.panels.time_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-    const bool left = ImGui::IsItemDeactivated();
+    if (!time.begun) ImGui::SetKeyboardFocusHere();
+    const bool entered =
+        ImGui::InputTextWithHint("##time", "12.5 or 1m02.5s", time.text.data(), time.text.size(),
+                                 ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool left = time.begun && ImGui::IsItemDeactivated();
+    time.begun = time.begun || ImGui::IsItemActive();
     if (entered) {
-      const auto moment = model.momentNamed(model.viewer.panels.time_text.data());
+      const auto moment = model.momentNamed(time.text.data());
       if (moment.ok()) {
         cursor.seek(*moment, now);
         model.viewer.time_view.follow(cursor.position(now));
       }
     }
-    if (entered || left) model.viewer.panels.asks_time = false;
+    if (entered || left) time.shown = false;
     explain("Enter goes there; -1s is a second before the end, picked is the event of that name");
     return;
   }
@@ -159,10 +161,7 @@ void drawTime(ViewModel& model, TimelineCursor& cursor, SteadyTime now, float ro
   } else {
     ImGui::Text("%s", at.c_str());
   }
-  if (ImGui::IsItemClicked()) {
-    model.viewer.panels.time_text[0] = 0;
-    model.viewer.panels.asks_time = true;
-  }
+  if (ImGui::IsItemClicked()) time.ask();
   explain("click or G: type a time");
   // With its largest width, so that what is beside it does not move.
   ImGui::SameLine();

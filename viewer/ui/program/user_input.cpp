@@ -135,8 +135,12 @@ bool opensLine(const KeyPress& press) {
 }  // namespace
 
 KeyTaker keyTaker(const ViewModel& model) {
-  const LineStart* const line = shownLine(model.viewer.panels);
-  if (line != nullptr && line->collects) return KeyTaker::nobody;
+  const PanelState& panels = model.viewer.panels;
+  const LineStart* const line = shownLine(panels);
+  const auto& value = model.hand.edit;
+  const bool awaits = (line != nullptr && line->collects) || panels.mark.awaitsKeyboard() ||
+                      panels.time.awaitsKeyboard() || (value && !value->begun);
+  if (awaits) return KeyTaker::nobody;
   return line != nullptr || ImGui::GetIO().WantTextInput ? KeyTaker::line : KeyTaker::commands;
 }
 

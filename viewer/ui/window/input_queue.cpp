@@ -8,14 +8,17 @@ namespace {
 
 /// By GLFW's numbers: what is below is a character, what is above only changes what others mean.
 constexpr int kFirstFunctionKey = 256, kFirstModifierKey = 340;
-constexpr int kEscapeKey = 256, kEnterKey = 257, kPadEnterKey = 335;
+constexpr int kEscapeKey = 256, kEnterKey = 257, kTabKey = 258, kPadEnterKey = 335;
 constexpr std::chrono::milliseconds kDoubleClick(300);
 constexpr int kMostWaiting = 30;
 
 bool isModifier(const KeyPress& press) { return press.key >= kFirstModifierKey; }
 
-bool endsLine(const KeyPress& press) {
-  return press.key == kEnterKey || press.key == kPadEnterKey || press.key == kEscapeKey;
+/// For how many frames what follows a key of a line waits: which may close it, or lets the next
+/// line get the keyboard, in a frame that loses what is typed.
+int framesAfter(const KeyPress& press) {
+  if (press.key == kTabKey) return 2;
+  return press.key == kEnterKey || press.key == kPadEnterKey || press.key == kEscapeKey ? 1 : 0;
 }
 
 bool edits(const KeyPress& press) {
@@ -41,12 +44,14 @@ const InputState& InputQueue::nextFrame(KeyTaker taker) {
   if (waited_ > kMostWaiting) taker = KeyTaker::line;
   bool moved = false;
   const bool arranged = std::exchange(arranges_, false);
-  const bool ended = std::exchange(ends_, false);
+  const bool waits = taker == KeyTaker::nobody || pauses_ > 0;
+  if (pauses_ > 0) --pauses_;
+  bool ends = false;
   state_.again = false;
   state_.letters.clear();
   const std::vector<KeyPress> before = std::exchange(state_.keys, {});
   const auto keyWaits = [&](const KeyPress& press) {
-    if (taker == KeyTaker::nobody || ended || ends_) return true;
+    if (waits || ends) return true;
     if (press.repeated || isModifier(press)) return false;
     if (taker == KeyTaker::commands) {
       return std::ranges::any_of(state_.keys, [](const KeyPress& one) { return !isModifier(one); });
@@ -55,7 +60,7 @@ const InputState& InputQueue::nextFrame(KeyTaker taker) {
                             std::ranges::find(before, press.key, &KeyPress::key) != before.end());
   };
   const auto letterWaits = [&] {
-    if (taker == KeyTaker::nobody || ended || ends_) return true;
+    if (waits || ends) return true;
     return taker == KeyTaker::line && std::ranges::any_of(state_.keys, edits);
   };
   while (!events_.empty()) {
@@ -75,7 +80,8 @@ const InputState& InputQueue::nextFrame(KeyTaker taker) {
     if (is_key) {
       state_.keys.push_back(event.pressed);
       arranges_ = true;
-      ends_ = ends_ || (taker == KeyTaker::line && endsLine(event.pressed));
+      if (taker == KeyTaker::line) pauses_ = std::max(pauses_, framesAfter(event.pressed));
+      ends = pauses_ > 0;
       continue;
     }
     state_.x = event.x;

@@ -45,9 +45,10 @@ enum class KeyTaker {
   /// of a held key, and keys that change what others mean, stay with it.
   commands,
   /// One editing key in a frame (erase, enter, an arrow), and only one that was up in the frame
-  /// before: each gets a frame, with one between two of the same, and one after enter, which may
-  /// close the line. What is typed after one comes in a later frame, since the line takes letters
-  /// first. Repeats of a held key stay together.
+  /// before: each gets a frame, with one between two of the same, one after enter, which may close
+  /// the line, and two after Tab, until the next line has the keyboard. What is typed after one
+  /// comes in a later frame, since the line takes letters first. Repeats of a held key stay
+  /// together.
   line,
   /// A line that has not got the keyboard yet: they wait, but not for more than 30 frames.
   nobody
@@ -73,7 +74,7 @@ class InputQueue {
  private:
   std::deque<InputEvent> events_;
   bool arranges_ = false;  ///< a key or a release came in the last frame
-  bool ends_ = false;      ///< a line of text may have been closed in the last frame
+  int pauses_ = 0;         ///< coming frames without keys: which line takes them is not known yet
   int waited_ = 0;         ///< frames in a row in which nobody took keys
   std::array<std::optional<SteadyTime>, 5> pressed_at_;
   InputState state_;

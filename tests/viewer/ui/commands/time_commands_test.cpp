@@ -132,9 +132,9 @@ TEST_F(TimeCommands, TheTimeOfDayIsThatOfASessionThatHasOne) {
 TEST_F(TimeCommands, AMarkHasWords) {
   EXPECT_EQ(run("mark look at this"), "");
   EXPECT_EQ(requests_.mark, "look at this");
-  EXPECT_FALSE(model_->viewer.panels.asks_mark);
+  EXPECT_FALSE(model_->viewer.panels.mark.shown);
   EXPECT_EQ(run("mark"), "");
-  EXPECT_TRUE(model_->viewer.panels.asks_mark);
+  EXPECT_TRUE(model_->viewer.panels.mark.shown);
 }
 
 TEST_F(TimeCommands, AFindingIsGoneTo) {
@@ -164,8 +164,13 @@ TEST_F(TimeCommands, KeysOfTheTimeLine) {
   EXPECT_EQ(model_->cursor()->partEnd(), sessionTime(2000));
   EXPECT_EQ(run("key J"), "");
   EXPECT_TRUE(model_->cursor()->reversed());
+  PanelState& panels = model_->viewer.panels;
+  panels.shown = false;
+  panels.places.places["bottom"].collapsed = true;
   EXPECT_EQ(run("key G"), "");
-  EXPECT_TRUE(model_->viewer.panels.asks_time);
+  EXPECT_TRUE(panels.time.shown && panels.time.awaitsKeyboard());
+  EXPECT_TRUE(panels.shown && !panels.places.places["bottom"].collapsed) << "where it is typed";
+  EXPECT_EQ(panels.places.peeked, "bottom");
 }
 
 TEST_F(TimeCommands, NothingIsDerivedOfATextOrOverNoTime) {

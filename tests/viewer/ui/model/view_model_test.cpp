@@ -82,7 +82,7 @@ TEST_F(ViewedSession, EventsAreReachedForwardsAndBackwards) {
 TEST_F(ViewedSession, AMarkIsKeptBesideTheLogAndListed) {
   seek(500ms);
   EXPECT_FALSE(press("M").mark.has_value());
-  EXPECT_TRUE(model_->viewer.panels.asks_mark);
+  EXPECT_TRUE(model_->viewer.panels.mark.shown);
   ASSERT_TRUE(model_->addMark("look here"));
   ASSERT_EQ(model_->events().size(), 3U);
   EXPECT_EQ(model_->events()[1].text, "look here");

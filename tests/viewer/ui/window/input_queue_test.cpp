@@ -132,6 +132,20 @@ TEST(InputQueue, WhatComesBehindEnterWaitsUntilTheLineMayBeClosed) {
   EXPECT_EQ(queue.nextFrame(KeyTaker::commands).keys.front().key, 'G');
 }
 
+TEST(InputQueue, WhatComesBehindTabWaitsUntilTheNextLineHasTheKeyboard) {
+  constexpr int kTab = 258;
+  InputQueue queue;
+  queue.add({Kind::key, 0, 0, 0, {kTab, false, false, false}});
+  InputEvent letter;
+  letter.kind = Kind::letter;
+  letter.letter = '7';
+  queue.add(letter);
+  EXPECT_EQ(queue.nextFrame(KeyTaker::line).keys.front().key, kTab);
+  EXPECT_TRUE(queue.thisFrame().letters.empty());
+  for (int i = 0; i < 2; ++i) EXPECT_TRUE(queue.nextFrame(KeyTaker::line).letters.empty());
+  EXPECT_EQ(queue.nextFrame(KeyTaker::line).letters, std::vector<unsigned>{'7'});
+}
+
 TEST(InputQueue, KeysDoNotWaitForeverForALine) {
   InputQueue queue;
   queue.add({Kind::key, 0, 0, 0, {'G', false, false, false}});
