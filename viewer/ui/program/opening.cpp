@@ -287,11 +287,12 @@ Result<std::optional<Opening::Loaded>> Opening::take(bool waits) {
 
 std::optional<LoadingStatus> Opening::status() const {
   if (!loader_.busy()) return std::nullopt;
-  std::string then;
-  if (gives_up_beside_) {
-    then = "it is not shown beside";
-  } else if (loader_.hasLater()) {
-    then = plainText(loader_.later().front().filename().string()) + " is opened then";
+  std::string then = gives_up_beside_ ? "it is not shown beside" : "";
+  if (loader_.hasLater()) {
+    if (!then.empty()) then += "; ";
+    then += plainText(loader_.later().front().filename().string());
+    const std::size_t more = loader_.filesLater() - 1;
+    then += more > 0 ? fmt::format(" and {} more are opened then", more) : " is opened then";
   }
   return LoadingStatus{loader_.name(), loader_.progress(), std::move(then)};
 }

@@ -72,7 +72,7 @@ Status RequestDesk::makeFiles(const ViewerRequests& requests, const WindowSize& 
   if (requests.legibility) {
     if (auto told = writeLegibility(*requests.legibility, my_.model); !told) return told;
   }
-  if (requests.screenshot) screenshot_ = requests.screenshot;
+  if (requests.screenshot) screenshots_.push_back(*requests.screenshot);
   if (!requests.save_live && !requests.save_file) return {};
   return saveLive(requests.save_file.value_or(""), now);
 }

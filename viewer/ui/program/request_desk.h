@@ -41,11 +41,9 @@ class RequestDesk {
     tellRefusal(my_.opening.open(files), now);
   }
 
-  /// The coming frame is to be written to a file, for a user.
-  bool wantsScreenshot() const { return screenshot_.has_value(); }
-  std::optional<std::filesystem::path> takeScreenshot() {
-    return std::exchange(screenshot_, std::nullopt);
-  }
+  /// The coming frame is to be written to files, for a user.
+  bool wantsScreenshot() const { return !screenshots_.empty(); }
+  std::vector<std::filesystem::path> takeScreenshots() { return std::exchange(screenshots_, {}); }
   bool isSaving() const { return saving_.active(); }
   /// Waits for what users asked for and is still being made, after they closed the window; a signal
   /// ends it. What fails becomes a doubt.
@@ -67,7 +65,7 @@ class RequestDesk {
   Parts my_;
   bool scripted_;
   SaveDesk saving_;
-  std::optional<std::filesystem::path> screenshot_;
+  std::vector<std::filesystem::path> screenshots_;
 };
 
 }  // namespace rocinante

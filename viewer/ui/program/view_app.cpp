@@ -97,7 +97,7 @@ class ViewApp {
   bool isStill() const { return !scripted() && tally_.isStill(now()); }
   void writeDown();
   Status applyRequests(const ViewerRequests& requests);
-  void writeScreenshot(const std::filesystem::path& file);
+  void writeScreenshot(bool now_or_never);
   void waitForNews();
   Result<std::unique_ptr<ViewContent>> takeOpened();
   bool showBackdrop();
@@ -130,7 +130,8 @@ class ViewApp {
   std::optional<SteadyTime> recorded_now_;  ///< of this frame
   std::optional<SteadyTime> last_frame_;
   FrameTally tally_;
-  bool swaps_ = true;  ///< something was drawn into the window
+  bool swaps_ = true;            ///< something was drawn into the window
+  bool screenshot_due_ = false;  ///< one was asked for before this frame
   ViewerStatus status_;
   PixelRectangle part_{0, 0, 1, 1};  ///< what the picture has of the window
   RenderStyle style_;                ///< of the last frame
@@ -240,6 +241,8 @@ Status ViewApp::rest() {
     composer_.forget();
     frame_due_.happened(now());
   } else if (*news != PictureRest::News::none) {
+    // Without the whole picture the present rung's is better than a plain one.
+    if (*news == PictureRest::News::ends && picture_.isPlain()) picture_.changed();
     frame_due_.drawSoon();
   }
   return {};
@@ -298,6 +301,7 @@ Status ViewApp::drawFrame(double app_ms) {
   FrameTimes times;
   times.app = app_ms;
   const SteadyTime began = std::chrono::steady_clock::now();
+  screenshot_due_ = requests_.wantsScreenshot();
   beginFrame();
   status_.refining = status_.refining && picture_.refinesAt(now());
   status_.still = isStill();
@@ -337,9 +341,19 @@ Status ViewApp::drawFrame(double app_ms) {
   return {};
 }
 
-void ViewApp::writeScreenshot(const std::filesystem::path& file) {
-  const Status written = writePng(file, composer_.composed().read());
-  evidence_.say(written ? "written: " + file.string() : written.error().text(), !written, now());
+/// A frame that was begun when it was asked for has the line that it was typed into, and a picture
+/// that is yet plain becomes better in a moment. `now_or_never`: none comes after this frame.
+void ViewApp::writeScreenshot(bool now_or_never) {
+  if (!requests_.wantsScreenshot()) return;
+  const bool is_better = !picture_.isPlain() || picture_.refined();
+  if (!now_or_never && !(screenshot_due_ && is_better)) {
+    if (!screenshot_due_) frame_due_.happened(now());
+    return;
+  }
+  for (const std::filesystem::path& file : requests_.takeScreenshots()) {
+    const Status written = writePng(file, composer_.composed().read());
+    evidence_.say(written ? "written: " + file.string() : written.error().text(), !written, now());
+  }
   composer_.composed().blitTo(0);
   frame_due_.happened(now());
 }
@@ -461,7 +475,10 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
       // For all that was dropped; a record of input says so for each.
       const bool waits = opening_.busy() && !evidence_.isMaking() && !requests_.isSaving();
       if (script_.isTimed() || !waits) script_.takeAwaitsFiles();
-      if (!opened.ok() || *opened != nullptr) return opened;
+      if (!opened.ok() || *opened != nullptr) {
+        writeScreenshot(true);
+        return opened;
+      }
       if (script_.awaitsFiles()) continue;
     }
     const SteadyTime began = std::chrono::steady_clock::now();
@@ -487,7 +504,10 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
       if (auto stepped = script_.beforeFrame({model_, now(), part_.height, apply}); !stepped) {
         return stepped.error();
       }
-      if (script_.finished()) return next;
+      if (script_.finished()) {
+        writeScreenshot(true);
+        return next;
+      }
       if (script_.awaitsFiles()) continue;
       // The script's changes must show in this frame.
       auto updated = model_.update(now());
@@ -508,7 +528,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
         return kept.error();
       }
     }
-    if (const auto file = requests_.takeScreenshot()) writeScreenshot(*file);
+    writeScreenshot(false);
     if (scripted()) composer_.composed().blitTo(0);
     if (swaps_) window_->swap();
     writeDown();
@@ -518,6 +538,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (std::exchange(model_.study_delayed, false)) frame_due_.happened(now());
     waitForNews();
   }
+  writeScreenshot(true);
   // What is yet to be written and to be ended nobody has to look at.
   window_->hide();
   model_.hand.stopDriving();

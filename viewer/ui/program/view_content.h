@@ -65,6 +65,12 @@ class ContentLoader {
   bool hasLater() const { return !later_.empty(); }
   /// Those that are next; only if hasLater().
   const std::vector<std::filesystem::path>& later() const { return later_.front(); }
+  /// The number of all that are waiting.
+  std::size_t filesLater() const {
+    std::size_t count = 0;
+    for (const auto& together : later_) count += together.size();
+    return count;
+  }
   std::vector<std::filesystem::path> takeLater() {
     std::vector<std::filesystem::path> files = std::move(later_.front());
     later_.pop_front();

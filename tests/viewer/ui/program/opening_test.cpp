@@ -452,7 +452,7 @@ TEST_F(OpeningInAWindow, WhatIsDroppedWhileSomethingIsLoadedIsOpenedThen) {
     Opening opening(loader_, left_, *content_);
     EXPECT_TRUE(opening.open({folder_ / "gone.mcap"}));
     EXPECT_TRUE(opening.open({folder_ / "s.mcap", folder_ / "b.mcap"}));
-    EXPECT_EQ(opening.status()->waits_for, "gone.mcap is opened then");
+    EXPECT_EQ(opening.status()->waits_for, "gone.mcap and 2 more are opened then");
     EXPECT_FALSE(opening.connect({unusedAddress()}));
   };
   EXPECT_EQ(open({folder_ / "arm.urdf"}), "arm.urdf");
