@@ -68,12 +68,12 @@ Findings driftOf(const LogReader& log, const Cell& given, bool is_description) {
 }
 
 /// The session's log: made of it where another program recorded it.
-Result<OpenedRecording> openSession(CheckArguments& my) {
+Result<OpenedRecording> openSession(CheckArguments& arguments) {
   RecordingRequest request;
-  request.recording = my.log;
-  request.cell = my.cell;
-  request.search = my;
-  request.progress = cli::importProgress(my.log.empty() ? my.cell : my.log);
+  request.recording = arguments.log;
+  request.cell = arguments.cell;
+  request.search = arguments;
+  request.progress = cli::importProgress(arguments.log.empty() ? arguments.cell : arguments.log);
   cli::catchStopSignals();
   const cli::StopDeadline deadline("stopped while reading the session");
   const Result<CellAndRecording> found = openedCellAndRecording(std::move(request));
@@ -81,24 +81,24 @@ Result<OpenedRecording> openSession(CheckArguments& my) {
   if (!found->opened.not_kept.empty()) cli::warn(found->opened.not_kept);
   const bool is_its_own = found->opened.imported && found->cell == found->log;
   // Its meshes were looked for when it was imported.
-  if (is_its_own) static_cast<ModelSearch&>(my) = {};
-  my.cell = found->cell.string();
-  my.log = found->log.string();
+  if (is_its_own) static_cast<ModelSearch&>(arguments) = {};
+  arguments.cell = found->cell.string();
+  arguments.log = found->log.string();
   return found->opened;
 }
 
-Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell,
+Result<CheckReport> judgeLog(const CheckArguments& arguments, const Cell& cell,
                              const OpenedRecording& opened) {
-  Result<LogReader> log = LogReader::open(my.log);
+  Result<LogReader> log = LogReader::open(arguments.log);
   if (!log) return log.error();
-  Result<LogOctets> octets = LogOctets::of(*log, my.decoders, cell);
+  Result<LogOctets> octets = LogOctets::of(*log, arguments.decoders, cell);
   if (!octets) return octets.error();
   const auto packets = *octets ? OctetPackets([&](const LogMessage& message, bool has_packet) {
     return octets->packetOf(message, has_packet);
   })
                                : OctetPackets();
   cli::catchStopSignals();
-  const std::string name = opened.imported ? opened.recording.string() : my.log;
+  const std::string name = opened.imported ? opened.recording.string() : arguments.log;
   Result<CheckReport> report = [&] {
     cli::ProgressLine line("judging " + name);
     return checkLog(
@@ -113,7 +113,7 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell,
   report->session = name;
   if (*octets && octets->account().octets > 0) tellDecoded(octets->account(), *report);
   // A log judged with its own cell cannot have drifted.
-  if (my.log != my.cell) {
+  if (arguments.log != arguments.cell) {
     Findings drift = driftOf(*log, cell, opened.imported);
     report->findings.insert(report->findings.end(), drift.begin(), drift.end());
     const auto carried = readAttachedCell(*log);
@@ -123,9 +123,9 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell,
 }
 
 /// A session alone, which carries no cell: it is judged by what needs none.
-Result<bool> hasNoCell(const CheckArguments& my) {
-  if (my.cell != my.log || !isLog(my.cell)) return false;
-  const auto log = LogReader::open(my.log);
+Result<bool> hasNoCell(const CheckArguments& arguments) {
+  if (arguments.cell != arguments.log || !isLog(arguments.cell)) return false;
+  const auto log = LogReader::open(arguments.log);
   if (!log) return log.error();
   const auto carried = readAttachedCell(*log);
   if (!carried) return carried.error();
@@ -133,47 +133,48 @@ Result<bool> hasNoCell(const CheckArguments& my) {
 }
 
 /// The cell, with the rules of the command line.
-Result<Cell> loadWithRules(const CheckArguments& my) {
-  const Result<std::vector<CellRule>> rules = readRuleArguments(my);
+Result<Cell> loadWithRules(const CheckArguments& arguments) {
+  const Result<std::vector<CellRule>> rules = readRuleArguments(arguments);
   if (!rules) return rules.error();
   CellOptions options;
-  static_cast<ModelSearch&>(options) = my;
+  static_cast<ModelSearch&>(options) = arguments;
   options.parallel = cli::workerThreads();
-  options.progress = cli::loadProgress(my.cell);
-  const Result<bool> is_bare = hasNoCell(my);
+  options.progress = cli::loadProgress(arguments.cell);
+  const Result<bool> is_bare = hasNoCell(arguments);
   if (!is_bare) return is_bare.error();
-  Result<Cell> cell = *is_bare ? Cell() : loadCellOrLog(my.cell, options);
+  Result<Cell> cell = *is_bare ? Cell() : loadCellOrLog(arguments.cell, options);
   if (cell) cell->rules.insert(cell->rules.end(), rules->begin(), rules->end());
   return cell;
 }
 
-Result<CheckReport> judge(const CheckArguments& my, const OpenedRecording& opened) {
-  const Result<Cell> cell = loadWithRules(my);
+Result<CheckReport> judge(const CheckArguments& arguments, const OpenedRecording& opened) {
+  const Result<Cell> cell = loadWithRules(arguments);
   if (!cell) return cell.error();
-  if (!my.live.empty()) {
-    const auto duration = readPositive(my.duration.empty() ? "2s" : my.duration, "--duration");
+  if (!arguments.live.empty()) {
+    const auto duration =
+        readPositive(arguments.duration.empty() ? "2s" : arguments.duration, "--duration");
     if (!duration) return duration.error();
-    auto decoders = decodersFor(my.decoders, *cell);
+    auto decoders = decodersFor(arguments.decoders, *cell);
     if (!decoders) return decoders.error();
-    return checkLive(*cell, {my.live, my.trust, std::move(*decoders), *duration});
+    return checkLive(*cell, {arguments.live, arguments.trust, std::move(*decoders), *duration});
   }
-  if (!my.log.empty()) return judgeLog(my, *cell, opened);
-  if (!my.decoders.empty()) {
+  if (!arguments.log.empty()) return judgeLog(arguments, *cell, opened);
+  if (!arguments.decoders.empty()) {
     return Error{ErrorKind::bad_argument, "--decoders needs a LOG or --live", {}};
   }
   return checkCell(*cell);
 }
 
 /// Applies the baseline and sets the verdict from the remaining findings.
-Status concludeWith(const CheckArguments& my, const std::optional<Baseline>& baseline,
+Status concludeWith(const CheckArguments& arguments, const std::optional<Baseline>& baseline,
                     CheckReport& report) {
-  report.fail_on = failOn(my);
+  report.fail_on = failOn(arguments);
   const bool is_whole = !report.interrupted && !(report.has_session && report.packets == 0);
   conclude(report);
-  if (my.update_baseline && is_whole) {
+  if (arguments.update_baseline && is_whole) {
     const Baseline now = Baseline::of(report);
     now.applyTo(report);
-    if (Status written = writeFileWhole(my.baseline, bytesOf(now.text()), true); !written) {
+    if (Status written = writeFileWhole(arguments.baseline, bytesOf(now.text()), true); !written) {
       return written;
     }
   } else if (baseline) {
@@ -196,55 +197,56 @@ cli::Exit exitOf(CheckVerdict verdict) {
   return cli::Exit::could_not_run;
 }
 
-Result<cli::Exit> watch(const CheckArguments& my, const std::optional<Baseline>& baseline) {
-  Result<CheckWatchOptions> options = readWatchArguments(my);
+Result<cli::Exit> watch(const CheckArguments& arguments, const std::optional<Baseline>& baseline) {
+  Result<CheckWatchOptions> options = readWatchArguments(arguments);
   if (!options) return options.error();
   if (baseline) options->baseline = &*baseline;
-  const Result<Cell> cell = loadWithRules(my);
+  const Result<Cell> cell = loadWithRules(arguments);
   if (!cell) return cell.error();
-  auto decoders = decodersFor(my.decoders, *cell);
+  auto decoders = decodersFor(arguments.decoders, *cell);
   if (!decoders) return decoders.error();
   options->decoders = std::move(*decoders);
   return watchLive(*cell, *options);
 }
 
-Result<cli::Exit> run(CheckArguments& my) {
-  if (my.list_rules) {
-    printRules(my.wantsJson());
+Result<cli::Exit> run(CheckArguments& arguments) {
+  if (arguments.list_rules) {
+    printRules(arguments.wantsJson());
     return cli::Exit::done;
   }
-  if (!my.explain.empty()) {
-    if (Status explained = explainRule(my.explain); !explained) return explained.error();
+  if (!arguments.explain.empty()) {
+    if (Status explained = explainRule(arguments.explain); !explained) return explained.error();
     return cli::Exit::done;
   }
-  if (my.cell.empty()) {
+  if (arguments.cell.empty()) {
     return Error{ErrorKind::bad_argument, "CELL is required (see rocinante-check --help)", {}};
   }
-  orderCellAndLog(my.cell, my.log);
-  const Result<std::vector<CheckOutput>> outputs = readOutputs(my);
+  orderCellAndLog(arguments.cell, arguments.log);
+  const Result<std::vector<CheckOutput>> outputs = readOutputs(arguments);
   if (!outputs) return outputs.error();
   std::optional<Baseline> baseline;
-  if (!my.baseline.empty() && !my.update_baseline) {
-    Result<Baseline> read = Baseline::read(my.baseline);
+  if (!arguments.baseline.empty() && !arguments.update_baseline) {
+    Result<Baseline> read = Baseline::read(arguments.baseline);
     if (!read) return read.error();
     baseline = std::move(*read);
   }
-  if (my.watch) return watch(my, baseline);
+  if (arguments.watch) return watch(arguments, baseline);
   OpenedRecording opened;
-  if (my.live.empty()) {
-    Result<OpenedRecording> found = openSession(my);
+  if (arguments.live.empty()) {
+    Result<OpenedRecording> found = openSession(arguments);
     if (!found) return found.error();
     opened = std::move(*found);
     // A log that carries its cell needs no other argument.
-    if (my.log.empty() && isLog(my.cell)) my.log = my.cell;
+    if (arguments.log.empty() && isLog(arguments.cell)) arguments.log = arguments.cell;
   }
-  Result<CheckReport> report = judge(my, opened);
+  Result<CheckReport> report = judge(arguments, opened);
   if (!report) return opened.named(report.error());
-  const Result<bool> is_bare = hasNoCell(my);
+  const Result<bool> is_bare = hasNoCell(arguments);
   if (is_bare && *is_bare) concludeWithoutCell(*report);
   if (opened.imported) report->cell = opened.named({{}, report->cell, {}}).what;
-  if (Status concluded = concludeWith(my, baseline, *report); !concluded) return concluded.error();
-  if (Status written = writeReport(*report, my, *outputs); !written) return written.error();
+  if (Status concluded = concludeWith(arguments, baseline, *report); !concluded)
+    return concluded.error();
+  if (Status written = writeReport(*report, arguments, *outputs); !written) return written.error();
   return exitOf(report->verdict);
 }
 
@@ -253,7 +255,7 @@ Result<cli::Exit> run(CheckArguments& my) {
 int main(int argc, char** argv) {
   cli::Program app("Checks whether a session fits a model: devices, joints, limits, losses.",
                    "rocinante-check");
-  CheckArguments my;
-  declareCheck(app, my);
-  return cli::run(app, argc, argv, kExamples, [&] { return run(my); });
+  CheckArguments arguments;
+  declareCheck(app, arguments);
+  return cli::run(app, argc, argv, kExamples, [&] { return run(arguments); });
 }

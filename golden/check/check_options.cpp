@@ -9,24 +9,24 @@ namespace rocinante {
 
 namespace {
 
-void declareWatch(cli::CommandLine app, CheckArguments& my, cli::Option live) {
+void declareWatch(cli::CommandLine app, CheckArguments& arguments, cli::Option live) {
   const cli::Option watch =
-      app.addFlag("--watch", my.watch,
+      app.addFlag("--watch", arguments.watch,
                   "judge for ever: print each finding when it begins and when it ends")
           .needs(live);
-  app.addFlag("--until-finding", my.until_finding,
+  app.addFlag("--until-finding", arguments.until_finding,
               "end when a finding that --fail-on counts begins")
       .needs(watch);
-  app.addOption("--on-finding", my.on_finding,
+  app.addOption("--on-finding", arguments.on_finding,
                 "run this program, without a shell, for each finding that begins or ends:\n"
                 "it reads the finding as JSON from its standard input")
       .needs(watch)
       .valueName("CMD");
-  app.addOption("--watch-severity", my.watch_severity, "pass over less severe findings")
+  app.addOption("--watch-severity", arguments.watch_severity, "pass over less severe findings")
       .needs(watch)
       .oneOf({"note", "warning", "error"})
       .showDefault();
-  app.addOption("--hold", my.hold, "a finding ends when it has not occurred for TIME")
+  app.addOption("--hold", arguments.hold, "a finding ends when it has not occurred for TIME")
       .needs(watch)
       .valueName("TIME")
       .showDefault();
@@ -41,66 +41,69 @@ Severity severityNamed(std::string_view name) {
 
 }  // namespace
 
-void declareCheck(cli::CommandLine app, CheckArguments& my) {
+void declareCheck(cli::CommandLine app, CheckArguments& arguments) {
   const cli::Option cell =
-      app.addOption("CELL", my.cell, "a cell, a model file, or a log that carries its cell");
-  const cli::Option log = app.addOption("LOG", my.log, "a recorded session");
+      app.addOption("CELL", arguments.cell, "a cell, a model file, or a log that carries its cell");
+  const cli::Option log = app.addOption("LOG", arguments.log, "a recorded session");
   const cli::Option live =
-      app.addOption("--live", my.live,
+      app.addOption("--live", arguments.live,
                     "judge live packets received on EP; may be repeated: all of them "
                     "together")
           .valueName("EP")
           .oneEach();
   live.excludes(log).needs(cell);
-  app.addOption("--duration", my.duration,
+  app.addOption("--duration", arguments.duration,
                 "how long to listen; default 2s, with --watch until it is stopped")
       .needs(live)
       .valueName("TIME");
-  app.addOption("--trust", my.trust,
+  app.addOption("--trust", arguments.trust,
                 "judge only what is signed with a key of this file (rocinante key)")
       .needs(live)
       .valueName("FILE");
-  app.addOption("--decoders", my.decoders,
+  app.addOption("--decoders", arguments.decoders,
                 "judge what is not packet text as this file declares; default: the cell's")
       .valueName("FILE");
-  declareWatch(app, my, live);
-  cli::addSearchOptions(app, my);
+  declareWatch(app, arguments, live);
+  cli::addSearchOptions(app, arguments);
 
-  app.addOption("--rule", my.rules,
+  app.addOption("--rule", arguments.rules,
                 "set a rule's severity, over the cell's: RULE=off|note|warning|error")
       .valueName("RULE=SEVERITY");
-  app.addOption("--preset", my.preset, "severities for a purpose, below those of --rule: ci")
+  app.addOption("--preset", arguments.preset, "severities for a purpose, below those of --rule: ci")
       .oneOf({"ci"});
-  const cli::Option fail_on =
-      app.addOption("--fail-on", my.fail_on, "exit with 1 if a finding is at least this severe")
-          .oneOf({"note", "warning", "error"})
-          .showDefault();
-  app.addFlag("--strict", my.strict, "the same as --fail-on warning").excludes(fail_on);
+  const cli::Option fail_on = app.addOption("--fail-on", arguments.fail_on,
+                                            "exit with 1 if a finding is at least this severe")
+                                  .oneOf({"note", "warning", "error"})
+                                  .showDefault();
+  app.addFlag("--strict", arguments.strict, "the same as --fail-on warning").excludes(fail_on);
   const cli::Option baseline =
-      app.addOption("--baseline", my.baseline, "file of accepted findings");
-  app.addFlag("--update-baseline", my.update_baseline,
+      app.addOption("--baseline", arguments.baseline, "file of accepted findings");
+  app.addFlag("--update-baseline", arguments.update_baseline,
               "write the current findings into the baseline and accept them")
       .needs(baseline)
       .excludes("--watch");
 
-  const cli::Option format = app.addOption("--format", my.format, "the format of standard output")
-                                 .oneOf({"text", "json", "junit", "sarif", "github"})
-                                 .showDefault();
-  app.addFlag("--json", my.json, "the same as --format json").excludes(format);
-  app.addOption("-o,--output", my.outputs,
+  const cli::Option format =
+      app.addOption("--format", arguments.format, "the format of standard output")
+          .oneOf({"text", "json", "junit", "sarif", "github"})
+          .showDefault();
+  app.addFlag("--json", arguments.json, "the same as --format json").excludes(format);
+  app.addOption("-o,--output", arguments.outputs,
                 "also write text, json, junit, sarif or github to a file; repeatable")
       .valueName("FORMAT=FILE")
       .excludes("--watch");
-  app.addFlag("--force", my.force, "overwrite files of --output");
-  app.addFlag("-q,--quiet", my.quiet, "text: only counts and verdict");
-  app.addOption("--most", my.most_a_rule, "text, github: most findings shown per rule; 0: all")
+  app.addFlag("--force", arguments.force, "overwrite files of --output");
+  app.addFlag("-q,--quiet", arguments.quiet, "text: only counts and verdict");
+  app.addOption("--most", arguments.most_a_rule,
+                "text, github: most findings shown per rule; 0: all")
       .showDefault();
-  app.addOption("--rule-pages", my.rule_pages, "sarif: the URL of docs/rules");
+  app.addOption("--rule-pages", arguments.rule_pages, "sarif: the URL of docs/rules");
 
   const cli::Option list =
-      app.addFlag("--list-rules", my.list_rules, "list every rule with its severity");
+      app.addFlag("--list-rules", arguments.list_rules, "list every rule with its severity");
   const cli::Option explain =
-      app.addOption("--explain", my.explain, "explain a rule and what to do").valueName("RULE");
+      app.addOption("--explain", arguments.explain, "explain a rule and what to do")
+          .valueName("RULE");
   list.excludes(explain).excludes(cell);
   explain.excludes(cell);
 }

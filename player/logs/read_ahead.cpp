@@ -95,18 +95,18 @@ ReadAhead::~ReadAhead() {
 }
 
 Result<std::optional<Due>> ReadAhead::due() {
-  Impl& my = *impl_;
-  while (my.position == my.current.items.size()) {
-    if (my.current.error) return *my.current.error;
-    if (my.current.last) return std::optional<Due>();
-    std::unique_lock lock(my.mutex);
-    my.changed.wait(lock, [&my] { return !my.ready.empty(); });
-    my.current = std::move(my.ready.front());
-    my.ready.pop_front();
-    my.position = 0;
-    my.changed.notify_all();
+  Impl& impl = *impl_;
+  while (impl.position == impl.current.items.size()) {
+    if (impl.current.error) return *impl.current.error;
+    if (impl.current.last) return std::optional<Due>();
+    std::unique_lock lock(impl.mutex);
+    impl.changed.wait(lock, [&impl] { return !impl.ready.empty(); });
+    impl.current = std::move(impl.ready.front());
+    impl.ready.pop_front();
+    impl.position = 0;
+    impl.changed.notify_all();
   }
-  return std::optional(my.current.items[my.position].due);
+  return std::optional(impl.current.items[impl.position].due);
 }
 
 ByteView ReadAhead::take() {

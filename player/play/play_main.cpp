@@ -50,75 +50,82 @@ struct Arguments {
   bool quiet = false;
 };
 
-void declareWhat(cli::CommandLine app, Arguments& my) {
-  app.addOption("LOG", my.options.logs, "logs to play, on one time line")
+void declareWhat(cli::CommandLine app, Arguments& arguments) {
+  app.addOption("LOG", arguments.options.logs, "logs to play, on one time line")
       .required()
       .valueText("...");
-  app.addOption("--from", my.options.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+  app.addOption("--from", arguments.options.from,
+                "begin at this session time (12.5s, -1s, RFC 3339)")
       .valueText("TIME");
-  app.addOption("--until", my.options.until, "end before this session time").valueText("TIME");
-  app.addOption("--loop", my.loop, "play N times (0: until stopped), or repeat the part A-B")
+  app.addOption("--until", arguments.options.until, "end before this session time")
+      .valueText("TIME");
+  app.addOption("--loop", arguments.loop, "play N times (0: until stopped), or repeat the part A-B")
       .valueText("N|A-B=1");
-  app.addOption("--channel", my.options.channels.only, "only topics that match; repeatable")
+  app.addOption("--channel", arguments.options.channels.only, "only topics that match; repeatable")
       .oneEach()
       .valueText("PATTERN");
-  app.addOption("--mute", my.options.channels.muted, "not the topics that match; repeatable")
+  app.addOption("--mute", arguments.options.channels.muted, "not the topics that match; repeatable")
       .oneEach()
       .valueText("PATTERN");
 }
 
-void declareWhere(cli::CommandLine app, Arguments& my) {
-  app.addOption("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
+void declareWhere(cli::CommandLine app, Arguments& arguments) {
+  app.addOption("--to", arguments.to,
+                "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
       .valueText("EP");
-  cli::addNoWait(app, my.no_wait);
-  app.addOption("--map", my.maps, "send topics that match elsewhere; repeatable")
+  cli::addNoWait(app, arguments.no_wait);
+  app.addOption("--map", arguments.maps, "send topics that match elsewhere; repeatable")
       .oneEach()
       .valueText("PATTERN=EP");
-  app.addFlag("--keep-ports", my.options.keep_ports, "send from the ports of the original senders");
+  app.addFlag("--keep-ports", arguments.options.keep_ports,
+              "send from the ports of the original senders");
 }
 
-void declareHow(cli::CommandLine app, Arguments& my) {
+void declareHow(cli::CommandLine app, Arguments& arguments) {
   const cli::Option speed =
-      app.addOption("--speed", my.speed, "log seconds per second, 0.01 to 1000").valueText("X=1");
-  const cli::Option at_once = app.addFlag("--asap", my.options.at_once,
+      app.addOption("--speed", arguments.speed, "log seconds per second, 0.01 to 1000")
+          .valueText("X=1");
+  const cli::Option at_once = app.addFlag("--asap", arguments.options.at_once,
                                           "as fast as the network takes them, without a schedule")
                                   .excludes(speed)
                                   .valueText(" ");
   const cli::Option lockstep =
-      app.addFlag("--lockstep", my.options.lockstep,
+      app.addFlag("--lockstep", arguments.options.lockstep,
                   "after each, send `step N` to the controller and wait for `ack N`")
           .excludes(speed)
           .excludes(at_once)
           .valueText(" ");
-  app.addOption("--ack-timeout", my.ack_timeout, "how long to wait for an ack, then exit 1")
+  app.addOption("--ack-timeout", arguments.ack_timeout, "how long to wait for an ack, then exit 1")
       .needs(lockstep)
       .valueText("TIME=1s");
-  app.addOption("--gap-limit", my.gap_limit, "shorten silences to at most this").valueText("TIME");
-  app.addOption("--restate", my.restate,
+  app.addOption("--gap-limit", arguments.gap_limit, "shorten silences to at most this")
+      .valueText("TIME");
+  app.addOption("--restate", arguments.restate,
                 "restate every source's state first, then this often; 0: only first; off")
       .valueText("TIME=2s");
-  app.addOption("--key", my.options.key,
+  app.addOption("--key", arguments.options.key,
                 "sign the player's own restatements with this secret key (rocinante key)")
       .valueText("FILE");
-  app.addOption("--realtime", my.realtime, "run before other threads: auto, on or off")
+  app.addOption("--realtime", arguments.realtime, "run before other threads: auto, on or off")
       .oneOf({"auto", "on", "off"})
       .valueText("WHEN=auto");
   const cli::Option control =
-      app.addOption("--control", my.control,
+      app.addOption("--control", arguments.control,
                     "listen for commands on udp://127.0.0.1:PORT or unix:PATH")
           .valueText("EP");
-  app.addOption("--control-allow", my.control_allow,
+  app.addOption("--control-allow", arguments.control_allow,
                 "accept commands from this network too; repeatable")
       .needs(control)
       .oneEach()
       .valueText("CIDR");
-  app.addFlag("--start-paused", my.options.start_paused, "wait for a command to play");
+  app.addFlag("--start-paused", arguments.options.start_paused, "wait for a command to play");
   lockstep.needs(control);
-  app.addOption("--report", my.report, "write what was sent, and how late, as JSON; -: to stdout")
+  app.addOption("--report", arguments.report,
+                "write what was sent, and how late, as JSON; -: to stdout")
       .valueText("FILE");
-  app.addFlag("--force", my.force, "replace the report file");
-  app.addFlag("--json", my.json, "the same as --report -");
-  app.addFlag("--quiet", my.quiet, "print nothing but errors (and --json)");
+  app.addFlag("--force", arguments.force, "replace the report file");
+  app.addFlag("--json", arguments.json, "the same as --report -");
+  app.addFlag("--quiet", arguments.quiet, "print nothing but errors (and --json)");
 }
 
 Result<Nanoseconds> durationOf(const char* option, const std::string& text, Nanoseconds least) {
@@ -131,94 +138,96 @@ Result<Nanoseconds> durationOf(const char* option, const std::string& text, Nano
   return *duration;
 }
 
-Status readTimes(Arguments& my) {
-  const bool is_number = my.loop.find_first_not_of("0123456789") == my.loop.npos;
+Status readTimes(Arguments& arguments) {
+  const bool is_number = arguments.loop.find_first_not_of("0123456789") == arguments.loop.npos;
   if (is_number) {
-    const char* end = my.loop.data() + my.loop.size();
-    const auto [stop, fault] = std::from_chars(my.loop.data(), end, my.options.turns);
+    const char* end = arguments.loop.data() + arguments.loop.size();
+    const auto [stop, fault] = std::from_chars(arguments.loop.data(), end, arguments.options.turns);
     if (fault != std::errc() || stop != end) {
-      return Error{ErrorKind::bad_argument, "--loop takes up to 4294967295 turns", my.loop};
+      return Error{ErrorKind::bad_argument, "--loop takes up to 4294967295 turns", arguments.loop};
     }
   } else {
     // The range is checked after the log is opened.
-    if (my.loop.find('-', 1) == my.loop.npos) return parseLoop(my.loop, {}, {}).error();
-    my.options.loop = my.loop;
+    if (arguments.loop.find('-', 1) == arguments.loop.npos)
+      return parseLoop(arguments.loop, {}, {}).error();
+    arguments.options.loop = arguments.loop;
   }
-  my.options.restate = my.restate != "off" && my.restate != "false";
-  if (my.options.restate && my.restate != "true") {
-    const auto repeat = durationOf("--restate", my.restate, Nanoseconds(0));
+  arguments.options.restate = arguments.restate != "off" && arguments.restate != "false";
+  if (arguments.options.restate && arguments.restate != "true") {
+    const auto repeat = durationOf("--restate", arguments.restate, Nanoseconds(0));
     if (!repeat) return repeat.error();
-    my.options.repeat = *repeat;
+    arguments.options.repeat = *repeat;
     if (repeat->count() > 0 && *repeat < std::chrono::milliseconds(10)) {
-      return Error{ErrorKind::bad_argument, "--restate is 0 or at least 10ms", my.restate};
+      return Error{ErrorKind::bad_argument, "--restate is 0 or at least 10ms", arguments.restate};
     }
   }
-  if (!my.gap_limit.empty()) {
-    const auto limit = durationOf("--gap-limit", my.gap_limit, std::chrono::milliseconds(1));
+  if (!arguments.gap_limit.empty()) {
+    const auto limit = durationOf("--gap-limit", arguments.gap_limit, std::chrono::milliseconds(1));
     if (!limit) return limit.error();
-    my.options.gap_limit = *limit;
+    arguments.options.gap_limit = *limit;
   }
-  const auto timeout = durationOf("--ack-timeout", my.ack_timeout, std::chrono::milliseconds(1));
+  const auto timeout =
+      durationOf("--ack-timeout", arguments.ack_timeout, std::chrono::milliseconds(1));
   if (!timeout) return timeout.error();
-  my.options.ack_timeout = *timeout;
+  arguments.options.ack_timeout = *timeout;
   return {};
 }
 
-Status read(Arguments& my) {
-  if (!my.to.empty()) {
-    const auto to = Endpoint::parse(my.to);
+Status read(Arguments& arguments) {
+  if (!arguments.to.empty()) {
+    const auto to = Endpoint::parse(arguments.to);
     if (!to) return to.error();
-    my.options.to = *to;
-    my.options.to.nats.waits = !my.no_wait;
+    arguments.options.to = *to;
+    arguments.options.to.nats.waits = !arguments.no_wait;
   }
-  for (const std::string& text : my.maps) {
+  for (const std::string& text : arguments.maps) {
     const auto map = RouteMap::parse(text);
     if (!map) return map.error();
-    my.options.maps.push_back(*map);
-    my.options.maps.back().to.nats.waits = !my.no_wait;
+    arguments.options.maps.push_back(*map);
+    arguments.options.maps.back().to.nats.waits = !arguments.no_wait;
   }
-  const auto speed = PlaybackSpeed::parse(my.speed);
+  const auto speed = PlaybackSpeed::parse(arguments.speed);
   if (!speed) return speed.error();
-  my.options.speed = *speed;
-  my.options.realtime = realtimeOf(my.realtime);
-  return readTimes(my);
+  arguments.options.speed = *speed;
+  arguments.options.realtime = realtimeOf(arguments.realtime);
+  return readTimes(arguments);
 }
 
 using Inputs = std::vector<std::unique_ptr<ControlInput>>;
 
-Status openControl(Arguments& my, Inputs& inputs) {
-  if (!my.control.empty()) {
-    const auto address = ControlAddress::parse(my.control);
+Status openControl(Arguments& arguments, Inputs& inputs) {
+  if (!arguments.control.empty()) {
+    const auto address = ControlAddress::parse(arguments.control);
     if (!address) return address.error();
-    Result<AddressFilter> allowed = AddressFilter::of(my.control_allow);
+    Result<AddressFilter> allowed = AddressFilter::of(arguments.control_allow);
     if (!allowed) return allowed.error();
     auto control = ControlSocket::open(
         *address, std::move(*allowed),
-        my.quiet ? std::function<void(std::string)>()
-                 : [](const std::string& sentence) { cli::warn(sentence); });
+        arguments.quiet ? std::function<void(std::string)>()
+                        : [](const std::string& sentence) { cli::warn(sentence); });
     if (!control) return control.error();
     inputs.push_back(std::move(control->input));
     // In lockstep the player ends with the log.
-    my.options.stays = !my.options.lockstep;
-    if (!my.quiet) cli::tell("listening for commands on " + control->where + "\n");
+    arguments.options.stays = !arguments.options.lockstep;
+    if (!arguments.quiet) cli::tell("listening for commands on " + control->where + "\n");
   }
-  if (my.options.progress) {
+  if (arguments.options.progress) {
     if (auto keys = TerminalKeys::open()) inputs.push_back(std::move(keys));
   }
-  if (my.options.start_paused && inputs.empty()) {
+  if (arguments.options.start_paused && inputs.empty()) {
     return Error{ErrorKind::bad_argument, "a paused start needs a terminal or --control to resume",
                  "--start-paused"};
   }
   return {};
 }
 
-Result<PlayReport> playWithControl(Arguments& my) {
+Result<PlayReport> playWithControl(Arguments& arguments) {
   cli::catchStopSignals();
   watchResumes();
   const auto slot = CommandSlot::make();
   if (!slot) return slot.error();
   Inputs inputs;
-  if (const Status opened = openControl(my, inputs); !opened) return opened.error();
+  if (const Status opened = openControl(arguments, inputs); !opened) return opened.error();
   PlayControl control;
   if (!inputs.empty()) control = {slot->get(), (*slot)->wake()};
   // Opening a log or folding a state does not check for a stop.
@@ -227,7 +236,7 @@ Result<PlayReport> playWithControl(Arguments& my) {
   const ControlThread thread(**slot, std::move(inputs));
   // What other programs recorded becomes a log first.
   std::vector<OpenedRecording> opened;
-  PlayOptions options = my.options;
+  PlayOptions options = arguments.options;
   for (std::filesystem::path& log : options.logs) {
     RecordingRequest request;
     request.recording = log;
@@ -248,12 +257,12 @@ Result<PlayReport> playWithControl(Arguments& my) {
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
   surroundings.told = [&](std::string_view line) {
-    if (!my.quiet) cli::tell(plainText(asNamed(std::string(line))) + "\n");
+    if (!arguments.quiet) cli::tell(plainText(asNamed(std::string(line))) + "\n");
   };
   Result<PlayReport> report = play(options, surroundings, control);
   if (report) {
     report->inputs.clear();
-    for (const auto& log : my.options.logs) report->inputs.push_back(log.string());
+    for (const auto& log : arguments.options.logs) report->inputs.push_back(log.string());
     return report;
   }
   Error error = report.error();
@@ -261,28 +270,30 @@ Result<PlayReport> playWithControl(Arguments& my) {
   return error;
 }
 
-Result<cli::Exit> run(Arguments& my) {
-  if (const Status understood = read(my); !understood) return understood.error();
-  const bool to_stdout = my.json || my.report == "-";
-  const bool to_file = !my.report.empty() && my.report != "-";
+Result<cli::Exit> run(Arguments& arguments) {
+  if (const Status understood = read(arguments); !understood) return understood.error();
+  const bool to_stdout = arguments.json || arguments.report == "-";
+  const bool to_file = !arguments.report.empty() && arguments.report != "-";
   // Check before playing, not after an hour.
   if (to_file) {
-    if (const Status may = mayWriteFile(my.report, my.force); !may) return may.error();
+    if (const Status may = mayWriteFile(arguments.report, arguments.force); !may)
+      return may.error();
   }
-  my.options.progress = !my.quiet && ::isatty(STDERR_FILENO) == 1;
-  const Result<PlayReport> report = playWithControl(my);
+  arguments.options.progress = !arguments.quiet && ::isatty(STDERR_FILENO) == 1;
+  const Result<PlayReport> report = playWithControl(arguments);
   if (!report) return report.error();
 
   for (const std::string& damage : report->damage) cli::warn(damage);
-  if (!report->keptUp() && !my.quiet) cli::warn(behindText(*report));
+  if (!report->keptUp() && !arguments.quiet) cli::warn(behindText(*report));
   bool is_kept = true;
   if (to_file) {
-    const Status written = writeFileWhole(my.report, bytesOf(jsonText(*report)), my.force);
+    const Status written =
+        writeFileWhole(arguments.report, bytesOf(jsonText(*report)), arguments.force);
     if (!written) cli::warn(written.error().text());
     is_kept = written.ok();
   }
   if (to_stdout) cli::say(jsonText(*report));
-  if (!to_stdout && !my.quiet) cli::say(summaryText(*report));
+  if (!to_stdout && !arguments.quiet) cli::say(summaryText(*report));
   if (report->failure) cli::warn(report->failure->text());
   const bool is_whole = report->damage.empty() && !report->failure && is_kept;
   return is_whole ? cli::Exit::done : cli::Exit::no;

@@ -38,66 +38,67 @@ struct Arguments {
   bool quiet = false;
 };
 
-void declare(cli::CommandLine app, Arguments& my) {
-  app.addOption("--from", my.from,
+void declare(cli::CommandLine app, Arguments& arguments) {
+  app.addOption("--from", arguments.from,
                 "listen here; may be repeated; default " + Endpoint::standard().text())
       .valueText("EP")
       .oneEach();
-  app.addOption("--to", my.to, "send here; may be repeated").valueText("EP").oneEach();
-  app.addOption("--serve", my.serve, "answer subscriptions here; may be repeated")
+  app.addOption("--to", arguments.to, "send here; may be repeated").valueText("EP").oneEach();
+  app.addOption("--serve", arguments.serve, "answer subscriptions here; may be repeated")
       .valueText("EP")
       .oneEach();
-  cli::addNoWait(app, my.no_wait);
-  app.addOption("--name", my.name,
+  cli::addNoWait(app, arguments.no_wait);
+  app.addOption("--name", arguments.name,
                 "NAME of this relay, unique at a site; default the host's and four digits")
       .valueText("NAME");
-  app.addOption("--source", my.sources, "pass these SOURCEs only (pattern); may be repeated")
+  app.addOption("--source", arguments.sources, "pass these SOURCEs only (pattern); may be repeated")
       .valueText("PATTERN")
       .oneEach();
-  app.addOption("--device", my.devices,
+  app.addOption("--device", arguments.devices,
                 "of devices, pass statements about these only (pattern); may be repeated")
       .valueText("PATTERN")
       .oneEach();
-  app.addOption("--signal", my.signals,
+  app.addOption("--signal", arguments.signals,
                 "of signals, pass these only (pattern of PATH NAME: 'arm *.effort', '- estop');\n"
                 "may be repeated")
       .valueText("PATTERN")
       .oneEach();
-  app.addOption("--statement", my.statements, "pass these statements only: joints,pose")
+  app.addOption("--statement", arguments.statements, "pass these statements only: joints,pose")
       .separatedBy(',')
       .valueText("KIND,...");
-  app.addOption("--min-change", my.min_change,
+  app.addOption("--min-change", arguments.min_change,
                 "hold smaller changes until a device rests: joint=0.001,position=0.001,turn=0.01\n"
                 "(radians or metres; metres; radians); of numbers of signals until a larger one\n"
                 "comes: signal=0.5 or 'signal arm *.effort=0.5'")
       .separatedBy(',')
       .valueText("WHAT=X,...");
-  app.addOption("--max-rate", my.max_rate, "send the values of a device at most HZ times a second")
+  app.addOption("--max-rate", arguments.max_rate,
+                "send the values of a device at most HZ times a second")
       .valueText("HZ");
   app.addOption(
-         "--bandwidth", my.bandwidth,
+         "--bandwidth", arguments.bandwidth,
          "send at most this many bits a second to each output: 28.8k, 2M; overhead=N: bytes\n"
          "that the link adds to each datagram (PPP 8, Ethernet 14)")
       .valueText("RATE[,overhead=N]");
-  app.addOption("--restate", my.restate, "filtered outputs restate everything this often")
+  app.addOption("--restate", arguments.restate, "filtered outputs restate everything this often")
       .valueText("TIME=2s");
-  app.addOption("--allow", my.allow,
+  app.addOption("--allow", arguments.allow,
                 "accept senders and subscribers in this network only (10.0.0.0/8); may be repeated")
       .valueText("CIDR")
       .oneEach();
-  app.addOption("--trust", my.trust,
+  app.addOption("--trust", arguments.trust,
                 "pass only what is signed with a key of this file (rocinante key)")
       .valueText("FILE");
-  app.addOption("--decoders", my.decoders,
+  app.addOption("--decoders", arguments.decoders,
                 "make packets of what is not packet text as this file declares, and pass them")
       .valueText("FILE");
-  app.addOption("--key", my.key, "sign with this secret key what the relay writes itself")
+  app.addOption("--key", arguments.key, "sign with this secret key what the relay writes itself")
       .valueText("FILE");
-  app.addOption("--realtime", my.realtime, "run before other threads: auto, on or off")
+  app.addOption("--realtime", arguments.realtime, "run before other threads: auto, on or off")
       .oneOf({"auto", "on", "off"})
       .valueText("WHEN=auto");
-  app.addFlag("--json", my.json, "print what was relayed as JSON");
-  app.addFlag("--quiet", my.quiet, "print nothing but errors (and --json)");
+  app.addFlag("--json", arguments.json, "print what was relayed as JSON");
+  app.addFlag("--quiet", arguments.quiet, "print nothing but errors (and --json)");
 }
 
 Error bad(std::string what, const std::string& where) {
@@ -160,30 +161,31 @@ Status readMinChange(const std::vector<std::string>& texts, MinChange& least) {
   return {};
 }
 
-Status readOutputs(const Arguments& my, RelayOutputOptions& outputs) {
+Status readOutputs(const Arguments& arguments, RelayOutputOptions& outputs) {
   RelayFilter filter;
-  filter.sources = my.sources;
-  filter.devices = my.devices;
-  filter.signals = my.signals;
-  if (!my.statements.empty()) filter.kinds = 0;
-  for (const std::string& each : my.statements) {
+  filter.sources = arguments.sources;
+  filter.devices = arguments.devices;
+  filter.signals = arguments.signals;
+  if (!arguments.statements.empty()) filter.kinds = 0;
+  for (const std::string& each : arguments.statements) {
     const Result<std::uint32_t> kinds = statementKindsOf(each);
     if (!kinds) return kinds.error();
     filter.kinds |= *kinds;
   }
   if (!filter.passesEverything()) outputs.filters.push_back(std::move(filter));
-  if (Status read = readMinChange(my.min_change, outputs.pacing.min_change); !read) return read;
-  if (!my.max_rate.empty()) {
+  if (Status read = readMinChange(arguments.min_change, outputs.pacing.min_change); !read)
+    return read;
+  if (!arguments.max_rate.empty()) {
     std::string rest;
-    const Result<double> hz = positive(my.max_rate, rest, "--max-rate");
+    const Result<double> hz = positive(arguments.max_rate, rest, "--max-rate");
     if (!hz) return hz.error();
     if (!rest.empty() || *hz < 0.001) {
-      return bad("--max-rate takes a plain number of at least 0.001", my.max_rate);
+      return bad("--max-rate takes a plain number of at least 0.001", arguments.max_rate);
     }
     outputs.pacing.interval = Nanoseconds(static_cast<std::int64_t>(1e9 / *hz));
   }
-  if (!my.bandwidth.empty()) {
-    if (Status read = readBandwidth(my.bandwidth, outputs); !read) return read;
+  if (!arguments.bandwidth.empty()) {
+    if (Status read = readBandwidth(arguments.bandwidth, outputs); !read) return read;
   }
   return {};
 }
@@ -203,58 +205,58 @@ std::string defaultName() {
   return std::string(host.data()) + "-" + randomId(2);
 }
 
-Result<RelayProgramOptions> readOptions(const Arguments& my) {
+Result<RelayProgramOptions> readOptions(const Arguments& arguments) {
   RelayProgramOptions options;
-  if (my.to.empty() && my.serve.empty()) {
+  if (arguments.to.empty() && arguments.serve.empty()) {
     return bad("nowhere to relay to: give --to EP or --serve EP", "");
   }
-  if (Status read = readEndpoints(my.from, options.from); !read) return read.error();
-  if (Status read = readEndpoints(my.to, options.to); !read) return read.error();
-  if (Status read = readEndpoints(my.serve, options.serve); !read) return read.error();
+  if (Status read = readEndpoints(arguments.from, options.from); !read) return read.error();
+  if (Status read = readEndpoints(arguments.to, options.to); !read) return read.error();
+  if (Status read = readEndpoints(arguments.serve, options.serve); !read) return read.error();
   if (options.from.empty()) options.from.push_back(Endpoint::standard());
-  cli::applyNoWait(my.no_wait, options.from);
-  cli::applyNoWait(my.no_wait, options.to);
-  if (Status read = readOutputs(my, options.outputs); !read) return read.error();
-  const Result<AddressFilter> allow = AddressFilter::of(my.allow);
+  cli::applyNoWait(arguments.no_wait, options.from);
+  cli::applyNoWait(arguments.no_wait, options.to);
+  if (Status read = readOutputs(arguments, options.outputs); !read) return read.error();
+  const Result<AddressFilter> allow = AddressFilter::of(arguments.allow);
   if (!allow) return allow.error();
   options.allow = *allow;
-  const Result<Nanoseconds> restate = parseDuration(my.restate);
+  const Result<Nanoseconds> restate = parseDuration(arguments.restate);
   if (!restate) return restate.error();
   if (*restate < std::chrono::milliseconds(100) || *restate > std::chrono::hours(1)) {
-    return bad("--restate is 100ms to 1h", my.restate);
+    return bad("--restate is 100ms to 1h", arguments.restate);
   }
   options.restate = *restate;
-  options.name = my.name.empty() ? defaultName() : my.name;
+  options.name = arguments.name.empty() ? defaultName() : arguments.name;
   const bool named = options.name.size() <= 200 && options.name.find(':') == std::string::npos &&
                      options.name == plainText(options.name);
   if (!named) return bad("--name is at most 200 bytes of text without a colon", options.name);
   options.run = randomId(5);
-  if (!my.decoders.empty()) {
-    auto decoders = decode::readDecoders(my.decoders);
+  if (!arguments.decoders.empty()) {
+    auto decoders = decode::readDecoders(arguments.decoders);
     if (!decoders) return decoders.error();
     options.decoders = std::move(*decoders);
   }
-  options.trust = my.trust;
-  options.key = my.key;
-  options.realtime = realtimeOf(my.realtime);
-  options.progress = !my.quiet && ::isatty(STDERR_FILENO) == 1;
+  options.trust = arguments.trust;
+  options.key = arguments.key;
+  options.realtime = realtimeOf(arguments.realtime);
+  options.progress = !arguments.quiet && ::isatty(STDERR_FILENO) == 1;
   return options;
 }
 
-Result<cli::Exit> run(const Arguments& my) {
-  const Result<RelayProgramOptions> options = readOptions(my);
+Result<cli::Exit> run(const Arguments& arguments) {
+  const Result<RelayProgramOptions> options = readOptions(arguments);
   if (!options) return options.error();
   cli::catchStopSignals();
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
-  surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
+  surroundings.told = [&arguments](std::string_view line) {
+    if (!arguments.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
   };
   const Result<RelayReport> report = relayUntilStopped(*options, surroundings);
   if (!report) return report.error();
-  if (my.json) {
+  if (arguments.json) {
     cli::say(jsonText(*report));
-  } else if (!my.quiet) {
+  } else if (!arguments.quiet) {
     cli::say(summaryText(*report));
   }
   return report->lost() == 0 ? cli::Exit::done : cli::Exit::no;

@@ -48,57 +48,57 @@ struct Arguments {
   bool quiet = false;
 };
 
-void declareTable(cli::CommandLine app, Arguments& my) {
+void declareTable(cli::CommandLine app, Arguments& arguments) {
   const cli::Option csv =
-      app.addOption("--csv", my.csv.csv, "a table with a header row: t, joint, joint, ...")
+      app.addOption("--csv", arguments.csv.csv, "a table with a header row: t, joint, joint, ...")
           .valueText("FILE");
   const cli::Option log =
-      app.addOption("--log", my.log.log, "a recorded session, its sources sent anew")
+      app.addOption("--log", arguments.log.log, "a recorded session, its sources sent anew")
           .excludes(csv)
           .valueText("LOG");
   const cli::Option joystick =
-      app.addOption("--joystick", my.joystick.device,
+      app.addOption("--joystick", arguments.joystick.device,
                     "joints moved by hand: /dev/input/jsN, or a file of its events")
           .excludes(csv)
           .excludes(log)
           .valueText("DEV");
-  app.addOption("--map", my.joystick.map,
+  app.addOption("--map", arguments.joystick.map,
                 "what an axis or a button does: axis0=arm.j1:0.5/s:-1..1 (turns it), "
                 "axis1=grip.width:0..0.08 (is its place), button0=event:TEXT; repeatable")
       .needs(joystick)
       .oneEach()
       .valueText("ENTRY");
-  app.addOption("--device", my.devices,
+  app.addOption("--device", arguments.devices,
                 "the device that the columns move; without it they are DEVICE.JOINT; of a log, "
                 "only what is about devices that match; repeatable")
       .oneEach()
       .valueText("NAME");
-  app.addOption("--source", my.sources,
+  app.addOption("--source", arguments.sources,
                 "the SOURCE name; default the first device's; of a log, only sources that match; "
                 "repeatable")
       .oneEach()
       .valueText("NAME");
-  app.addOption("--as", my.renamed, "send SOURCE OLD of the log as NEW; repeatable")
+  app.addOption("--as", arguments.renamed, "send SOURCE OLD of the log as NEW; repeatable")
       .needs(log)
       .oneEach()
       .valueText("OLD=NEW");
-  app.addOption("--from", my.log.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+  app.addOption("--from", arguments.log.from, "begin at this session time (12.5s, -1s, RFC 3339)")
       .needs(log)
       .valueText("TIME");
-  app.addOption("--until", my.log.until, "end before this session time")
+  app.addOption("--until", arguments.log.until, "end before this session time")
       .needs(log)
       .valueText("TIME");
-  app.addOption("--columns", my.csv.columns,
+  app.addOption("--columns", arguments.csv.columns,
                 "the columns that are joints; default all but the time")
       .separatedBy(',')
       .needs(csv)
       .valueText("A,B,...");
-  app.addOption("--restate", my.restate, "restate everything this often; 0: never")
+  app.addOption("--restate", arguments.restate, "restate everything this often; 0: never")
       .valueText("TIME=2s");
-  app.addFlag("--stamp-clock", my.csv.stamp_clock, "TIME is the wall clock when sending")
+  app.addFlag("--stamp-clock", arguments.csv.stamp_clock, "TIME is the wall clock when sending")
       .needs(csv)
       .valueText(" ");
-  app.addOption("--demo", my.demo,
+  app.addOption("--demo", arguments.demo,
                 "the motion of the demo cell: arm, gantry, planner or all (default)")
       .bareMeans("all")
       .oneOf({"arm", "gantry", "planner", "all"})
@@ -108,41 +108,45 @@ void declareTable(cli::CommandLine app, Arguments& my) {
       .valueText("[PART]");
 }
 
-void declare(cli::CommandLine app, Arguments& my) {
-  declareTable(app, my);
-  app.addOption("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
+void declare(cli::CommandLine app, Arguments& arguments) {
+  declareTable(app, arguments);
+  app.addOption("--to", arguments.to,
+                "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
       .valueText("EP");
-  cli::addNoWait(app, my.no_wait);
-  app.addOption("--speed", my.speed, "seconds of the motion per second, 0.01 to 1000")
+  cli::addNoWait(app, arguments.no_wait);
+  app.addOption("--speed", arguments.speed, "seconds of the motion per second, 0.01 to 1000")
       .valueText("X=1");
-  app.addOption("--loop", my.options.turns,
+  app.addOption("--loop", arguments.options.turns,
                 "send the motion N times; 0: until stopped; default 0 for the demo, else 1")
       .valueText("N");
-  app.addOption("--duration", my.duration, "end after this much of the motion").valueText("TIME");
-  app.addOption("--run", my.options.run, "the RUN token; default a random one").valueText("TOKEN");
-  app.addOption("--mtu", my.options.mtu_bytes, "largest datagram, 64 to 65507 bytes")
+  app.addOption("--duration", arguments.duration, "end after this much of the motion")
+      .valueText("TIME");
+  app.addOption("--run", arguments.options.run, "the RUN token; default a random one")
+      .valueText("TOKEN");
+  app.addOption("--mtu", arguments.options.mtu_bytes, "largest datagram, 64 to 65507 bytes")
       .within(64, 65'507)
       .valueText("BYTES=1200");
-  app.addOption("--key", my.options.key, "sign every datagram with this secret key (rocinante key)")
+  app.addOption("--key", arguments.options.key,
+                "sign every datagram with this secret key (rocinante key)")
       .valueText("FILE");
-  app.addOption("--realtime", my.realtime, "run before other threads: auto, on or off")
+  app.addOption("--realtime", arguments.realtime, "run before other threads: auto, on or off")
       .oneOf({"auto", "on", "off"})
       .valueText("WHEN=auto");
-  app.addFlag("--json", my.json, "print what was sent as JSON");
-  app.addFlag("--quiet", my.quiet, "print nothing but errors (and --json)");
+  app.addFlag("--json", arguments.json, "print what was sent as JSON");
+  app.addFlag("--quiet", arguments.quiet, "print nothing but errors (and --json)");
 }
 
 /// What names devices and sources: one of each for a table, any number of patterns for a log.
-Status readNames(Arguments& my) {
+Status readNames(Arguments& arguments) {
   for (const auto& [option, names] :
-       {std::pair("--device", &my.devices), {"--source", &my.sources}}) {
-    if (names->empty() || !my.log.log.empty()) continue;
-    const bool is_joystick = !my.joystick.device.empty();
-    if (is_joystick && names == &my.devices) {
+       {std::pair("--device", &arguments.devices), {"--source", &arguments.sources}}) {
+    if (names->empty() || !arguments.log.log.empty()) continue;
+    const bool is_joystick = !arguments.joystick.device.empty();
+    if (is_joystick && names == &arguments.devices) {
       return Error{ErrorKind::bad_argument, "--map names the devices of a joystick, not --device",
                    names->back()};
     }
-    if (my.csv.csv.empty() && !is_joystick) {
+    if (arguments.csv.csv.empty() && !is_joystick) {
       return Error{ErrorKind::bad_argument,
                    std::string(option) + " needs --csv, --log or --joystick", ""};
     }
@@ -153,70 +157,72 @@ Status readNames(Arguments& my) {
           names->back()};
     }
   }
-  if (!my.csv.csv.empty()) {
-    if (!my.devices.empty()) my.csv.device = my.devices.front();
-    if (!my.sources.empty()) my.csv.source = my.sources.front();
+  if (!arguments.csv.csv.empty()) {
+    if (!arguments.devices.empty()) arguments.csv.device = arguments.devices.front();
+    if (!arguments.sources.empty()) arguments.csv.source = arguments.sources.front();
   }
-  if (!my.sources.empty()) my.joystick.source = my.sources.front();
-  my.log.choice.devices = my.devices;
-  my.log.choice.sources = my.sources;
-  for (const std::string& text : my.renamed) {
+  if (!arguments.sources.empty()) arguments.joystick.source = arguments.sources.front();
+  arguments.log.choice.devices = arguments.devices;
+  arguments.log.choice.sources = arguments.sources;
+  for (const std::string& text : arguments.renamed) {
     const std::size_t cut = text.find('=');
     if (cut == std::string::npos || cut == 0) {
       return Error{ErrorKind::bad_argument, "--as takes OLD=NEW", text};
     }
-    if (!my.log.choice.names.emplace(text.substr(0, cut), text.substr(cut + 1)).second) {
+    if (!arguments.log.choice.names.emplace(text.substr(0, cut), text.substr(cut + 1)).second) {
       return Error{ErrorKind::bad_argument, "--as renames a source twice", text};
     }
   }
   return {};
 }
 
-Status readOptions(Arguments& my, bool loop_given) {
-  if (!my.to.empty()) {
-    const auto to = Endpoint::parse(my.to);
+Status readOptions(Arguments& arguments, bool loop_given) {
+  if (!arguments.to.empty()) {
+    const auto to = Endpoint::parse(arguments.to);
     if (!to) return to.error();
-    my.options.to = *to;
-    my.options.to.nats.waits = !my.no_wait;
+    arguments.options.to = *to;
+    arguments.options.to.nats.waits = !arguments.no_wait;
   }
-  const auto speed = PlaybackSpeed::parse(my.speed);
+  const auto speed = PlaybackSpeed::parse(arguments.speed);
   if (!speed) return speed.error();
-  my.options.speed = *speed;
-  const auto restate = parseDuration(my.restate);
+  arguments.options.speed = *speed;
+  const auto restate = parseDuration(arguments.restate);
   if (!restate) return restate.error();
   if (restate->count() < 0) {
-    return Error{ErrorKind::bad_argument, "--restate cannot be negative", my.restate};
+    return Error{ErrorKind::bad_argument, "--restate cannot be negative", arguments.restate};
   }
-  if (restate->count() > 0 && *restate < std::chrono::milliseconds(10) && my.csv.csv.empty()) {
-    return Error{ErrorKind::bad_argument, "--restate is 0 or at least 10ms", my.restate};
+  if (restate->count() > 0 && *restate < std::chrono::milliseconds(10) &&
+      arguments.csv.csv.empty()) {
+    return Error{ErrorKind::bad_argument, "--restate is 0 or at least 10ms", arguments.restate};
   }
-  my.csv.restate = my.log.restate = my.joystick.restate = *restate;
-  if (!my.duration.empty()) {
-    const auto duration = parseDuration(my.duration);
+  arguments.csv.restate = arguments.log.restate = arguments.joystick.restate = *restate;
+  if (!arguments.duration.empty()) {
+    const auto duration = parseDuration(arguments.duration);
     if (!duration) return duration.error();
     if (duration->count() <= 0) {
-      return Error{ErrorKind::bad_argument, "--duration must be greater than zero", my.duration};
+      return Error{ErrorKind::bad_argument, "--duration must be greater than zero",
+                   arguments.duration};
     }
-    my.options.duration = *duration;
+    arguments.options.duration = *duration;
   }
   // By default the demo runs until stopped.
-  if (!loop_given) my.options.turns = my.demo.empty() ? 1 : 0;
-  my.options.realtime = realtimeOf(my.realtime);
-  my.options.progress = !my.quiet && ::isatty(STDERR_FILENO) == 1;
+  if (!loop_given) arguments.options.turns = arguments.demo.empty() ? 1 : 0;
+  arguments.options.realtime = realtimeOf(arguments.realtime);
+  arguments.options.progress = !arguments.quiet && ::isatty(STDERR_FILENO) == 1;
   return {};
 }
 
-Result<PlayReport> send(Arguments& my) {
+Result<PlayReport> send(Arguments& arguments) {
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
-  surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) cli::tell(plainText(line) + "\n");
+  surroundings.told = [&arguments](std::string_view line) {
+    if (!arguments.quiet) cli::tell(plainText(line) + "\n");
   };
-  if (!my.log.log.empty()) {
+  if (!arguments.log.log.empty()) {
     const cli::StopDeadline deadline("stopped while reading the log");
     // What another program recorded becomes a log first.
     RecordingRequest request;
-    request.recording = my.log.log;
+    request.recording = arguments.log.log;
     request.progress = cli::importProgress(request.recording.string());
     const Result<OpenedRecording> opened = openedRecording(request);
     if (!opened) return opened.error();
@@ -224,34 +230,36 @@ Result<PlayReport> send(Arguments& my) {
     if (!opened->not_kept.empty()) cli::warn(opened->not_kept);
     const auto account = logAccount(opened->log, nullptr);
     if (account && account->imported && !account->note().empty()) cli::warn(account->note());
-    LogSourceOptions log = my.log;
+    LogSourceOptions log = arguments.log;
     log.log = opened->log;
-    Result<PlayReport> report = sendLog(log, my.options, surroundings);
+    Result<PlayReport> report = sendLog(log, arguments.options, surroundings);
     if (!report) return opened->named(report.error());
     return report;
   }
-  if (!my.csv.csv.empty()) {
+  if (!arguments.csv.csv.empty()) {
     const cli::StopDeadline deadline("stopped while reading the table");
-    return sendCsv(my.csv, my.options, surroundings);
+    return sendCsv(arguments.csv, arguments.options, surroundings);
   }
-  if (!my.joystick.device.empty()) return sendJoystick(my.joystick, my.options, surroundings);
-  return sendDemo(my.demo, my.log.restate, my.options, surroundings);
+  if (!arguments.joystick.device.empty())
+    return sendJoystick(arguments.joystick, arguments.options, surroundings);
+  return sendDemo(arguments.demo, arguments.log.restate, arguments.options, surroundings);
 }
 
-Result<cli::Exit> run(Arguments& my, bool loop_given) {
-  if (const Status read = readNames(my); !read) return read.error();
-  if (my.csv.csv.empty() && my.log.log.empty() && my.demo.empty() && my.joystick.device.empty()) {
+Result<cli::Exit> run(Arguments& arguments, bool loop_given) {
+  if (const Status read = readNames(arguments); !read) return read.error();
+  if (arguments.csv.csv.empty() && arguments.log.log.empty() && arguments.demo.empty() &&
+      arguments.joystick.device.empty()) {
     return Error{ErrorKind::bad_argument,
                  "nothing to send: give --csv FILE, --log LOG, --joystick DEV or --demo", ""};
   }
-  if (const Status read = readOptions(my, loop_given); !read) return read.error();
+  if (const Status read = readOptions(arguments, loop_given); !read) return read.error();
   cli::catchStopSignals();
-  const Result<PlayReport> report = send(my);
+  const Result<PlayReport> report = send(arguments);
   if (!report) return report.error();
   for (const std::string& damage : report->damage) cli::warn(damage);
-  if (!report->keptUp() && !my.quiet) cli::warn(behindText(*report));
-  if (my.json) cli::say(jsonText(*report));
-  if (!my.json && !my.quiet) cli::say(summaryText(*report));
+  if (!report->keptUp() && !arguments.quiet) cli::warn(behindText(*report));
+  if (arguments.json) cli::say(jsonText(*report));
+  if (!arguments.json && !arguments.quiet) cli::say(summaryText(*report));
   return report->damage.empty() ? cli::Exit::done : cli::Exit::no;
 }
 

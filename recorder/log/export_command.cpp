@@ -52,11 +52,11 @@ struct ExportAccount {
 };
 
 /// What `check` finds, at the first time of each; what has no time, at the span's beginning.
-Result<std::vector<TimedNote>> findingsOf(const ExportArguments& my, const Cell& cell,
+Result<std::vector<TimedNote>> findingsOf(const ExportArguments& arguments, const Cell& cell,
                                           LogTime from) {
-  Result<LogReader> log = LogReader::open(my.log);
+  Result<LogReader> log = LogReader::open(arguments.log);
   if (!log) return log.error();
-  const auto tell = stoppableProgress("checking " + my.log);
+  const auto tell = stoppableProgress("checking " + arguments.log);
   Status stopped;
   const Result<CheckReport> report = checkLog(cell, *log, [&](double part) {
     if (stopped) stopped = tell(part);
@@ -77,30 +77,32 @@ Result<std::vector<TimedNote>> findingsOf(const ExportArguments& my, const Cell&
   return notes;
 }
 
-Result<ExportAccount> exportToMcap(const ExportArguments& my, const TimeRange& range,
+Result<ExportAccount> exportToMcap(const ExportArguments& arguments, const TimeRange& range,
                                    OutputFile& output) {
-  Result<MomentWalk> session = MomentWalk::open(my.log);
+  Result<MomentWalk> session = MomentWalk::open(arguments.log);
   if (!session) return session.error();
-  const auto cell = loadExportCell(my.cell, session->log(), my.model || my.findings);
+  const auto cell =
+      loadExportCell(arguments.cell, session->log(), arguments.model || arguments.findings);
   if (!cell) return cell.error();
-  if (*cell == nullptr && (my.model || my.findings)) {
+  if (*cell == nullptr && (arguments.model || arguments.findings)) {
     return Error{ErrorKind::bad_argument, "needs a cell: name one, or record with --cell",
-                 my.model ? "--model" : "--findings"};
+                 arguments.model ? "--model" : "--findings"};
   }
-  const std::unique_ptr<SessionFormat> format = my.ros2 ? makeRos2Format() : makeFoxgloveFormat();
+  const std::unique_ptr<SessionFormat> format =
+      arguments.ros2 ? makeRos2Format() : makeFoxgloveFormat();
   Result<ExportedMcap> out = ExportedMcap::start(output.takeSink(), format->profile());
   if (!out) return out.error();
   MessageExportOptions options;
   options.from = range.from;
   options.until = range.until;
-  options.raw = my.raw;
-  options.shapes = my.model;
-  if (my.findings) {
-    Result<std::vector<TimedNote>> found = findingsOf(my, **cell, range.from);
+  options.raw = arguments.raw;
+  options.shapes = arguments.model;
+  if (arguments.findings) {
+    Result<std::vector<TimedNote>> found = findingsOf(arguments, **cell, range.from);
     if (!found) return found.error();
     options.notes = std::move(*found);
   }
-  options.progress = stoppableProgress("reading " + my.log);
+  options.progress = stoppableProgress("reading " + arguments.log);
   Result<MessageExportReport> report =
       exportMessages(*session, cell->get(), *format, *out, options);
   if (!report) return report.error();
@@ -126,9 +128,9 @@ Result<ExportAccount> exportToMcap(const ExportArguments& my, const TimeRange& r
   return account;
 }
 
-Result<ExportAccount> exportToPcap(const ExportArguments& my, const TimeRange& range,
+Result<ExportAccount> exportToPcap(const ExportArguments& arguments, const TimeRange& range,
                                    OutputFile& output) {
-  Result<LogReader> log = LogReader::open(my.log);
+  Result<LogReader> log = LogReader::open(arguments.log);
   if (!log) return log.error();
   const std::unique_ptr<ByteSink> sink = output.takeSink();
   Bytes piece;
@@ -140,8 +142,8 @@ Result<ExportAccount> exportToPcap(const ExportArguments& my, const TimeRange& r
     piece.clear();
     return written;
   });
-  Result<PcapExportReport> report =
-      exportPcap(*log, range.from, range.until, file, stoppableProgress("reading " + my.log));
+  Result<PcapExportReport> report = exportPcap(*log, range.from, range.until, file,
+                                               stoppableProgress("reading " + arguments.log));
   if (!report) return report.error();
   Status closed = sink->append(piece);
   if (closed) closed = sink->close();
@@ -151,28 +153,28 @@ Result<ExportAccount> exportToPcap(const ExportArguments& my, const TimeRange& r
   account.contents["datagrams"] = report->datagrams;
   account.gaps = std::move(report->gaps);
   for (const DamageSpan& span : log->damage()) {
-    account.gaps.push_back(fmt::format("{} ({}, byte {})", span.cause, my.log, span.from));
+    account.gaps.push_back(fmt::format("{} ({}, byte {})", span.cause, arguments.log, span.from));
   }
   account.notes = std::move(report->notes);
   account.left_out = std::move(report->left_out);
   return account;
 }
 
-Result<ExportAccount> exportToGltf(const ExportArguments& my, const TimeRange& range,
+Result<ExportAccount> exportToGltf(const ExportArguments& arguments, const TimeRange& range,
                                    OutputFile& output) {
   GltfExportOptions options;
   options.from = range.from;
   options.until = range.until;
-  Result<MomentWalk> session = MomentWalk::open(my.log);
+  Result<MomentWalk> session = MomentWalk::open(arguments.log);
   if (!session) return session.error();
-  if (!my.every.empty()) {
+  if (!arguments.every.empty()) {
     const LogSummary& log = session->log().summary();
     const Nanoseconds span = std::min(range.until, log.end) - std::max(range.from, log.start);
-    const Result<Nanoseconds> every = readEvery(my.every, span, kMostKeys);
+    const Result<Nanoseconds> every = readEvery(arguments.every, span, kMostKeys);
     if (!every) return every.error();
     options.every = *every;
   }
-  const auto cell = loadExportCell(my.cell, session->log(), true);
+  const auto cell = loadExportCell(arguments.cell, session->log(), true);
   if (!cell) return cell.error();
   if (*cell == nullptr) {
     return Error{ErrorKind::bad_argument, "a scene needs a cell: name one, or record with --cell",
@@ -181,7 +183,7 @@ Result<ExportAccount> exportToGltf(const ExportArguments& my, const TimeRange& r
   const std::string folder = output.path().parent_path().string();
   Result<GltfRecording> recording = GltfRecording::make(folder.empty() ? "." : folder);
   if (!recording) return recording.error();
-  options.progress = stoppableProgress("reading " + my.log);
+  options.progress = stoppableProgress("reading " + arguments.log);
   ExportAccount account;
   account.cell = *cell;
   if (Status done = recordGltf(*session, **cell, *recording, options, account.left_out); !done) {
@@ -207,11 +209,12 @@ Result<ExportAccount> exportToGltf(const ExportArguments& my, const TimeRange& r
   return account;
 }
 
-Status tellExport(const ExportArguments& my, const ExportAccount& account) {
-  if (!my.json) return toStandardOutput(fmt::format("{}: {}\n", my.output, account.text));
+Status tellExport(const ExportArguments& arguments, const ExportAccount& account) {
+  if (!arguments.json)
+    return toStandardOutput(fmt::format("{}: {}\n", arguments.output, account.text));
   Json json;
   json["format"] = 1;
-  json["output"] = my.output;
+  json["output"] = arguments.output;
   json.update(account.contents);
   json["gaps"] = account.gaps;
   json["notes"] = account.notes;
@@ -219,91 +222,97 @@ Status tellExport(const ExportArguments& my, const ExportAccount& account) {
   return toStandardOutput(jsonText(json));
 }
 
-Status checkExport(const ExportArguments& my) {
+Status checkExport(const ExportArguments& arguments) {
   const auto bad = [](const char* what, const char* where) -> Status {
     return Error{ErrorKind::bad_argument, what, where};
   };
-  const int forms =
-      (my.foxglove ? 1 : 0) + (my.ros2 ? 1 : 0) + (my.pcap ? 1 : 0) + (my.gltf ? 1 : 0);
+  const int forms = (arguments.foxglove ? 1 : 0) + (arguments.ros2 ? 1 : 0) +
+                    (arguments.pcap ? 1 : 0) + (arguments.gltf ? 1 : 0);
   if (forms != 1) return bad("name one format: --foxglove, --ros2, --pcap or --gltf", "");
-  if (my.model && !my.foxglove) return bad("needs --foxglove", "--model");
-  if (my.findings && !my.foxglove && !my.ros2) {
+  if (arguments.model && !arguments.foxglove) return bad("needs --foxglove", "--model");
+  if (arguments.findings && !arguments.foxglove && !arguments.ros2) {
     return bad("needs --foxglove or --ros2", "--findings");
   }
-  if (my.pcap && (my.raw || !my.cell.cell.empty())) {
+  if (arguments.pcap && (arguments.raw || !arguments.cell.cell.empty())) {
     return bad("a capture holds the datagrams alone: no CELL, no --raw", "--pcap");
   }
-  if (!my.gltf) return my.every.empty() ? Status{} : bad("needs --gltf", "--every");
-  if (my.raw) return bad("a scene holds no datagrams: no --raw", "--gltf");
-  if (std::filesystem::path(my.output).extension() != ".glb") {
-    return bad("the scene's name must end with .glb", my.output.c_str());
+  if (!arguments.gltf) return arguments.every.empty() ? Status{} : bad("needs --gltf", "--every");
+  if (arguments.raw) return bad("a scene holds no datagrams: no --raw", "--gltf");
+  if (std::filesystem::path(arguments.output).extension() != ".glb") {
+    return bad("the scene's name must end with .glb", arguments.output.c_str());
   }
   return {};
 }
 
-Result<cli::Exit> runExport(ExportArguments my) {
-  if (Status fit = checkExport(my); !fit) return fit.error();
-  if (Status free = checkOutput(my.output, my.force, {{my.log}}); !free) return free.error();
-  const auto opened = cli::openSession(my.log, my.cell.cell);
+Result<cli::Exit> runExport(ExportArguments arguments) {
+  if (Status fit = checkExport(arguments); !fit) return fit.error();
+  if (Status free = checkOutput(arguments.output, arguments.force, {{arguments.log}}); !free)
+    return free.error();
+  const auto opened = cli::openSession(arguments.log, arguments.cell.cell);
   if (!opened) return opened.error();
-  my.log = opened->log.string();
+  arguments.log = opened->log.string();
   TimeRange range;
   {
-    const Result<LogReader> log = LogReader::open(my.log);
+    const Result<LogReader> log = LogReader::open(arguments.log);
     if (!log) return log.error();
     if (Status known = knownFormat(*log); !known) return known.error();
-    const Result<TimeRange> named = rangeOf(my.times, log->summary(), {});
+    const Result<TimeRange> named = rangeOf(arguments.times, log->summary(), {});
     if (!named) return named.error();
     range = *named;
   }
   cli::catchStopSignals();
   const cli::StopDeadline deadline(kStopped);
-  Result<OutputFile> output = OutputFile::create(my.output, my.force, {{my.log}});
+  Result<OutputFile> output =
+      OutputFile::create(arguments.output, arguments.force, {{arguments.log}});
   if (!output) return output.error();
-  const Result<ExportAccount> account = my.pcap   ? exportToPcap(my, range, *output)
-                                        : my.gltf ? exportToGltf(my, range, *output)
-                                                  : exportToMcap(my, range, *output);
+  const Result<ExportAccount> account = arguments.pcap   ? exportToPcap(arguments, range, *output)
+                                        : arguments.gltf ? exportToGltf(arguments, range, *output)
+                                                         : exportToMcap(arguments, range, *output);
   if (!account) return output->named(account.error());
   if (Status named = output->commit(); !named) return named.error();
-  if (Status told = tellExport(my, *account); !told) return told.error();
+  if (Status told = tellExport(arguments, *account); !told) return told.error();
   for (const std::string& sentence : account->notes) cli::warn(sentence);
   for (const std::string& sentence : account->gaps) cli::warn(sentence);
   if (!account->left_out.empty()) cli::warn(accountSentence(account->left_out));
-  cli::warnOfAccount(my.log, account->cell.get());
+  cli::warnOfAccount(arguments.log, account->cell.get());
   return account->gaps.empty() ? cli::Exit::done : cli::Exit::no;
 }
 
 }  // namespace
 
 cli::Subcommand addExportCommand(cli::CommandLine program) {
-  auto my = std::make_shared<ExportArguments>();
+  auto arguments = std::make_shared<ExportArguments>();
   const cli::CommandLine app = program.addSubcommand(
       "export", "write a log for other tools: Foxglove, ROS 2, captures, glTF");
-  addExportCellArguments(app, "CELL", my->cell);
-  app.addOption("LOG", my->log, "the log to read").showRequired();
-  app.addFlag("--foxglove", my->foxglove, "an MCAP file of protobuf messages of foxglove");
-  app.addFlag("--ros2", my->ros2, "a ROS 2 bag: an MCAP file of CDR messages");
-  app.addFlag("--pcap", my->pcap, "a capture of the datagrams, with nanoseconds");
-  app.addFlag("--gltf", my->gltf, "a .glb: the cell's scene, animated as the session moved it");
-  app.addOption("--every", my->every,
+  addExportCellArguments(app, "CELL", arguments->cell);
+  app.addOption("LOG", arguments->log, "the log to read").showRequired();
+  app.addFlag("--foxglove", arguments->foxglove, "an MCAP file of protobuf messages of foxglove");
+  app.addFlag("--ros2", arguments->ros2, "a ROS 2 bag: an MCAP file of CDR messages");
+  app.addFlag("--pcap", arguments->pcap, "a capture of the datagrams, with nanoseconds");
+  app.addFlag("--gltf", arguments->gltf,
+              "a .glb: the cell's scene, animated as the session moved it");
+  app.addOption("--every", arguments->every,
                 "of --gltf: keys at each multiple of this time; by default at every moment that "
                 "writes a value")
       .valueName("TIME");
-  app.addFlag("--raw", my->raw, "the datagrams too, beside the messages");
-  app.addFlag("--model", my->model,
+  app.addFlag("--raw", arguments->raw, "the datagrams too, beside the messages");
+  app.addFlag("--model", arguments->model,
               "of --foxglove: what every link shows, as glTF in the messages");
-  app.addFlag("--findings", my->findings, "what `check` finds too, among the events");
-  app.addOption("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+  app.addFlag("--findings", arguments->findings, "what `check` finds too, among the events");
+  app.addOption("--from", arguments->times.from,
+                "begin at this session time (12.5s, -1s, RFC 3339)")
       .valueName("TIME");
-  app.addOption("--until", my->times.until, "end before this session time").valueName("TIME");
-  app.addOption("-o,--output", my->output, "the file to make").valueName("OUT").required();
-  app.addFlag("--force", my->force, "replace an existing output");
-  app.addFlag("--json", my->json, "print what was made as JSON");
-  return {app, [my]() -> Result<cli::Exit> {
-            std::filesystem::path log = my->log;
-            if (Status has = orderLogAndItsCell(my->cell.cell, log); !has) return has.error();
-            my->log = log.string();
-            return runExport(*my);
+  app.addOption("--until", arguments->times.until, "end before this session time")
+      .valueName("TIME");
+  app.addOption("-o,--output", arguments->output, "the file to make").valueName("OUT").required();
+  app.addFlag("--force", arguments->force, "replace an existing output");
+  app.addFlag("--json", arguments->json, "print what was made as JSON");
+  return {app, [arguments]() -> Result<cli::Exit> {
+            std::filesystem::path log = arguments->log;
+            if (Status has = orderLogAndItsCell(arguments->cell.cell, log); !has)
+              return has.error();
+            arguments->log = log.string();
+            return runExport(*arguments);
           }};
 }
 

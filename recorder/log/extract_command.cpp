@@ -19,16 +19,17 @@ struct ExtractArguments {
 
 Error badArgument(std::string what) { return {ErrorKind::bad_argument, std::move(what), {}}; }
 
-Status checkArguments(const ExtractArguments& my) {
-  const int chosen =
-      int{!my.name.empty()} + int{my.index.has_value()} + int{my.all} + int{my.cell} + int{my.list};
+Status checkArguments(const ExtractArguments& arguments) {
+  const int chosen = int{!arguments.name.empty()} + int{arguments.index.has_value()} +
+                     int{arguments.all} + int{arguments.cell} + int{arguments.list};
   if (chosen != 1) {
     return badArgument("give exactly one of NAME, --index N, --all, --cell and --list");
   }
-  if (my.list != my.output.empty()) {
-    return badArgument(my.list ? "--list does not write a file" : "give the output: -o PATH");
+  if (arguments.list != arguments.output.empty()) {
+    return badArgument(arguments.list ? "--list does not write a file"
+                                      : "give the output: -o PATH");
   }
-  if (my.json && !my.list) return badArgument("--json needs --list");
+  if (arguments.json && !arguments.list) return badArgument("--json needs --list");
   return {};
 }
 
@@ -57,34 +58,34 @@ std::string listText(const LogReader& log, bool json) {
   return jsonText(root);
 }
 
-Result<cli::Exit> extractOne(const LogReader& log, const ExtractArguments& my) {
-  const auto index = findAttachment(log, my.name, my.index);
+Result<cli::Exit> extractOne(const LogReader& log, const ExtractArguments& arguments) {
+  const auto index = findAttachment(log, arguments.name, arguments.index);
   if (!index.ok()) return index.error();
   const auto bytes = log.readAttachment(*index);
   if (!bytes.ok()) return bytes.error();
-  if (my.output == "-") {
+  if (arguments.output == "-") {
     if (Status written = toStandardOutput(textOf(*bytes)); !written) return written.error();
     return cli::Exit::done;
   }
-  if (Status written = writeFileWhole(my.output, *bytes, my.force); !written) {
+  if (Status written = writeFileWhole(arguments.output, *bytes, arguments.force); !written) {
     return written.error();
   }
   return cli::Exit::done;
 }
 
-Result<cli::Exit> extractFolder(const LogReader& log, const ExtractArguments& my) {
-  const FolderOutput to{my.output, my.force};
-  const auto report = my.cell ? extractCell(log, to) : extractAll(log, to);
+Result<cli::Exit> extractFolder(const LogReader& log, const ExtractArguments& arguments) {
+  const FolderOutput to{arguments.output, arguments.force};
+  const auto report = arguments.cell ? extractCell(log, to) : extractAll(log, to);
   if (!report.ok()) return report.error();
   fmt::print("{} file{}, {} bytes in {}\n", report->files, report->files == 1 ? "" : "s",
-             report->bytes, my.output.string());
-  if (!my.cell) return cli::Exit::done;
-  fmt::print("rocinante view {}", (my.output / report->main).string());
+             report->bytes, arguments.output.string());
+  if (!arguments.cell) return cli::Exit::done;
+  fmt::print("rocinante view {}", (arguments.output / report->main).string());
   for (const std::string& root : report->search) {
-    fmt::print(" --search {}", (my.output / root).string());
+    fmt::print(" --search {}", (arguments.output / root).string());
   }
   for (const auto& [name, folder] : report->packages) {
-    fmt::print(" --package {}={}", name, (my.output / folder).string());
+    fmt::print(" --package {}={}", name, (arguments.output / folder).string());
   }
   fmt::print("\n");
   if (!report->stands_alone) {
@@ -95,35 +96,37 @@ Result<cli::Exit> extractFolder(const LogReader& log, const ExtractArguments& my
   return cli::Exit::done;
 }
 
-Result<cli::Exit> runExtract(const ExtractArguments& my) {
-  if (Status fit = checkArguments(my); !fit) return fit.error();
-  const auto log = LogReader::open(my.log);
+Result<cli::Exit> runExtract(const ExtractArguments& arguments) {
+  if (Status fit = checkArguments(arguments); !fit) return fit.error();
+  const auto log = LogReader::open(arguments.log);
   if (!log.ok()) return log.error();
-  if (my.list) {
-    if (Status said = toStandardOutput(listText(*log, my.json)); !said) return said.error();
+  if (arguments.list) {
+    if (Status said = toStandardOutput(listText(*log, arguments.json)); !said) return said.error();
     return cli::Exit::done;
   }
-  return my.all || my.cell ? extractFolder(*log, my) : extractOne(*log, my);
+  return arguments.all || arguments.cell ? extractFolder(*log, arguments)
+                                         : extractOne(*log, arguments);
 }
 
 }  // namespace
 
 cli::Subcommand addExtractCommand(cli::CommandLine program) {
-  auto my = std::make_shared<ExtractArguments>();
+  auto arguments = std::make_shared<ExtractArguments>();
   const cli::CommandLine app =
       program.addSubcommand("extract", "extract the files attached to a log");
-  app.addOption("LOG", my->log, "a log").required();
-  app.addOption("NAME", my->name, "the attachment of that name");
-  app.addOption("--index", my->index, "the attachment of that number in --list").valueName("N");
-  app.addFlag("--all", my->all, "every attachment, into a folder");
-  app.addFlag("--cell", my->cell, "the cell that the log carries, into a folder");
-  app.addFlag("--list", my->list, "list the attachments");
-  app.addOption("-o,--output", my->output,
+  app.addOption("LOG", arguments->log, "a log").required();
+  app.addOption("NAME", arguments->name, "the attachment of that name");
+  app.addOption("--index", arguments->index, "the attachment of that number in --list")
+      .valueName("N");
+  app.addFlag("--all", arguments->all, "every attachment, into a folder");
+  app.addFlag("--cell", arguments->cell, "the cell that the log carries, into a folder");
+  app.addFlag("--list", arguments->list, "list the attachments");
+  app.addOption("-o,--output", arguments->output,
                 "a file, a folder for --all and --cell, or -: standard output")
       .valueName("PATH");
-  app.addFlag("--force", my->force, "replace what is there");
-  app.addFlag("--json", my->json, "print --list as JSON");
-  return {app, [my] { return runExtract(*my); }};
+  app.addFlag("--force", arguments->force, "replace what is there");
+  app.addFlag("--json", arguments->json, "print --list as JSON");
+  return {app, [arguments] { return runExtract(*arguments); }};
 }
 
 }  // namespace rocinante

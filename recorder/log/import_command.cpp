@@ -35,18 +35,18 @@ struct GivenCell {
   CellBundle bundle;
 };
 
-Result<std::optional<GivenCell>> readCell(const ImportArguments& my) {
-  if (my.cell.empty()) return std::optional<GivenCell>();
+Result<std::optional<GivenCell>> readCell(const ImportArguments& arguments) {
+  if (arguments.cell.empty()) return std::optional<GivenCell>();
   GivenCell given;
-  CellOptions options = my.search;
+  CellOptions options = arguments.search;
   options.parallel = cli::workerThreads();
-  options.progress = cli::loadProgress(my.cell);
-  Result<CellBundle> bundle = collectCellOrLog(my.cell, options);
+  options.progress = cli::loadProgress(arguments.cell);
+  Result<CellBundle> bundle = collectCellOrLog(arguments.cell, options);
   if (!bundle) return bundle.error();
   given.bundle = std::move(*bundle);
   for (const std::string& warning : bundleWarnings(given.bundle)) cli::warn(warning);
   options.geometry = false;
-  Result<Cell> names = loadCellOrLog(my.cell, options);
+  Result<Cell> names = loadCellOrLog(arguments.cell, options);
   if (!names) return names.error();
   given.names = std::move(*names);
   return std::optional(std::move(given));
@@ -66,8 +66,8 @@ std::vector<std::filesystem::path> pathsOf(const std::vector<std::string>& input
   return paths;
 }
 
-Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& make) {
-  const std::vector<std::filesystem::path> paths = pathsOf(my.inputs);
+Result<ros::ImportReport> import(const ImportArguments& arguments, const MakeOptions& make) {
+  const std::vector<std::filesystem::path> paths = pathsOf(arguments.inputs);
   if (Status free = checkOutput(make.output, make.overwrite, paths); !free) return free.error();
   const auto captures = std::ranges::count_if(paths, isCapture);
   if (captures > 0 && paths.size() > 1) {
@@ -78,25 +78,25 @@ Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& m
   std::vector<std::unique_ptr<ros::BagReader>> bags;
   for (const std::filesystem::path& path : paths) {
     if (captures > 0) break;
-    Result<std::unique_ptr<ros::BagReader>> bag = openRecording(path, my.device);
+    Result<std::unique_ptr<ros::BagReader>> bag = openRecording(path, arguments.device);
     if (!bag) return bag.error();
     bags.push_back(std::move(*bag));
   }
-  const Result<std::optional<GivenCell>> cell = readCell(my);
+  const Result<std::optional<GivenCell>> cell = readCell(arguments);
   if (!cell) return cell.error();
   Result<std::string> session_id = ros::importedSessionId(paths);
   if (!session_id) return session_id.error();
   ros::ImportOptions options;
-  options.device = my.device;
+  options.device = arguments.device;
   std::size_t files = 0;
-  for (const std::string& input : my.inputs) {
+  for (const std::string& input : arguments.inputs) {
     const std::vector<std::string> lacks = damageOfBagFolder(input);
     options.damage.insert(options.damage.end(), lacks.begin(), lacks.end());
     const auto stated = statedOfBagFolder(input, files);
     options.stated.insert(options.stated.end(), stated.begin(), stated.end());
     files += filesOfRecording(input).size();
   }
-  options.search = my.search;
+  options.search = arguments.search;
   options.log = make.log;
   options.keyframes = make.keyframes;
   options.progress = make.progress;
@@ -182,19 +182,20 @@ std::string importReportJson(const std::string& output, const ros::ImportReport&
   return jsonText(out);
 }
 
-Result<cli::Exit> runImport(const ImportArguments& my) {
-  Result<MakeOptions> make = readCopyArguments(my.copy);
+Result<cli::Exit> runImport(const ImportArguments& arguments) {
+  Result<MakeOptions> make = readCopyArguments(arguments.copy);
   if (!make) return make.error();
   cli::catchStopSignals();
   make->progress = stoppableProgress("importing");
   const cli::StopDeadline deadline(kStopped);
-  const Result<ros::ImportReport> report = import(my, *make);
+  const Result<ros::ImportReport> report = import(arguments, *make);
   if (!report) return report.error();
-  const Status told = toStandardOutput(my.copy.json ? importReportJson(my.copy.output, *report)
-                                                    : importReportText(my.copy.output, *report));
+  const Status told =
+      toStandardOutput(arguments.copy.json ? importReportJson(arguments.copy.output, *report)
+                                           : importReportText(arguments.copy.output, *report));
   if (!told) return told.error();
   for (const std::string& warning : ros::importWarnings(*report)) cli::warn(warning);
-  const std::string account = accountOf(my.copy.output);
+  const std::string account = accountOf(arguments.copy.output);
   if (!account.empty()) cli::warn(account);
   return report->lostNothing() ? cli::Exit::done : cli::Exit::no;
 }
@@ -202,22 +203,22 @@ Result<cli::Exit> runImport(const ImportArguments& my) {
 }  // namespace
 
 cli::Subcommand addImportCommand(cli::CommandLine program) {
-  auto my = std::make_shared<ImportArguments>();
+  auto arguments = std::make_shared<ImportArguments>();
   const cli::CommandLine app = program.addSubcommand(
       "import", "make a log of what other programs recorded, with its packets");
-  app.addOption("IN", my->inputs,
+  app.addOption("IN", arguments->inputs,
                 "ROS bags (MCAP, .db3, .bag, or the folder of one), LCM logs, CSV, JSON lines; "
                 "or a capture; told by content; several become one")
       .required();
-  app.addOption("--cell", my->cell,
+  app.addOption("--cell", arguments->cell,
                 "the cell whose devices are meant; attached. Default: the bag's robot_description")
       .valueName("CELL");
-  cli::addSearchOptions(app, my->search);
-  app.addOption("--device", my->device,
+  cli::addSearchOptions(app, arguments->search);
+  app.addOption("--device", arguments->device,
                 "the device of joints and poses that name no device of the cell")
       .valueName("NAME");
-  addCopyArguments(app, my->copy);
-  return {app, [my] { return runImport(*my); }};
+  addCopyArguments(app, arguments->copy);
+  return {app, [arguments] { return runImport(*arguments); }};
 }
 
 }  // namespace rocinante

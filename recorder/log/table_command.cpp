@@ -49,38 +49,40 @@ Result<TableForm> formOf(const std::string& output) {
   return Error{ErrorKind::bad_argument, "a table is a .csv, a .npy or a .npz file", output};
 }
 
-Result<TableOptions> readTableOptions(const TableArguments& my, const LogSummary& log) {
-  const Result<TimeRange> range = rangeOf(my.times, log, {});
+Result<TableOptions> readTableOptions(const TableArguments& arguments, const LogSummary& log) {
+  const Result<TimeRange> range = rangeOf(arguments.times, log, {});
   if (!range) return range.error();
   TableOptions options;
   options.from = range->from;
   options.until = range->until;
-  if (my.changes) options.rows = TableOptions::Rows::changed;
-  if (my.every.empty()) return options;
+  if (arguments.changes) options.rows = TableOptions::Rows::changed;
+  if (arguments.every.empty()) return options;
   options.rows = TableOptions::Rows::grid;
   options.from = std::max(options.from, log.start);
   options.until = std::min(options.until, std::min(log.end, kLastLogTime) + Nanoseconds(1));
-  const Result<Nanoseconds> every = readEvery(my.every, options.until - options.from, kMostRows);
+  const Result<Nanoseconds> every =
+      readEvery(arguments.every, options.until - options.from, kMostRows);
   if (!every) return every.error();
   options.every = *every;
   return options;
 }
 
-Result<TableReport> writeTo(const TableArguments& my, TableForm form, MomentWalk& session,
+Result<TableReport> writeTo(const TableArguments& arguments, TableForm form, MomentWalk& session,
                             SessionTable& table, TableOptions options) {
-  if (my.output.empty() || my.output == "-") {
+  if (arguments.output.empty() || arguments.output == "-") {
     const auto writer =
         makeCsvTable([](ByteView bytes) { return toStandardOutput(textOf(bytes)); });
     return writeTable(session, table, *writer, options);
   }
-  Result<OutputFile> output = OutputFile::create(my.output, my.force, {{my.log}});
+  Result<OutputFile> output =
+      OutputFile::create(arguments.output, arguments.force, {{arguments.log}});
   if (!output) return output.error();
   const std::unique_ptr<ByteSink> sink = output->takeSink();
   std::unique_ptr<TableWriter> writer;
   if (form == TableForm::npy) {
     writer = makeNpyTable(*sink);
   } else if (form == TableForm::npz) {
-    const fs::path folder = fs::path(my.output).parent_path();
+    const fs::path folder = fs::path(arguments.output).parent_path();
     writer = makeNpzTable(*sink, folder.empty() ? "." : folder.string());
   } else {
     writer = makeCsvTable([&](ByteView bytes) { return sink->append(bytes); });
@@ -93,17 +95,17 @@ Result<TableReport> writeTo(const TableArguments& my, TableForm form, MomentWalk
   return report;
 }
 
-Status tellTable(const TableArguments& my, const TableReport& report,
+Status tellTable(const TableArguments& arguments, const TableReport& report,
                  const std::vector<std::string>& gaps) {
-  if (my.output.empty() || my.output == "-") return {};
-  if (!my.json) {
-    return toStandardOutput(fmt::format("{}: {} of {} and the time\n", my.output,
+  if (arguments.output.empty() || arguments.output == "-") return {};
+  if (!arguments.json) {
+    return toStandardOutput(fmt::format("{}: {} of {} and the time\n", arguments.output,
                                         countText(report.rows, "row"),
                                         countText(report.columns.size(), "column")));
   }
   Json json;
   json["format"] = 1;
-  json["output"] = my.output;
+  json["output"] = arguments.output;
   json["rows"] = report.rows;
   json["columns"] = report.columns;
   json["gaps"] = gaps;
@@ -111,9 +113,10 @@ Status tellTable(const TableArguments& my, const TableReport& report,
   return toStandardOutput(jsonText(json));
 }
 
-Result<std::optional<ClearanceColumns>> clearancesOf(const TableArguments& my, const Cell* cell) {
+Result<std::optional<ClearanceColumns>> clearancesOf(const TableArguments& arguments,
+                                                     const Cell* cell) {
   std::optional<ClearanceColumns> columns;
-  if (!my.clearance) return columns;
+  if (!arguments.clearance) return columns;
   if (cell == nullptr) {
     return Error{ErrorKind::bad_argument, "needs a cell: the log carries none, --cell CELL",
                  "--clearance"};
@@ -121,129 +124,134 @@ Result<std::optional<ClearanceColumns>> clearancesOf(const TableArguments& my, c
   if (cell->clearances.empty()) {
     return Error{ErrorKind::bad_argument, "the cell has no [[clearance]]", "--clearance"};
   }
-  columns.emplace(*cell, my.devices);
+  columns.emplace(*cell, arguments.devices);
   return columns;
 }
 
-Result<std::optional<LinkColumns>> linksOf(const TableArguments& my, const Cell* cell,
+Result<std::optional<LinkColumns>> linksOf(const TableArguments& arguments, const Cell* cell,
                                            MomentWalk& session, LogTime until) {
   std::optional<LinkColumns> columns;
-  if (my.links.empty()) return columns;
+  if (arguments.links.empty()) return columns;
   if (cell == nullptr) {
     return Error{ErrorKind::bad_argument, "needs a cell: the log carries none, --cell CELL",
                  "--link"};
   }
-  Result<LinkColumns> made = LinkColumns::of(*cell, my.links, my.frame, session, until);
+  Result<LinkColumns> made =
+      LinkColumns::of(*cell, arguments.links, arguments.frame, session, until);
   if (!made) return made.error();
   columns.emplace(*std::move(made));
   return columns;
 }
 
-Result<std::optional<DerivedColumns>> derivedOf(const TableArguments& my, const Cell* cell,
+Result<std::optional<DerivedColumns>> derivedOf(const TableArguments& arguments, const Cell* cell,
                                                 MomentWalk& session) {
   std::optional<DerivedColumns> columns;
-  if (my.derived.empty()) return columns;
-  Result<DerivedColumns> made = DerivedColumns::of(cell, my.derived, my.log, session);
+  if (arguments.derived.empty()) return columns;
+  Result<DerivedColumns> made = DerivedColumns::of(cell, arguments.derived, arguments.log, session);
   if (!made) return made.error();
   columns.emplace(*std::move(made));
   return columns;
 }
 
-Result<cli::Exit> runTable(TableArguments my) {
-  const Result<TableForm> form = formOf(my.output);
+Result<cli::Exit> runTable(TableArguments arguments) {
+  const Result<TableForm> form = formOf(arguments.output);
   if (!form) return form.error();
-  const bool to_output = my.output.empty() || my.output == "-";
-  if (my.json && to_output) {
+  const bool to_output = arguments.output.empty() || arguments.output == "-";
+  if (arguments.json && to_output) {
     return Error{ErrorKind::bad_argument, "needs -o FILE: the table itself goes to standard output",
                  "--json"};
   }
   if (!to_output) {
-    if (Status free = checkOutput(my.output, my.force, {{my.log}}); !free) return free.error();
+    if (Status free = checkOutput(arguments.output, arguments.force, {{arguments.log}}); !free)
+      return free.error();
   }
-  const auto opened = cli::openSession(my.log, my.cell.cell);
+  const auto opened = cli::openSession(arguments.log, arguments.cell.cell);
   if (!opened) return opened.error();
-  my.log = opened->log.string();
-  Result<MomentWalk> session = MomentWalk::open(my.log);
+  arguments.log = opened->log.string();
+  Result<MomentWalk> session = MomentWalk::open(arguments.log);
   if (!session) return session.error();
-  Result<TableOptions> options = readTableOptions(my, session->log().summary());
+  Result<TableOptions> options = readTableOptions(arguments, session->log().summary());
   if (!options) return options.error();
-  const auto cell = loadExportCell(my.cell, session->log(), my.clearance);
+  const auto cell = loadExportCell(arguments.cell, session->log(), arguments.clearance);
   if (!cell) return cell.error();
-  Result<std::optional<ClearanceColumns>> clearances = clearancesOf(my, cell->get());
+  Result<std::optional<ClearanceColumns>> clearances = clearancesOf(arguments, cell->get());
   if (!clearances) return clearances.error();
   if (*clearances) options->clearances = &**clearances;
   Result<std::optional<LinkColumns>> links =
-      linksOf(my, cell->get(), *session, session->log().summary().end);
+      linksOf(arguments, cell->get(), *session, session->log().summary().end);
   if (!links) return links.error();
   if (*links) options->links = &**links;
-  Result<std::optional<DerivedColumns>> derived = derivedOf(my, cell->get(), *session);
+  Result<std::optional<DerivedColumns>> derived = derivedOf(arguments, cell->get(), *session);
   if (!derived) return derived.error();
   if (*derived) options->derived = &**derived;
   cli::catchStopSignals();
-  options->progress = stoppableProgress("reading " + my.log);
+  options->progress = stoppableProgress("reading " + arguments.log);
   const cli::StopDeadline deadline(kStopped);
-  options->signals = my.signals;
-  SessionTable table(cell->get(), my.devices, my.signals);
-  const Result<TableReport> report = writeTo(my, *form, *session, table, *options);
+  options->signals = arguments.signals;
+  SessionTable table(cell->get(), arguments.devices, arguments.signals);
+  const Result<TableReport> report = writeTo(arguments, *form, *session, table, *options);
   if (!report) return report.error();
   std::vector<std::string> gaps = table.gaps();
   if (*clearances) {
     for (std::string& sentence : (*clearances)->gaps()) gaps.push_back(std::move(sentence));
   }
   for (std::string& sentence : session->damage()) gaps.push_back(std::move(sentence));
-  if (Status told = tellTable(my, *report, gaps); !told) return told.error();
+  if (Status told = tellTable(arguments, *report, gaps); !told) return told.error();
   for (const std::string& sentence : table.remarks()) cli::warn(sentence);
   for (const std::string& sentence : gaps) cli::warn(sentence);
   if (!report->left_out.empty()) cli::warn(accountSentence(report->left_out));
-  cli::warnOfAccount(my.log, cell->get());
+  cli::warnOfAccount(arguments.log, cell->get());
   return gaps.empty() ? cli::Exit::done : cli::Exit::no;
 }
 
 }  // namespace
 
 cli::Subcommand addTableCommand(cli::CommandLine program) {
-  auto my = std::make_shared<TableArguments>();
+  auto arguments = std::make_shared<TableArguments>();
   const cli::CommandLine app =
       program.addSubcommand("table", "write joint values and poses as columns: CSV or NumPy");
-  app.addOption("LOG", my->log, "the log to read").required();
-  app.addOption("--device", my->devices, "only devices that match this pattern; may be repeated")
+  app.addOption("LOG", arguments->log, "the log to read").required();
+  app.addOption("--device", arguments->devices,
+                "only devices that match this pattern; may be repeated")
       .valueName("PATTERN")
       .oneEach();
   const cli::Option every =
-      app.addOption("--every", my->every,
+      app.addOption("--every", arguments->every,
                     "a row at each multiple of this time; by default one for each moment that "
                     "writes a value")
           .valueName("TIME");
-  app.addFlag("--changes", my->changes, "only rows that differ from the one before")
+  app.addFlag("--changes", arguments->changes, "only rows that differ from the one before")
       .excludes(every);
-  app.addFlag("--signals", my->signals,
+  app.addFlag("--signals", arguments->signals,
               "numbers and booleans of signals too, a column for each: `signal PATH NAME`");
   const cli::Option link =
-      app.addOption("--link", my->links,
+      app.addOption("--link", arguments->links,
                     "the pose of this link too, by the cell: DEVICE/LINK:x to :qw; may be repeated")
           .valueName("PATH")
           .oneEach();
-  app.addOption("--in", my->frame,
+  app.addOption("--in", arguments->frame,
                 "those poses in the frame of this device or link; by default in the world")
       .valueName("PATH")
       .needs(link);
   app.addOption(
-         "--derive", my->derived,
+         "--derive", arguments->derived,
          "what is derived too: d/dt VALUE, mean SECONDS VALUE, VALUE - VALUE; may be repeated")
       .valueName("VALUE")
       .oneEach();
-  app.addFlag("--clearance", my->clearance,
+  app.addFlag("--clearance", arguments->clearance,
               "the distances of the cell's clearances too, in metres, a column for each pair");
-  app.addOption("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+  app.addOption("--from", arguments->times.from,
+                "begin at this session time (12.5s, -1s, RFC 3339)")
       .valueName("TIME");
-  app.addOption("--until", my->times.until, "end before this session time").valueName("TIME");
-  addExportCellArguments(app, "--cell", my->cell);
-  app.addOption("-o,--output", my->output,
+  app.addOption("--until", arguments->times.until, "end before this session time")
+      .valueName("TIME");
+  addExportCellArguments(app, "--cell", arguments->cell);
+  app.addOption("-o,--output", arguments->output,
                 "a .csv, .npy or .npz file; by default CSV on standard output")
       .valueName("OUT");
-  app.addFlag("--force", my->force, "replace an existing output");
-  app.addFlag("--json", my->json, "print what was made as JSON");
-  return {app, [my] { return runTable(*my); }};
+  app.addFlag("--force", arguments->force, "replace an existing output");
+  app.addFlag("--json", arguments->json, "print what was made as JSON");
+  return {app, [arguments] { return runTable(*arguments); }};
 }
 
 }  // namespace rocinante

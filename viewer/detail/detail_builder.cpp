@@ -53,16 +53,16 @@ struct DetailBuilder::Impl {
 
 DetailBuilder::DetailBuilder(std::vector<DetailInput> inputs, DetailCache cache, int threads)
     : impl_(std::make_unique<Impl>()) {
-  Impl& my = *impl_;
-  my.inputs = std::move(inputs);
-  my.cache = std::move(cache);
-  my.order.resize(my.inputs.size());
-  std::iota(my.order.begin(), my.order.end(), std::size_t{0});
-  std::ranges::stable_sort(my.order, std::ranges::greater(),
-                           [&](std::size_t number) { return my.inputs[number].indices->size(); });
+  Impl& impl = *impl_;
+  impl.inputs = std::move(inputs);
+  impl.cache = std::move(cache);
+  impl.order.resize(impl.inputs.size());
+  std::iota(impl.order.begin(), impl.order.end(), std::size_t{0});
+  std::ranges::stable_sort(impl.order, std::ranges::greater(),
+                           [&](std::size_t number) { return impl.inputs[number].indices->size(); });
   const std::size_t wanted =
-      std::min<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), my.inputs.size());
-  for (std::size_t i = 0; i < wanted; ++i) my.threads.emplace_back([&my] { my.work(); });
+      std::min<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), impl.inputs.size());
+  for (std::size_t i = 0; i < wanted; ++i) impl.threads.emplace_back([&impl] { impl.work(); });
 }
 
 DetailBuilder::~DetailBuilder() {

@@ -124,16 +124,16 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
 }
 
 Status VideoFile::add(const Picture& picture) {
-  Impl& my = *impl_;
+  Impl& impl = *impl_;
   const auto* bytes = picture.rgba.data();
   std::size_t left = picture.rgba.size();
-  if (left != my.picture_bytes) return videoError("a picture has a different size", my.path);
+  if (left != impl.picture_bytes) return videoError("a picture has a different size", impl.path);
   while (left > 0) {
-    const ssize_t sent = ::send(my.child->stream(), bytes, left, MSG_NOSIGNAL);
+    const ssize_t sent = ::send(impl.child->stream(), bytes, left, MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;
     if (sent < 0) {
-      if (Status end = my.ended(); !end) return end;
-      return videoError("ffmpeg ended before the last picture", my.path);
+      if (Status end = impl.ended(); !end) return end;
+      return videoError("ffmpeg ended before the last picture", impl.path);
     }
     bytes += sent;
     left -= static_cast<std::size_t>(sent);
@@ -142,17 +142,17 @@ Status VideoFile::add(const Picture& picture) {
 }
 
 Status VideoFile::finish() {
-  Impl& my = *impl_;
-  if (Status end = my.ended(); !end) return end;
-  const int file = ::open(my.part->beside().c_str(), O_RDONLY | O_CLOEXEC);
+  Impl& impl = *impl_;
+  if (Status end = impl.ended(); !end) return end;
+  const int file = ::open(impl.part->beside().c_str(), O_RDONLY | O_CLOEXEC);
   struct stat facts {};
   const bool synced = file >= 0 && ::fstat(file, &facts) == 0 && ::fsync(file) == 0;
   if (file >= 0) ::close(file);
   if (!synced) {
-    return videoError(std::string("ffmpeg wrote no file: ") + std::strerror(errno), my.path);
+    return videoError(std::string("ffmpeg wrote no file: ") + std::strerror(errno), impl.path);
   }
-  if (facts.st_size == 0) return videoError("ffmpeg wrote an empty file", my.path);
-  return my.part->publish(my.overwrite);
+  if (facts.st_size == 0) return videoError("ffmpeg wrote an empty file", impl.path);
+  return impl.part->publish(impl.overwrite);
 }
 
 }  // namespace rocinante

@@ -329,11 +329,11 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
 void FrameMaker::showState(const SessionState* state) { impl_->given = state; }
 
 void FrameMaker::showSession(Timeline session) {
-  Impl& my = *impl_;
-  my.session.emplace(std::move(session));
-  my.fitted.emplace(my.cell, *my.renderer);
-  my.trails.emplace(my.cell);
-  my.rates.reset();
+  Impl& impl = *impl_;
+  impl.session.emplace(std::move(session));
+  impl.fitted.emplace(impl.cell, *impl.renderer);
+  impl.trails.emplace(impl.cell);
+  impl.rates.reset();
 }
 
 void FrameMaker::showBeside(Timeline beside, EventAlignment alignment) {
@@ -348,46 +348,46 @@ void FrameMaker::showBackdrop(std::string camera, double opacity, BackdropAt pic
 }
 
 Result<Picture> FrameMaker::frame(const FrameRequest& request, StateDamage* damage) {
-  Impl& my = *impl_;
-  const auto found = my.find(request, damage);
+  Impl& impl = *impl_;
+  const auto found = impl.find(request, damage);
   if (!found) return found.error();
-  if (Status drawn = my.draw(request, *found); !drawn) return drawn.error();
-  Picture picture = my.view.picture().read();
-  if (request.panel) my.addPanel(request.time, *found, picture);
+  if (Status drawn = impl.draw(request, *found); !drawn) return drawn.error();
+  Picture picture = impl.view.picture().read();
+  if (request.panel) impl.addPanel(request.time, *found, picture);
   return picture;
 }
 
 Status FrameMaker::show(const FrameRequest& request, StateDamage* damage) {
-  Impl& my = *impl_;
+  Impl& impl = *impl_;
   FrameRequest without_panel = request;
   without_panel.panel = false;
-  const auto found = my.find(without_panel, damage);
+  const auto found = impl.find(without_panel, damage);
   if (!found) return found.error();
-  if (Status drawn = my.draw(request, *found); !drawn) return drawn.error();
-  my.view.picture().blitTo(0);
+  if (Status drawn = impl.draw(request, *found); !drawn) return drawn.error();
+  impl.view.picture().blitTo(0);
   return {};
 }
 
 Result<IdentityFrame> FrameMaker::identity(const FrameRequest& request, StateDamage* damage) {
-  Impl& my = *impl_;
+  Impl& impl = *impl_;
   FrameRequest without_panel = request;
   without_panel.panel = false;
-  const auto found = my.find(without_panel, damage);
+  const auto found = impl.find(without_panel, damage);
   if (!found) return found.error();
-  Status ready = my.prepareNumbers(request);
+  Status ready = impl.prepareNumbers(request);
   if (!ready) return ready.error();
-  return my.renderer->identity(found->shown(), *my.number_target);
+  return impl.renderer->identity(found->shown(), *impl.number_target);
 }
 
 Result<DepthFrame> FrameMaker::depth(const FrameRequest& request, StateDamage* damage) {
-  Impl& my = *impl_;
+  Impl& impl = *impl_;
   FrameRequest without_panel = request;
   without_panel.panel = false;
-  const auto found = my.find(without_panel, damage);
+  const auto found = impl.find(without_panel, damage);
   if (!found) return found.error();
-  Status ready = my.prepareNumbers(request);
+  Status ready = impl.prepareNumbers(request);
   if (!ready) return ready.error();
-  return my.renderer->depth(found->shown(), *my.number_target);
+  return impl.renderer->depth(found->shown(), *impl.number_target);
 }
 
 Result<std::optional<PickedLink>> FrameMaker::pick(const FrameRequest& request, double x, double y,

@@ -277,54 +277,55 @@ void Renderer::Impl::drawInsetFrames(const SceneFrame& frame, const FrameBuffer&
 }
 
 Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& target) {
-  Impl& my = *impl_;
-  const auto looks = my.looksOf(frame);
+  Impl& impl = *impl_;
+  const auto looks = impl.looksOf(frame);
   if (!looks) return looks.error();
-  my.passes.overlay.useText(my.atlasOf(frame.scale));
-  my.whole_width = target.width();
-  my.whole_height = target.height();
+  impl.passes.overlay.useText(impl.atlasOf(frame.scale));
+  impl.whole_width = target.width();
+  impl.whole_height = target.height();
   target.bind();
   const PixelRectangle whole{0, 0, target.width(), target.height()};
-  ++my.frames_drawn;
-  if (!frame.goes_on) my.lights.clear();
-  auto counts = my.drawView(frame, *looks, frame.camera, 0, whole, target.height());
+  ++impl.frames_drawn;
+  if (!frame.goes_on) impl.lights.clear();
+  auto counts = impl.drawView(frame, *looks, frame.camera, 0, whole, target.height());
   if (!counts) return counts.error();
   for (std::size_t i = 0; i < frame.insets.size(); ++i) {
     const FrameInset& inset = frame.insets[i];
     if (frame.only && overlapOf(inset.part, *frame.only).height == 0) continue;
-    const auto more = my.drawView(frame, *looks, inset.camera, i + 1, inset.part, target.height());
+    const auto more =
+        impl.drawView(frame, *looks, inset.camera, i + 1, inset.part, target.height());
     if (!more) return more.error();
     counts->triangles += more->triangles;
     counts->draws += more->draws;
     counts->times += more->times;
   }
-  if (frame.on_top) my.drawInsetFrames(frame, target);
-  my.passes.end();
-  if (Status fine = my.glStatus(); !fine) return fine.error();
+  if (frame.on_top) impl.drawInsetFrames(frame, target);
+  impl.passes.end();
+  if (Status fine = impl.glStatus(); !fine) return fine.error();
   return counts;
 }
 
 Status Renderer::drawOnTop(const SceneFrame& frame, const FrameBuffer& target,
                            const std::function<void(std::size_t)>& refill_inset) {
-  Impl& my = *impl_;
-  if (Status ready = my.passes.overlay.prepare(); !ready) return ready;
-  my.passes.overlay.useText(my.atlasOf(frame.scale));
-  my.whole_width = target.width();
-  my.whole_height = target.height();
+  Impl& impl = *impl_;
+  if (Status ready = impl.passes.overlay.prepare(); !ready) return ready;
+  impl.passes.overlay.useText(impl.atlasOf(frame.scale));
+  impl.whole_width = target.width();
+  impl.whole_height = target.height();
   target.resolve();
   const auto drawView = [&](const CameraView& view, const PixelRectangle& part) {
-    my.passes.beginOnTop(part, target.height());
-    const Camera camera = my.cameraOf(frame, view, part.width, part.height);
-    my.passes.overlay.drawOnTop(my.onTopOf(frame, camera, view));
+    impl.passes.beginOnTop(part, target.height());
+    const Camera camera = impl.cameraOf(frame, view, part.width, part.height);
+    impl.passes.overlay.drawOnTop(impl.onTopOf(frame, camera, view));
   };
   drawView(frame.camera, {0, 0, target.width(), target.height()});
   for (std::size_t i = 0; i < frame.insets.size(); ++i) {
     if (refill_inset) refill_inset(i);
     drawView(frame.insets[i].camera, frame.insets[i].part);
   }
-  my.drawInsetFrames(frame, target);
-  my.passes.end();
-  return my.glStatus();
+  impl.drawInsetFrames(frame, target);
+  impl.passes.end();
+  return impl.glStatus();
 }
 
 void Renderer::prepareDetail(const DetailCache& cache, int threads) {
@@ -333,36 +334,37 @@ void Renderer::prepareDetail(const DetailCache& cache, int threads) {
 }
 
 bool Renderer::takeReadyDetail(bool wait_for_all) {
-  Impl& my = *impl_;
-  if (!my.detail_builder || my.detail_builder->finished()) return false;
+  Impl& impl = *impl_;
+  if (!impl.detail_builder || impl.detail_builder->finished()) return false;
   const std::vector<ReadyDetail> ready =
-      wait_for_all ? my.detail_builder->waitForAll() : my.detail_builder->takeReady();
+      wait_for_all ? impl.detail_builder->waitForAll() : impl.detail_builder->takeReady();
   for (const ReadyDetail& one : ready) {
-    my.meshes.setDetail(one.number, my.catalog.meshes()[one.number].indices(), one.detail.indices);
-    my.catalog.setDetail(one.number, one.detail);
+    impl.meshes.setDetail(one.number, impl.catalog.meshes()[one.number].indices(),
+                          one.detail.indices);
+    impl.catalog.setDetail(one.number, one.detail);
   }
   return !ready.empty();
 }
 
 bool Renderer::makeNextDetail() {
-  Impl& my = *impl_;
-  if (!my.detail_left) {
-    my.detail_left = my.catalog.detailInputs();
-    for (std::size_t i = 0; i < my.detail_left->size(); ++i) my.detail_order.push_back(i);
-    std::ranges::stable_sort(my.detail_order, {}, [&](std::size_t number) {
-      return (*my.detail_left)[number].indices->size();
+  Impl& impl = *impl_;
+  if (!impl.detail_left) {
+    impl.detail_left = impl.catalog.detailInputs();
+    for (std::size_t i = 0; i < impl.detail_left->size(); ++i) impl.detail_order.push_back(i);
+    std::ranges::stable_sort(impl.detail_order, {}, [&](std::size_t number) {
+      return (*impl.detail_left)[number].indices->size();
     });
   }
-  if (my.detail_order.empty()) return false;
-  const std::size_t number = my.detail_order.back();
-  my.detail_order.pop_back();
-  if ((*my.detail_left)[number].indices->size() > kMostCoarsenedIndices) {
-    return !my.detail_order.empty();
+  if (impl.detail_order.empty()) return false;
+  const std::size_t number = impl.detail_order.back();
+  impl.detail_order.pop_back();
+  if ((*impl.detail_left)[number].indices->size() > kMostCoarsenedIndices) {
+    return !impl.detail_order.empty();
   }
-  const MeshDetail detail = makeMeshDetail((*my.detail_left)[number]);
-  my.meshes.setDetail(number, my.catalog.meshes()[number].indices(), detail.indices);
-  my.catalog.setDetail(number, detail);
-  return !my.detail_order.empty();
+  const MeshDetail detail = makeMeshDetail((*impl.detail_left)[number]);
+  impl.meshes.setDetail(number, impl.catalog.meshes()[number].indices(), detail.indices);
+  impl.catalog.setDetail(number, detail);
+  return !impl.detail_order.empty();
 }
 
 bool Renderer::detailReady() const {

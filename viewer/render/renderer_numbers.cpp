@@ -52,26 +52,26 @@ Status Renderer::Impl::drawNumbers(const SceneFrame& frame, const LinkLooks& loo
 }
 
 Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuffer& target) {
-  Impl& my = *impl_;
-  if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
+  Impl& impl = *impl_;
+  if (Status ready = impl.prepareIdentity(target); !ready) return ready.error();
   const IdentityNumbers numbers(*frame.scene);
-  const auto looks = my.looksOf(frame);
+  const auto looks = impl.looksOf(frame);
   if (!looks) return looks.error();
   const auto number_of = [&](const DrawItem& item) {
     return numbers.ofLink(item.device, item.link);
   };
   const auto drawView = [&](const CameraView& view, const PixelRectangle& part) -> Status {
-    const Camera camera = my.cameraOf(frame, view, part.width, part.height);
-    my.identity_pass->begin(part, target.height());
-    setClamp(my.gl, camera.orthographic());
-    if (Status drawn = my.drawNumbers(frame, *looks, camera, number_of); !drawn) return drawn;
+    const Camera camera = impl.cameraOf(frame, view, part.width, part.height);
+    impl.identity_pass->begin(part, target.height());
+    setClamp(impl.gl, camera.orthographic());
+    if (Status drawn = impl.drawNumbers(frame, *looks, camera, number_of); !drawn) return drawn;
     Overlay in_scene(camera, frame.scale);
     addLinesAndPoints(in_scene, frame.scene->drawings, *frame.choice);
-    my.identity_pass->drawOverlay(in_scene, numbers.ofVertices(in_scene), true);
+    impl.identity_pass->drawOverlay(in_scene, numbers.ofVertices(in_scene), true);
     Overlay on_top(camera, frame.scale);
-    addLabels(on_top, frame.scene->drawings, *frame.choice, camera, my.atlasOf(frame.scale),
+    addLabels(on_top, frame.scene->drawings, *frame.choice, camera, impl.atlasOf(frame.scale),
               styleOf(frame).labels);
-    my.identity_pass->drawOverlay(on_top, numbers.ofVertices(on_top), false);
+    impl.identity_pass->drawOverlay(on_top, numbers.ofVertices(on_top), false);
     return {};
   };
   Status drawn = drawView(frame.camera, {0, 0, target.width(), target.height()});
@@ -79,15 +79,15 @@ Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuf
     if (drawn) drawn = drawView(inset.camera, inset.part);
   }
   if (!drawn) return drawn.error();
-  setClamp(my.gl, false);
-  my.identity_pass->end();
-  if (Status fine = my.glStatus(); !fine) return fine.error();
+  setClamp(impl.gl, false);
+  impl.identity_pass->end();
+  if (Status fine = impl.glStatus(); !fine) return fine.error();
   return numbers.frame(IdentityPass::readNumbers(target), target.width(), target.height());
 }
 
 Result<std::optional<PickedLink>> Renderer::pick(const SceneFrame& frame, int width, int height,
                                                  double x, double y) {
-  Impl& my = *impl_;
+  Impl& impl = *impl_;
   CameraView view = frame.camera;
   PixelRectangle part{0, 0, width, height};
   for (const FrameInset& inset : frame.insets) {
@@ -104,54 +104,55 @@ Result<std::optional<PickedLink>> Renderer::pick(const SceneFrame& frame, int wi
   const int bottom = std::min(clicked_y + kPickReach + 1, part.y + part.height);
   if (left >= right || top >= bottom) return std::optional<PickedLink>();
 
-  if (!my.pick_target || my.pick_target->width() != width || my.pick_target->height() != height) {
-    auto made = FrameBuffer::create(my.gl, width, height, 1);
+  if (!impl.pick_target || impl.pick_target->width() != width ||
+      impl.pick_target->height() != height) {
+    auto made = FrameBuffer::create(impl.gl, width, height, 1);
     if (!made) return made.error();
-    my.pick_target = std::move(*made);
+    impl.pick_target = std::move(*made);
   }
-  if (Status ready = my.prepareIdentity(*my.pick_target); !ready) return ready.error();
-  const Camera camera = my.cameraOf(frame, view, part.width, part.height);
-  const auto looks = my.looksOf(frame);
+  if (Status ready = impl.prepareIdentity(*impl.pick_target); !ready) return ready.error();
+  const Camera camera = impl.cameraOf(frame, view, part.width, part.height);
+  const auto looks = impl.looksOf(frame);
   if (!looks) return looks.error();
   const IdentityNumbers numbers(*frame.scene);
   // Drawn as in identity(), but only near the pixel.
-  my.identity_pass->begin(part, height);
-  my.gl.Scissor(left, height - bottom, right - left, bottom - top);
-  setClamp(my.gl, camera.orthographic());
-  Status drawn = my.drawNumbers(frame, *looks, camera, [&](const DrawItem& item) {
+  impl.identity_pass->begin(part, height);
+  impl.gl.Scissor(left, height - bottom, right - left, bottom - top);
+  setClamp(impl.gl, camera.orthographic());
+  Status drawn = impl.drawNumbers(frame, *looks, camera, [&](const DrawItem& item) {
     return numbers.ofLink(item.device, item.link);
   });
   if (!drawn) return drawn.error();
   std::optional<PickedLink> nearest;
   int best = 2 * (kPickReach + 1) * (kPickReach + 1);
   const PixelRectangle asked{left, top, right - left, bottom - top};
-  for (const NumberedPixel& pixel : my.identity_pass->readPart(asked, height, camera)) {
+  for (const NumberedPixel& pixel : impl.identity_pass->readPart(asked, height, camera)) {
     const int dx = pixel.x - clicked_x, dy = pixel.y - clicked_y;
     if (pixel.number == 0 || dx * dx + dy * dy >= best) continue;
     best = dx * dx + dy * dy;
     nearest = PickedLink{numbers.nameOf(pixel.number),
                          pointAt(camera, pixel.x - part.x, pixel.y - part.y, pixel.depth_m)};
   }
-  setClamp(my.gl, false);
-  my.identity_pass->end();
-  if (Status fine = my.glStatus(); !fine) return fine.error();
+  setClamp(impl.gl, false);
+  impl.identity_pass->end();
+  if (Status fine = impl.glStatus(); !fine) return fine.error();
   return nearest;
 }
 
 Result<DepthFrame> Renderer::depth(const SceneFrame& frame, const FrameBuffer& target) {
-  Impl& my = *impl_;
-  if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
-  const Camera camera = my.cameraOf(frame, frame.camera, target.width(), target.height());
-  const auto looks = my.looksOf(frame);
+  Impl& impl = *impl_;
+  if (Status ready = impl.prepareIdentity(target); !ready) return ready.error();
+  const Camera camera = impl.cameraOf(frame, frame.camera, target.width(), target.height());
+  const auto looks = impl.looksOf(frame);
   if (!looks) return looks.error();
-  my.identity_pass->begin({0, 0, target.width(), target.height()}, target.height());
-  setClamp(my.gl, camera.orthographic());
-  Status drawn = my.drawNumbers(frame, *looks, camera, [](const DrawItem&) { return 1U; });
+  impl.identity_pass->begin({0, 0, target.width(), target.height()}, target.height());
+  setClamp(impl.gl, camera.orthographic());
+  Status drawn = impl.drawNumbers(frame, *looks, camera, [](const DrawItem&) { return 1U; });
   if (!drawn) return drawn.error();
-  DepthFrame depth{target.width(), target.height(), my.identity_pass->readDepth(target, camera)};
-  setClamp(my.gl, false);
-  my.identity_pass->end();
-  if (Status fine = my.glStatus(); !fine) return fine.error();
+  DepthFrame depth{target.width(), target.height(), impl.identity_pass->readDepth(target, camera)};
+  setClamp(impl.gl, false);
+  impl.identity_pass->end();
+  if (Status fine = impl.glStatus(); !fine) return fine.error();
   return depth;
 }
 

@@ -44,60 +44,62 @@ Error bad(std::string what, const std::string& where) {
   return {ErrorKind::bad_argument, std::move(what), where};
 }
 
-Status readSession(Arguments& my) {
-  ServeRequest& request = my.request;
+Status readSession(Arguments& arguments) {
+  ServeRequest& request = arguments.request;
   orderCellAndLog(request.cell, request.log);
-  if (my.is_live && !request.log.empty()) {
+  if (arguments.is_live && !request.log.empty()) {
     return bad("a log and --live cannot be used together", "");
   }
-  if (!my.is_live && request.log.empty()) {
+  if (!arguments.is_live && request.log.empty()) {
     if (!isRecording(request.cell)) return bad("give a LOG after the cell, or --live", "");
     request.log = request.cell;
   }
-  if (!my.is_live) {
+  if (!arguments.is_live) {
     const bool is_alone = request.cell.empty() || request.cell == request.log;
     auto opened =
         cli::openSession(request.log, is_alone ? std::filesystem::path() : request.cell, request);
     if (!opened) return opened.error();
-    my.opened = std::move(*opened);
-    if (is_alone) request.cell = my.opened.log;
-    request.log = my.opened.log;
+    arguments.opened = std::move(*opened);
+    if (is_alone) request.cell = arguments.opened.log;
+    request.log = arguments.opened.log;
   }
-  if (!my.is_live && (!request.trust.empty() || !request.decoders.empty())) {
+  if (!arguments.is_live && (!request.trust.empty() || !request.decoders.empty())) {
     return bad("--trust and --decoders are for --live", "");
   }
-  for (const std::string& text : my.live) {
+  for (const std::string& text : arguments.live) {
     if (text.empty()) continue;
     auto endpoint = Endpoint::parse(text);
     if (!endpoint) return endpoint.error();
     request.live.push_back(std::move(*endpoint));
   }
-  if (my.is_live && request.live.empty()) request.live.push_back(Endpoint::standard());
-  cli::applyNoWait(my.no_wait, request.live);
+  if (arguments.is_live && request.live.empty()) request.live.push_back(Endpoint::standard());
+  cli::applyNoWait(arguments.no_wait, request.live);
   if (!(request.rate_hz >= 1 && request.rate_hz <= 1000)) {
     return bad("--rate is 1 to 1000 a second", fmt::format("{}", request.rate_hz));
   }
   return {};
 }
 
-Status readListening(const Arguments& my, WebServer::Options& web) {
-  const auto endpoint = Endpoint::parse(my.listen);
+Status readListening(const Arguments& arguments, WebServer::Options& web) {
+  const auto endpoint = Endpoint::parse(arguments.listen);
   const bool is_plain = endpoint && endpoint->scheme == Endpoint::Scheme::udp &&
                         !endpoint->isMulticast() && !endpoint->ttl && !endpoint->source &&
-                        endpoint->interface.empty() && my.listen.find("://") == std::string::npos;
+                        endpoint->interface.empty() &&
+                        arguments.listen.find("://") == std::string::npos;
   if (!is_plain) {
-    return bad("--listen takes ADDRESS:PORT: 127.0.0.1:8080, [::1]:8080, 0.0.0.0:8080", my.listen);
+    return bad("--listen takes ADDRESS:PORT: 127.0.0.1:8080, [::1]:8080, 0.0.0.0:8080",
+               arguments.listen);
   }
   web.listen = endpoint->address;
-  auto allow = AddressFilter::of(my.allow);
+  auto allow = AddressFilter::of(arguments.allow);
   if (!allow) return allow.error();
   web.allow = std::move(*allow);
   if (web.certificate.empty() != web.key.empty()) {
     return bad("--tls-cert and --tls-key belong together", "");
   }
-  const auto bytes = parseSize(my.buffer);
+  const auto bytes = parseSize(arguments.buffer);
   if (!bytes) return bad(bytes.error().what, "--buffer");
-  if (*bytes < 64'000) return bad("--buffer is at least 64kB", my.buffer);
+  if (*bytes < 64'000) return bad("--buffer is at least 64kB", arguments.buffer);
   web.client_bytes = *bytes;
   if (web.clients < 1 || web.clients > 10'000) {
     return bad("--clients is 1 to 10000", std::to_string(web.clients));
@@ -105,14 +107,14 @@ Status readListening(const Arguments& my, WebServer::Options& web) {
   return {};
 }
 
-Status readToken(const Arguments& my, WebServer::Options& web) {
+Status readToken(const Arguments& arguments, WebServer::Options& web) {
   constexpr std::size_t kLeastToken = 8, kMostToken = 256;
-  if (!my.token_file.empty()) {
+  if (!arguments.token_file.empty()) {
     if (!web.token.empty()) return bad("--token and --token-file are the same twice", "");
-    auto text = readFile(my.token_file, 4096);
+    auto text = readFile(arguments.token_file, 4096);
     if (!text) return text.error();
     web.token = text->substr(0, text->find_first_of("\r\n"));
-    if (web.token.empty()) return bad("the file of the token is empty", my.token_file);
+    if (web.token.empty()) return bad("the file of the token is empty", arguments.token_file);
   }
   const bool is_word = web.token.find_first_not_of(
                            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrst"
@@ -131,26 +133,26 @@ bool isOpenToAll(const WebServer::Options& web) {
   return !is_loopback && web.token.empty() && web.allow.empty();
 }
 
-Result<cli::Exit> run(Arguments& my) {
-  if (Status read = readSession(my); !read) return read.error();
-  WebServer::Options& web = my.request.web;
-  if (Status read = readListening(my, web); !read) return read.error();
-  if (Status read = readToken(my, web); !read) return read.error();
-  if (isOpenToAll(web) && !my.quiet) {
+Result<cli::Exit> run(Arguments& arguments) {
+  if (Status read = readSession(arguments); !read) return read.error();
+  WebServer::Options& web = arguments.request.web;
+  if (Status read = readListening(arguments, web); !read) return read.error();
+  if (Status read = readToken(arguments, web); !read) return read.error();
+  if (isOpenToAll(web) && !arguments.quiet) {
     cli::warn("whoever reaches this address may look: --token, --allow and --tls-cert limit that");
   }
   cli::catchStopSignals();
-  my.request.parallel = cli::workerThreads();
+  arguments.request.parallel = cli::workerThreads();
   ServeSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
-  surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
+  surroundings.told = [&arguments](std::string_view line) {
+    if (!arguments.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
   };
-  const auto report = serveUntilStopped(my.request, surroundings);
+  const auto report = serveUntilStopped(arguments.request, surroundings);
   if (!report) return report.error();
-  if (!my.quiet) {
+  if (!arguments.quiet) {
     std::string text = countText(report->web.clients, "client");
-    if (my.is_live) {
+    if (arguments.is_live) {
       text += fmt::format(", {} received, {} lost", countText(report->received, "datagram"),
                           report->lost);
     }
@@ -165,57 +167,58 @@ Result<cli::Exit> run(Arguments& my) {
 }
 
 /// Returns --live.
-cli::Option declare(cli::CommandLine app, Arguments& my) {
-  app.addOption("CELL", my.request.cell,
+cli::Option declare(cli::CommandLine app, Arguments& arguments) {
+  app.addOption("CELL", arguments.request.cell,
                 "a .cell.toml, a .urdf, an .obj, or a log that carries its cell")
       .required();
-  app.addOption("LOG", my.request.log, "the session; without it, that of CELL or --live");
+  app.addOption("LOG", arguments.request.log, "the session; without it, that of CELL or --live");
   const cli::Option live =
-      app.addOption("--live", my.live,
+      app.addOption("--live", arguments.live,
                     "show live packets; EP as in `rocinante record`, default: the local group; "
                     "may be repeated")
           .valueText("EP")
           .mayBeBare();
-  app.addOption("--listen", my.listen, "where browsers find it; port 0: a free one")
+  app.addOption("--listen", arguments.listen, "where browsers find it; port 0: a free one")
       .valueText("ADDRESS:PORT=127.0.0.1:8080");
-  app.addOption("--origin", my.request.web.origins,
+  app.addOption("--origin", arguments.request.web.origins,
                 "pages of this origin may look too, and this server may be called by its host; "
                 "may be repeated")
       .valueText("SCHEME://HOST[:PORT]")
       .oneEach();
-  app.addOption("--token", my.request.web.token, "ask for this token: /?token=TEXT")
+  app.addOption("--token", arguments.request.web.token, "ask for this token: /?token=TEXT")
       .valueText("TEXT");
-  app.addOption("--token-file", my.token_file, "the same from the first line of a file")
+  app.addOption("--token-file", arguments.token_file, "the same from the first line of a file")
       .valueText("FILE");
-  app.addOption("--allow", my.allow,
+  app.addOption("--allow", arguments.allow,
                 "answer clients in this network only (10.0.0.0/8); may be repeated")
       .valueText("CIDR")
       .oneEach();
-  app.addOption("--tls-cert", my.request.web.certificate, "serve https with this certificate (PEM)")
+  app.addOption("--tls-cert", arguments.request.web.certificate,
+                "serve https with this certificate (PEM)")
       .valueText("FILE");
-  app.addOption("--tls-key", my.request.web.key, "and its key (PEM)").valueText("FILE");
-  app.addOption("--clients", my.request.web.clients, "live clients at a time, at most")
+  app.addOption("--tls-key", arguments.request.web.key, "and its key (PEM)").valueText("FILE");
+  app.addOption("--clients", arguments.request.web.clients, "live clients at a time, at most")
       .valueText("N=64");
-  app.addOption("--buffer", my.buffer,
+  app.addOption("--buffer", arguments.buffer,
                 "what waits for a slow client, at most; beyond it, moments are skipped")
       .valueText("SIZE=4MB");
-  app.addOption("--rate", my.request.rate_hz,
+  app.addOption("--rate", arguments.request.rate_hz,
                 "send the values of a device at most HZ times a second")
       .valueText("HZ=60");
-  app.addOption("--trust", my.request.trust,
+  app.addOption("--trust", arguments.request.trust,
                 "show only what is signed with a key of this file (rocinante key)")
       .valueText("FILE");
-  app.addOption("--decoders", my.request.decoders,
+  app.addOption("--decoders", arguments.request.decoders,
                 "make packets of what is not packet text as this file declares; without it, as the "
                 "cell does")
       .valueText("FILE");
-  app.addOption("--viewer", my.request.viewer,
+  app.addOption("--viewer", arguments.request.viewer,
                 "the folder of rocinante-viewer.js and .wasm, which scripts/build_web makes; "
                 "without it, the installed one")
       .valueText("DIR");
-  cli::addNoWait(app, my.no_wait);
-  app.addFlag("--quiet", my.quiet, "print nothing but errors");
-  cli::addSearchOptions(app, my.request);
+  cli::addNoWait(app, arguments.no_wait);
+  app.addFlag("--quiet", arguments.quiet, "print nothing but errors");
+  cli::addSearchOptions(app, arguments.request);
   return live;
 }
 
@@ -227,10 +230,10 @@ int main(int argc, char** argv) {
       "or\n"
       "with what comes live.",
       "rocinante-serve");
-  Arguments my;
-  const cli::Option live = declare(app, my);
+  Arguments arguments;
+  const cli::Option live = declare(app, arguments);
   return cli::run(app, argc, argv, kExamples, [&] {
-    my.is_live = live.given();
-    return run(my);
+    arguments.is_live = live.given();
+    return run(arguments);
   });
 }

@@ -86,8 +86,8 @@ struct LogStudy::Impl {
 
 LogStudy::LogStudy(const Cell& cell, std::filesystem::path log, bool grows)
     : impl_(std::make_unique<Impl>(cell, std::move(log), grows)) {
-  Impl& my = *impl_;
-  my.thread = std::jthread([&my](const std::stop_token& stop) { my.work(stop); });
+  Impl& impl = *impl_;
+  impl.thread = std::jthread([&impl](const std::stop_token& stop) { impl.work(stop); });
 }
 
 LogStudy::~LogStudy() = default;
@@ -358,19 +358,19 @@ void LogStudy::Impl::work(const std::stop_token& stop) {
 }
 
 std::shared_ptr<const StudyPicture> LogStudy::show(const StudyWish& wish) {
-  Impl& my = *impl_;
-  std::unique_lock lock(my.mutex);
+  Impl& impl = *impl_;
+  std::unique_lock lock(impl.mutex);
   StudyWish bounded = wish;
   bounded.columns = std::min(wish.columns, kMaxColumns);
   bounded.strip_columns = std::min(wish.strip_columns, kMaxColumns);
-  if (!(bounded == my.newest) || my.wishes == 0) {
-    my.newest = std::move(bounded);
-    ++my.wishes;
-    my.asked.notify_all();
+  if (!(bounded == impl.newest) || impl.wishes == 0) {
+    impl.newest = std::move(bounded);
+    ++impl.wishes;
+    impl.asked.notify_all();
   }
-  if (waits) my.answered.wait(lock, [&] { return my.whole_answers == my.wishes; });
-  my.news = false;
-  return my.picture;
+  if (waits) impl.answered.wait(lock, [&] { return impl.whole_answers == impl.wishes; });
+  impl.news = false;
+  return impl.picture;
 }
 
 bool LogStudy::hasNews() const {
@@ -385,11 +385,11 @@ bool LogStudy::isBusy() const {
 
 void LogStudy::writeTable(std::vector<SeriesKey> keys, LogTime from, LogTime until,
                           std::filesystem::path path) {
-  Impl& my = *impl_;
-  std::unique_lock lock(my.mutex);
-  my.table_wish = TableWish{std::move(keys), from, until, std::move(path)};
-  my.asked.notify_all();
-  if (waits) my.answered.wait(lock, [&] { return my.made_table.has_value(); });
+  Impl& impl = *impl_;
+  std::unique_lock lock(impl.mutex);
+  impl.table_wish = TableWish{std::move(keys), from, until, std::move(path)};
+  impl.asked.notify_all();
+  if (waits) impl.answered.wait(lock, [&] { return impl.made_table.has_value(); });
 }
 
 std::optional<Result<std::string>> LogStudy::takeTable() {
