@@ -109,7 +109,7 @@ Result<std::string> ZipArchive::read(const std::string& name, std::uint64_t most
     if (got < 0) return wrong("cannot be read: " + std::string(zip_file_strerror(file.get())));
     if (got == 0) break;
     if (content.size() + static_cast<std::size_t>(got) > stat.size) {
-      return wrong("is longer than it says");
+      return wrong("is larger than its header states");
     }
     content.append(piece, static_cast<std::size_t>(got));
   }

@@ -55,7 +55,7 @@ std::string didYouMean(std::string_view name, const std::vector<std::string_view
 std::string whatThereIs(std::string_view name, const std::vector<std::string_view>& known) {
   std::string hint = didYouMean(name, known);
   if (!hint.empty()) return hint;
-  if (known.empty()) return "there is none";
+  if (known.empty()) return "there are none";
   if (known.size() == 1) return "there is only " + std::string(known.front());
   hint = "there are ";
   for (std::size_t i = 0; i < std::min(known.size(), kMaxListed); ++i) {

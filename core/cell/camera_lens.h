@@ -2,8 +2,8 @@
 
 namespace rocinante {
 
-/// A calibrated lens without distortion, by OpenCV's pinhole model: what is x to the right, y down
-/// and z along the view lies at pixel (fx x / z + cx, fy y / z + cy) of a picture of this size.
+/// A calibrated lens without distortion, by OpenCV's pinhole model: a point (x right, y down, z
+/// forward) projects to pixel (fx x / z + cx, fy y / z + cy) of a picture of this size.
 /// Whole numbers are the centres of pixels; 0, 0 is the upper left one.
 struct CameraIntrinsics {
   double fx = 1, fy = 1, cx = 0, cy = 0;

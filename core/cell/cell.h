@@ -117,7 +117,7 @@ struct CellSource {
 /// "layer/NAME".
 using ClearancePatterns = std::pair<std::string, std::string>;
 
-/// What `check` keeps apart (docs/cell-format.md, "Clearances").
+/// Links whose distance `check` judges (docs/cell-format.md, "Clearances").
 struct CellClearance {
   std::string name;           ///< never empty
   ClearancePatterns between;  ///< links of different devices; equal when `is_self`

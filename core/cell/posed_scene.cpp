@@ -103,7 +103,7 @@ class ScenePoser {
     return state && state->presence && state->presence->value.presence == Presence::added;
   }
 
-  Standing& stand(const std::string& name, const Model& model, const DeviceState* state) {
+  Standing& addStanding(const std::string& name, const Model& model, const DeviceState* state) {
     Standing& standing = standing_.emplace_back();
     const bool first = scene_.device_by_name.emplace(name, standing_.size() - 1).second;
     standing.device.name = name;
@@ -149,7 +149,7 @@ class ScenePoser {
         if (added != nullptr && added != modelNamed(device.model)) model = added;
       }
       if (model == nullptr) continue;
-      Standing& standing = stand(device.name, *model, state);
+      Standing& standing = addStanding(device.name, *model, state);
       standing.device.layer = device.layer;
       standing.of_cell = &device;
       if (device.color) standing.color = packedColor(*device.color);
@@ -164,7 +164,8 @@ class ScenePoser {
   void addSessionDevices() {
     for (const auto& [name, state] : state_.devices()) {
       if (!isAdded(&state) || !isChosen(name) || cell_.findDevice(name) != nullptr) continue;
-      if (const Model* model = modelNamed(state.presence->value.model)) stand(name, *model, &state);
+      if (const Model* model = modelNamed(state.presence->value.model))
+        addStanding(name, *model, &state);
     }
     if (const Model* bare = modelNamed(cell_.bare_model)) addBareDevices(*bare);
   }
@@ -174,7 +175,7 @@ class ScenePoser {
     for (const auto& [name, state] : state_.devices()) {
       if (isRemoved(&state) || scene_.device_by_name.contains(name)) continue;
       if (cell_.findDevice(name) != nullptr) continue;
-      PosedDevice& device = stand(name, bare, &state).device;
+      PosedDevice& device = addStanding(name, bare, &state).device;
       device.bare = true;
       device.placed = state.pose && state.pose->value.carrier.first.empty();
     }
@@ -193,7 +194,7 @@ class ScenePoser {
         if (model == nullptr || !(state->pose || state->joints || !state->named_joints.empty())) {
           continue;
         }
-        Standing& standing = stand(ghost, *model, state);
+        Standing& standing = addStanding(ghost, *model, state);
         standing.device.ghost = true;
         standing.device.layer = device->layer;
         standing.of_cell = device;

@@ -15,8 +15,8 @@
 
 namespace rocinante {
 
-/// A distance as reports and tables have it: rounded to 0.01 mm, in metres. Only what penetrates is
-/// 0: what does not is 0.01 mm at least.
+/// A distance as reports and tables have it: rounded to 0.01 mm, in metres. 0 for
+/// penetration; else at least 0.01 mm.
 double roundedClearance(double metres);
 
 /// Two devices that a clearance keeps apart (or one and itself).

@@ -102,7 +102,7 @@ bool readSummary(ByteView bytes, Summary& out) {
 
 /// True when the parts needed for navigation are all there. Metadata and attachments may lack their
 /// indexes: they are found between the chunks.
-bool tellsAll(const Summary& summary) {
+bool isComplete(const Summary& summary) {
   if (!summary.statistics) return false;
   const mcap::Statistics& statistics = *summary.statistics;
   // These are outside chunks, and no index lists them.
@@ -262,7 +262,7 @@ std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>&
     return faulty("the summary is malformed");
   }
   // A valid file may omit any of it; then the walk has to find it.
-  if (!tellsAll(summary)) return std::nullopt;
+  if (!isComplete(summary)) return std::nullopt;
 
   LogIndex index;
   for (const mcap::Channel& channel : summary.channels) {

@@ -114,10 +114,10 @@ void SpanMerge::openNextSpan() {
   take(open);
   open_.push_back(std::move(open));
   std::ranges::push_heap(open_, Later{});
-  letOthersGo();
+  releaseOthers();
 }
 
-void SpanMerge::letOthersGo() {
+void SpanMerge::releaseOthers() {
   if (open_.size() < 2) return;
   std::size_t held = 0;
   for (const Open& open : open_) held += open.messages ? open.messages->heldBytes() : 0;
@@ -135,7 +135,7 @@ bool SpanMerge::reload(Open& open) {
     held_limit_ *= 2;
     expanded_again_ = 0;
   }
-  letOthersGo();
+  releaseOthers();
   return open.at < open.messages->places.size();
 }
 

@@ -72,7 +72,7 @@ class SpanMerge {
   void advance();
   bool reload(Open& open);
   void dropFirst();
-  void letOthersGo();
+  void releaseOthers();
   void take(Open& open);
 
   SpanCache& cache_;

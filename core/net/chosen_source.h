@@ -28,8 +28,7 @@ class PassedCount {
       removals_.back().removed = removed_;
     }
   }
-  /// The other's datagrams before the one that was passed on after `count`. Never asked for less
-  /// than before.
+  /// Upstream datagrams before ours number count + 1. `count` never decreases.
   std::uint64_t receivedFor(std::uint64_t count) {
     for (; !removals_.empty() && removals_.front().behind <= count; removals_.pop_front()) {
       confirmed_removed_ = removals_.front().removed;

@@ -26,7 +26,7 @@ inline constexpr std::size_t kPaths = 262144;  ///< of visibility, and as many o
 inline constexpr std::size_t kDrawings = 65536;
 inline constexpr std::size_t kSignals = 65536;
 inline constexpr std::size_t kViews = 4096;
-inline constexpr std::size_t kEvents = 65536;  ///< not taken yet
+inline constexpr std::size_t kEvents = 65536;  ///< waiting for takeEvents()
 /// Limit of the whole state, as the table counts it: one sum for any mix of the items above.
 inline constexpr std::uint64_t kStateBytes = std::uint64_t{256} << 20U;
 

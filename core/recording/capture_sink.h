@@ -23,7 +23,7 @@ struct CapturedDatagram {
   LogTime time{};
   std::int64_t publish_time_ns = 0;
   ByteView payload;
-  /// What it says: its packet, or the one that was made of it; null if there is none.
+  /// The decoded packet, of it or made from it; null: none.
   const Packet* packet = nullptr;
   /// The packet that was made of octets: written directly behind them, with the same time, sender's
   /// time and sequence. Null: none was.

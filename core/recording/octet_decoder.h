@@ -14,7 +14,7 @@ namespace rocinante {
 /// A packet made of octets, for the channel beside theirs (docs/log-format.md, "Decoded packets").
 struct MadePacket {
   std::size_t decoder = 0;  ///< its number: packets of one have one channel beside each flow's
-  /// What that channel has besides the metadata of the octets' own; lives as long as the decoder.
+  /// Metadata added to that of the octets' channel; lives as long as the decoder.
   const std::map<std::string, std::string>* metadata = nullptr;
   std::string_view text;
   const Packet* packet = nullptr;  ///< of `text`

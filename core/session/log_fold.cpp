@@ -60,7 +60,7 @@ void LogFold::startAnew() {
   startFrom(kStartOfLog, SessionState{}, kStartOfLog, 0);
 }
 
-void LogFold::letGo() {
+void LogFold::releaseStates() {
   cache_ = {};
   startFrom(kStartOfLog, SessionState{}, kStartOfLog, 0);
 }

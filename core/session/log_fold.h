@@ -55,7 +55,7 @@ class LogFold {
   void useStop(std::stop_token stop) { stop_ = std::move(stop); }
 
   /// Releases the states kept to answer quickly.
-  void letGo();
+  void releaseStates();
 
  private:
   void knowChannels();

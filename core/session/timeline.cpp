@@ -43,7 +43,7 @@ struct Timeline::Impl {
     used.push_back(&piece);
     if (used.size() <= kPiecesWithStates) return;
     for (const auto& each : pieces) {
-      if (each.get() == used.front()) each->letGo();
+      if (each.get() == used.front()) each->releaseStates();
     }
     used.erase(used.begin());
   }

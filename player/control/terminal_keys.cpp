@@ -115,7 +115,7 @@ std::string_view KeyReader::take(char key) {
   return {};
 }
 
-void giveTerminalBack() { restoreMode(); }
+void restoreTerminal() { restoreMode(); }
 
 std::unique_ptr<TerminalKeys> TerminalKeys::open() {
   // Changing the terminal from the background would stop the program.

@@ -21,7 +21,7 @@ class KeyReader {
 };
 
 /// Restores the terminal if TerminalKeys are open. Safe in signal handlers.
-void giveTerminalBack();
+void restoreTerminal();
 
 /// The keyboard of the controlling terminal. While this lives the terminal delivers each key at
 /// once without echo; its former mode is restored at the end, including after a second Ctrl-C or

@@ -124,7 +124,7 @@ Status MultiLogReader::advance(Input& input) {
   }
 }
 
-Status MultiLogReader::stand(TapePosition place) {
+Status MultiLogReader::seekInputs(TapePosition place) {
   taken_ = nullptr;
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     LogReader& reader = inputs_[i].reader;
@@ -145,7 +145,7 @@ Status MultiLogReader::stand(TapePosition place) {
 
 Status MultiLogReader::seek(TapePosition place, Which which) {
   which_ = which;
-  if (const Status put = stand(place); !put) return put;
+  if (const Status put = seekInputs(place); !put) return put;
   for (Input& input : inputs_) {
     if (const Status read = advance(input); !read) return read;
   }
@@ -202,7 +202,7 @@ Result<std::optional<TapePosition>> MultiLogReader::previous() {
 Result<MultiLogReader::Earlier> MultiLogReader::back(TapePosition from, std::uint64_t count,
                                                      LogTime floor) {
   which_ = Which::captured;
-  if (const Status put = stand(from); !put) return put.error();
+  if (const Status put = seekInputs(from); !put) return put.error();
   Earlier earlier{0, from, std::nullopt};
   while (true) {
     const Result<std::optional<TapePosition>> found = previous();

@@ -82,7 +82,7 @@ class MultiLogReader {
 
   MultiLogReader() = default;
   bool wanted(const Input& input, const LogMessage& message) const;
-  Status stand(TapePosition place);
+  Status seekInputs(TapePosition place);
   Status advance(Input& input);
   Result<std::optional<TapePosition>> previous();
   Status findRange();

@@ -133,14 +133,14 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
     how.restated_bytes -= kSignatureBytes;
   }
 
-  Result<UdpSendPort> edge =
+  Result<UdpSendPort> port =
       UdpSendPort::open(routes->all, how.speed ? options.realtime : Realtime::off,
                         surroundings.stop, control.wake, surroundings.told);
-  if (!edge) return edge.error();
+  if (!port) return port.error();
   surroundings.told("playing " + namesOf(options.logs) + " to " + options.to.text() +
                     mannerOf(options));
   Result<std::unique_ptr<Playhead>> playhead =
-      Playhead::open(*logs, *finder, *routes, how, edge->now());
+      Playhead::open(*logs, *finder, *routes, how, port->now());
   if (!playhead) return playhead.error();
 
   PlayReport report;
@@ -160,15 +160,15 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
           return playLineText(status, logs->origin(), shown_end, std::chrono::steady_clock::now());
         },
         options.progress);
-    end = sendPlayhead(**playhead, rules, *edge, journal, control.commands, status);
+    end = sendPlayhead(**playhead, rules, *port, journal, control.commands, status);
   }
   if (!end) report.failure = end.error();
-  if (Status flushed = edge->flush(); end && !flushed) report.failure = flushed.error();
+  if (Status flushed = port->flush(); end && !flushed) report.failure = flushed.error();
   report.to = options.to.text();
   report.speed = (*playhead)->speed();
   playhead->reset();
-  report.timing_source = edge->timingSource();
-  report.scheduling = edge->scheduling();
+  report.timing_source = port->timingSource();
+  report.scheduling = port->scheduling();
   report.interrupted = end && *end == SendEnd::stopped;
   journal.writeTo(report, end && *end == SendEnd::finished);
   for (const auto& log : options.logs) report.inputs.push_back(log.string());

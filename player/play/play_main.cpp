@@ -232,7 +232,7 @@ Result<PlayReport> playWithControl(Arguments& arguments) {
   if (!inputs.empty()) control = {slot->get(), (*slot)->wake()};
   // Opening a log or folding a state does not check for a stop.
   const cli::StopDeadline deadline("stopped while reading the log; no report was made",
-                                   giveTerminalBack);
+                                   restoreTerminal);
   const ControlThread thread(**slot, std::move(inputs));
   // What other programs recorded becomes a log first.
   std::vector<OpenedRecording> opened;

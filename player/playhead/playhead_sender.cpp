@@ -119,29 +119,29 @@ void publish(Playhead& playhead, const std::optional<Playhead::Next>& next, Stea
 
 }  // namespace
 
-Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, SendPort& edge,
+Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, SendPort& port,
                              SendJournal& journal, CommandSource* commands, PlayStatus& status) {
   constexpr Nanoseconds kPublishEach = std::chrono::milliseconds(50);
   // Commands and signals end a sleep; a signal that comes just before it must not wait for long.
   constexpr Nanoseconds kLongestIdle = std::chrono::milliseconds(500);
   Pacing pacing;
   SendBatch batch;
-  PendingCommand asking(commands, rules);
+  PendingCommand pending(commands, rules);
   AckWatch ack_watch(commands, rules.ack_timeout);
   SilenceTeller silence(rules);
   SteadyTime publish_at{};
-  SteadyTime looked_at = edge.now();
-  while (!edge.stopRequested()) {
-    SteadyTime now = edge.now();
-    if (edge.hasResumed()) {
+  SteadyTime looked_at = port.now();
+  while (!port.stopRequested()) {
+    SteadyTime now = port.now();
+    if (port.hasResumed()) {
       playhead.skipTime(looked_at, now);
       ack_watch.skipTime(now - looked_at);
     }
     looked_at = now;
-    if (asking.take(playhead, now)) now = edge.now();
+    if (pending.take(playhead, now)) now = port.now();
     Result<std::optional<Playhead::Next>> next = playhead.next(now);
     if (!next) return next.error();
-    asking.settle(playhead, now, !*next || !(*next)->immediate);
+    pending.settle(playhead, now, !*next || !(*next)->immediate);
     if (playhead.hasQuit()) return SendEnd::stopped;
     if (const Status judged = ack_watch.judge(playhead, now); !judged) return judged.error();
     silence.look(playhead, *next, now);
@@ -155,13 +155,13 @@ Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, Sen
                         !playhead.lockstep().isWaiting();
       if (over && !rules.stays) return SendEnd::finished;
       publish(playhead, *next, now, status);
-      edge.sleepUntil(std::min({playhead.idleUntil(), ack_watch.deadline(), now + kLongestIdle}));
+      port.sleepUntil(std::min({playhead.idleUntil(), ack_watch.deadline(), now + kLongestIdle}));
       continue;
     }
     const Pacing::Step step = pacing.step(now, (*next)->deadline);
     if (step.action == Pacing::Action::sleep) {
-      edge.sleepUntil(step.until);
-      pacing.woke(step.until, edge.now());
+      port.sleepUntil(step.until);
+      pacing.woke(step.until, port.now());
     }
     if (step.action != Pacing::Action::send) continue;
     pacing.sent((*next)->deadline);
@@ -172,7 +172,7 @@ Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, Sen
       batch.add(taken.due, taken.deadline, payload);
       if (next = playhead.next(now); !next) break;
     }
-    if (const Status sent = batch.send(edge, journal); !sent) return sent.error();
+    if (const Status sent = batch.send(port, journal); !sent) return sent.error();
     if (!next) return next.error();
   }
   return SendEnd::stopped;

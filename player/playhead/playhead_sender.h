@@ -39,7 +39,7 @@ struct PlayheadRules {
 /// Sends what the playhead says when it says so, and passes it the commands. Nothing is sent early,
 /// dropped or reordered. `commands` may be null. Returns at the end, or on a stop or a quit command
 /// (stopped); fails when the logs or the network fail, or no `ack` comes in time.
-Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, SendPort& edge,
+Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, SendPort& port,
                              SendJournal& journal, CommandSource* commands, PlayStatus& status);
 
 }  // namespace rocinante

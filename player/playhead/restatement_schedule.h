@@ -16,7 +16,7 @@ namespace rocinante {
 
 /// The restatements that a player sends beside the messages of its logs: after a jump, and again
 /// and again in silences. It holds the datagrams of one, and says when the next is due. Those that
-/// stand between messages in quick succession belong to the run (TapeStream), which this hears of
+/// stand between messages in quick succession belong to the run (TapeStream), which reports them
 /// by postpone(). It reads no clock. One thread.
 class RestatementSchedule {
  public:

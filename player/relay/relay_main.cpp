@@ -266,8 +266,8 @@ Result<cli::Exit> run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   cli::Program app(
-      "Sends on what it hears: packets of several sources to several addresses and to whoever\n"
-      "subscribes, whole or filtered, and greets late joiners with the present state.",
+      "Forwards packets of several sources to addresses and subscribers, whole or filtered, and\n"
+      "greets late joiners with the present state.",
       "rocinante-relay");
   Arguments arguments;
   declare(app, arguments);

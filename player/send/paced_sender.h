@@ -48,7 +48,7 @@ enum class SendEnd : std::uint8_t { finished, stopped };
 /// Sends a stream on its schedule: nothing early, dropped or reordered. Datagrams due together go
 /// in one call. When it cannot keep up, everything is late and still in order. Fails when the
 /// stream or the socket fails.
-Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& clock, SendPort& edge,
+Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& clock, SendPort& port,
                                SendJournal& journal);
 
 }  // namespace rocinante

@@ -7,7 +7,7 @@ void SendBatch::add(const Due& due, SteadyTime deadline, ByteView payload) {
   bytes_.insert(bytes_.end(), payload.begin(), payload.end());
 }
 
-Status SendBatch::send(SendPort& edge, SendJournal& journal) {
+Status SendBatch::send(SendPort& port, SendJournal& journal) {
   std::array<ByteView, kMax> payloads;
   std::array<SteadyTime, kMax> sent_at{};
   for (std::size_t i = 0; i < count_; ++i) {
@@ -15,7 +15,7 @@ Status SendBatch::send(SendPort& edge, SendJournal& journal) {
   }
   Status sent;
   for (std::size_t begin = 0; begin < count_ && sent;) {
-    const std::size_t longest = edge.longest(items_[begin].due.route);
+    const std::size_t longest = port.longest(items_[begin].due.route);
     if (payloads[begin].size() > longest) {
       journal.tooLong(items_[begin++].due);
       continue;
@@ -25,7 +25,7 @@ Status SendBatch::send(SendPort& edge, SendJournal& journal) {
            payloads[end].size() <= longest) {
       ++end;
     }
-    sent = edge.send(items_[begin].due.route, {payloads.data() + begin, end - begin},
+    sent = port.send(items_[begin].due.route, {payloads.data() + begin, end - begin},
                      {sent_at.data() + begin, end - begin});
     for (std::size_t i = begin; i < end && sent; ++i) {
       journal.sent(items_[i].due, payloads[i], items_[i].deadline, sent_at[i]);

@@ -20,7 +20,7 @@ class SendBatch {
 
   /// Sends all in order, with one call for consecutive datagrams of one route, and notifies the
   /// journal. Empty afterwards, even on failure.
-  Status send(SendPort& edge, SendJournal& journal);
+  Status send(SendPort& port, SendJournal& journal);
 
  private:
   struct Item {

@@ -20,7 +20,7 @@ namespace rocinante {
 /// A recorded session as live sources (docs/programs/source.md): each SOURCE with its own name, a
 /// new RUN, SEQUENCE from 0 and TIME of now, and its statements as recorded, at their places in
 /// time. What newest wins drops is not sent. Each source restates its state at the start, at the
-/// start of each turn (so what a turn has added is gone) and by turns in between.
+/// start of each loop (so what a loop has added is gone) and one source after another in between.
 class LogStream final : public DatagramStream {
  public:
   struct Options {
@@ -28,7 +28,7 @@ class LogStream final : public DatagramStream {
     std::string run;
     PlayedSpan span;          ///< sent `turns` times, one after the other; at least 1 ms long
     std::uint32_t turns = 1;  ///< 0: endless
-    /// Log time in which each source restates itself once; 0: only at the start of each turn.
+    /// Log time in which each source restates itself once; 0: only at the start of each loop.
     Nanoseconds restate{};
     std::size_t mtu_bytes = 1200;  ///< a larger recorded packet is sent as several
     PlaybackSpeed speed;           ///< TIME advances in real time

@@ -219,35 +219,36 @@ void SummaryRules::statistics(const mcap::Record& record) {
 
 void SummaryRules::compareStatistics() {
   const std::uint64_t offset = statistics_->offset;
-  mcap::Statistics said;
-  if (!mcap::parse(statistics_->content, said)) {
+  mcap::Statistics stated;
+  if (!mcap::parse(statistics_->content, stated)) {
     report_.add("record-fields", offset, "the lengths in the Statistics do not fit into it");
     return;
   }
   checkNumberMap(report_, offset, statistics_->content.subspan(42));
-  const auto differs = [&](std::uint64_t told, std::uint64_t is, std::string_view field) {
-    if (told == is) return;
-    report_.add("statistics", offset, fmt::format("{} is {}, but it says {}", field, is, told));
+  const auto differs = [&](std::uint64_t value, std::uint64_t is, std::string_view field) {
+    if (value == is) return;
+    report_.add("statistics", offset,
+                fmt::format("{}: the file has {}, Statistics says {}", field, is, value));
   };
-  differs(said.schema_count, definitions_.schemas(), "schema_count");
-  differs(said.channel_count, definitions_.channels(), "channel_count");
-  differs(said.attachment_count, facts_.attachment_offsets.size(), "attachment_count");
-  differs(said.metadata_count, facts_.metadata_offsets.size(), "metadata_count");
-  differs(said.chunk_count, facts_.chunk_offsets.size(), "chunk_count");
+  differs(stated.schema_count, definitions_.schemas(), "schema_count");
+  differs(stated.channel_count, definitions_.channels(), "channel_count");
+  differs(stated.attachment_count, facts_.attachment_offsets.size(), "attachment_count");
+  differs(stated.metadata_count, facts_.metadata_offsets.size(), "metadata_count");
+  differs(stated.chunk_count, facts_.chunk_offsets.size(), "chunk_count");
   // The messages of a broken chunk are unknown.
   if (!facts_.all_read) return;
   const bool any = facts_.message_count > 0;
-  differs(said.message_count, facts_.message_count, "message_count");
-  differs(said.message_start_time, any ? facts_.start_time : 0, "message_start_time");
-  differs(said.message_end_time, any ? facts_.end_time : 0, "message_end_time");
+  differs(stated.message_count, facts_.message_count, "message_count");
+  differs(stated.message_start_time, any ? facts_.start_time : 0, "message_start_time");
+  differs(stated.message_end_time, any ? facts_.end_time : 0, "message_end_time");
   // Other writers may leave the map empty; ours may not.
-  if (said.channel_message_counts.empty() && !facts_.ours) return;
+  if (stated.channel_message_counts.empty() && !facts_.ours) return;
   for (const auto& [channel, count] : facts_.messages) {
-    const auto told = said.channel_message_counts.find(channel);
-    differs(told == said.channel_message_counts.end() ? 0 : told->second, count,
+    const auto found = stated.channel_message_counts.find(channel);
+    differs(found == stated.channel_message_counts.end() ? 0 : found->second, count,
             fmt::format("the count of channel {}", channel));
   }
-  for (const auto& [channel, count] : said.channel_message_counts) {
+  for (const auto& [channel, count] : stated.channel_message_counts) {
     if (!facts_.messages.contains(channel)) {
       differs(count, 0, fmt::format("the count of channel {}", channel));
     }

@@ -211,7 +211,8 @@ cli::Subcommand addImportCommand(cli::CommandLine program) {
                 "or a capture; told by content; several become one")
       .required();
   app.addOption("--cell", arguments->cell,
-                "the cell whose devices are meant; attached. Default: the bag's robot_description")
+                "the cell that names the devices; attached to the log. Default: the bag's "
+                "robot_description")
       .valueName("CELL");
   cli::addSearchOptions(app, arguments->search);
   app.addOption("--device", arguments->device,

@@ -62,7 +62,7 @@ bool anyCurve(const StudyPicture& picture) {
   return false;
 }
 
-void awaitWhole(LogStudy& study, const StudyWish& wish) {
+void awaitWhole(LogStudy& study, const StudyQuery& wish) {
   while (true) {
     const auto picture = study.show(wish);
     if (picture && picture->whole && picture->wish == wish) return;
@@ -73,7 +73,7 @@ void awaitWhole(LogStudy& study, const StudyWish& wish) {
 void benchStudy(const std::filesystem::path& path, std::int64_t seconds) {
   const Cell cell;
   const LogTime start(Nanoseconds{kOriginNs});
-  StudyWish wish;
+  StudyQuery wish;
   wish.from = start;
   wish.until = start + std::chrono::seconds(seconds);
   wish.columns = wish.strip_columns = kColumns;

@@ -33,7 +33,7 @@ Result<std::size_t> ChildPipe::read(std::span<std::uint8_t> into,
     const int news = ::poll(&ready, 1, kLookEvery_ms);
     if (stopped && stopped()) return Error{ErrorKind::refused, "stopped", {}};
     if (news == 0 && (silent_ms += kLookEvery_ms) >= kLongestSilence_ms) {
-      return Error{ErrorKind::refused, "it says nothing for half a minute", {}};
+      return Error{ErrorKind::refused, "no output for 30 s", {}};
     }
     if (news <= 0) continue;
     const ssize_t got = ::read(child_.stream(), into.data() + done, into.size() - done);

@@ -19,7 +19,7 @@ class ChildPipe {
   static Result<ChildPipe> start(const std::vector<std::string>& words);
 
   /// Fills `into`; fewer bytes at the end of the output. refused when `stopped`, which is asked ten
-  /// times a second and may be empty, says so, or when nothing comes for half a minute.
+  /// times a second and may be empty, says so, or when nothing comes for 30 s.
   Result<std::size_t> read(std::span<std::uint8_t> into, const std::function<bool()>& stopped);
   /// Waits for its end: whether it was well, and else what it said, on one line.
   Status ended();

@@ -66,7 +66,8 @@ const char* faultOfMesh(const Mesh& mesh) {
 const char* faultOfModel(const Model& model) {
   const std::size_t links = model.links.size();
   const std::size_t joints = model.joints.size();
-  if (links == 0 ? model.root != 0 : model.root >= links) return "a root that is no link";
+  if (links == 0 ? model.root != 0 : model.root >= links)
+    return "the root is not a link of the model";
   if (!namesAreWithin(model.link_by_name, links) || !namesAreWithin(model.joint_by_name, joints)) {
     return "a name of no link or joint";
   }

@@ -24,7 +24,7 @@ namespace rocinante {
 namespace {
 
 /// A request with all its names resolved.
-struct FoundFrame {
+struct PreparedFrame {
   ViewChoice choice;
   const SessionState* state = nullptr;  // valid until the next query of the session
   PosedScene scene;                     // borrows from it
@@ -67,17 +67,17 @@ struct FrameMaker::Impl {
     return session->stateAt(time, &damage);
   }
   Result<CameraView> cameraNamed(const std::string& name, const FrameRequest& request,
-                                 const FoundFrame& found, int width, int height);
+                                 const PreparedFrame& found, int width, int height);
   bool asksFit(const FrameRequest& request) const;
-  Status placeCameras(const FrameRequest& request, FoundFrame& found);
-  Status placeBackdrop(LogTime time, const std::string& main_camera, FoundFrame& found);
-  Result<FoundFrame> find(const FrameRequest& request, StateDamage* damage);
-  Result<FoundFrame> findDamaged(const FrameRequest& request, StateDamage& damage);
-  void addPanel(LogTime time, const FoundFrame& found, Picture& picture);
-  Status findRates(LogTime time, StateDamage& damage, FoundFrame& found);
+  Status placeCameras(const FrameRequest& request, PreparedFrame& found);
+  Status placeBackdrop(LogTime time, const std::string& main_camera, PreparedFrame& found);
+  Result<PreparedFrame> find(const FrameRequest& request, StateDamage* damage);
+  Result<PreparedFrame> findDamaged(const FrameRequest& request, StateDamage& damage);
+  void addPanel(LogTime time, const PreparedFrame& found, Picture& picture);
+  Status findRates(LogTime time, StateDamage& damage, PreparedFrame& found);
   Result<const DetailRung*> prepareRung(int detail);
   /// Draws all but the panel into `view`.
-  Status draw(const FrameRequest& request, const FoundFrame& found);
+  Status draw(const FrameRequest& request, const PreparedFrame& found);
   Status prepareNumbers(const FrameRequest& request);
 
   Cell cell;
@@ -114,7 +114,8 @@ Status FrameMaker::Impl::checkTime(LogTime time) const {
 
 Result<CameraView> FrameMaker::Impl::cameraNamed(const std::string& name,
                                                  const FrameRequest& request,
-                                                 const FoundFrame& found, int width, int height) {
+                                                 const PreparedFrame& found, int width,
+                                                 int height) {
   if (name.empty() && !cell.cameras.empty()) {
     // The cell's cameras come first in the scene.
     return viewOf(found.scene.cameras.front());
@@ -136,7 +137,7 @@ bool FrameMaker::Impl::asksFit(const FrameRequest& request) const {
              insets, [](const CellInset& inset) { return FittedCameras::knows(inset.camera); });
 }
 
-Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& found) {
+Status FrameMaker::Impl::placeCameras(const FrameRequest& request, PreparedFrame& found) {
   auto camera = cameraNamed(request.camera, request, found, request.width, request.height);
   if (!camera) return camera.error();
   found.camera = *camera;
@@ -161,7 +162,7 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& f
 }
 
 Status FrameMaker::Impl::placeBackdrop(LogTime time, const std::string& main_camera,
-                                       FoundFrame& found) {
+                                       PreparedFrame& found) {
   found.main_has_backdrop = main_camera == backdrop_camera;
   bool any = found.main_has_backdrop;
   for (std::size_t i = 0; i < found.insets.size(); ++i) {
@@ -176,7 +177,7 @@ Status FrameMaker::Impl::placeBackdrop(LogTime time, const std::string& main_cam
   return {};
 }
 
-Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request, StateDamage* damage) {
+Result<PreparedFrame> FrameMaker::Impl::find(const FrameRequest& request, StateDamage* damage) {
   StateDamage its;
   auto found = findDamaged(request, its);
   if (!found || its.empty()) return found;
@@ -185,7 +186,8 @@ Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request, StateDama
   return found;
 }
 
-Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, StateDamage& damage) {
+Result<PreparedFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request,
+                                                    StateDamage& damage) {
   if (Status inside = checkTime(request.time); !inside) return inside.error();
   if (!(request.scale >= kLeastScale && request.scale <= kLargestScale)) {
     return Error{ErrorKind::bad_argument,
@@ -193,7 +195,7 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
                  {}};
   }
   if (Status current = context->makeCurrent(); !current) return current.error();
-  FoundFrame found;
+  PreparedFrame found;
   found.terms = request;
   if (beside) found.terms.style.ghosts = GhostStyle::clear;
   const auto rung = prepareRung(request.detail);
@@ -239,7 +241,7 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
   return found;
 }
 
-Status FrameMaker::Impl::findRates(LogTime time, StateDamage& damage, FoundFrame& found) {
+Status FrameMaker::Impl::findRates(LogTime time, StateDamage& damage, PreparedFrame& found) {
   if (!rates) {
     auto reader = LogReader::open(session->log().name());
     if (!reader) return reader.error();
@@ -251,7 +253,7 @@ Status FrameMaker::Impl::findRates(LogTime time, StateDamage& damage, FoundFrame
   return {};
 }
 
-void FrameMaker::Impl::addPanel(LogTime time, const FoundFrame& found, Picture& picture) {
+void FrameMaker::Impl::addPanel(LogTime time, const PreparedFrame& found, Picture& picture) {
   const std::string shown = session ? secondsText(time - session->origin(), 3) + " s" : "";
   drawPanel(picture, panelRows(shown, found.scene, *found.state, found.counted),
             renderer->text(found.terms.scale), found.terms.scale);
@@ -274,7 +276,7 @@ Result<const DetailRung*> FrameMaker::Impl::prepareRung(int detail) {
   return &rung;
 }
 
-Status FrameMaker::Impl::draw(const FrameRequest& request, const FoundFrame& found) {
+Status FrameMaker::Impl::draw(const FrameRequest& request, const PreparedFrame& found) {
   Status ready =
       view.prepare(renderer->gl(), request.width, request.height, request.samples, *found.rung);
   if (!ready) return ready.error();

@@ -280,7 +280,7 @@ int LwsServer::request(lws* wsi, std::string_view path) {
     return sendFile(wsi, {}, "application/octet-stream", content_.log_bytes);
   }
   if (path == "/live") return answerText(wsi, 426, "This is a WebSocket of rocinante.v1.");
-  return answerText(wsi, 404, "There is nothing here: the page is at /.");
+  return answerText(wsi, 404, "Not found. The page is at /.");
 }
 
 int LwsServer::sendFile(lws* wsi, std::string_view text, const std::string& type,

@@ -8,7 +8,7 @@ namespace rocinante {
 
 Status WebLive::take(ByteView message) {
   const auto malformed = [] {
-    return Error{ErrorKind::damaged, "the server sent something that is no live message", {}};
+    return Error{ErrorKind::damaged, "the server sent an invalid live message", {}};
   };
   auto reader = LiveMessageReader::of(message);
   if (!reader) return malformed();

@@ -53,7 +53,7 @@ void DeviceJudge::appearInCell(const Model* model, Standing standing) {
   in_cell_ = is_known_ = true;
   is_optional_ = standing != Standing::there;
   is_ghost_ = standing == Standing::ghost;
-  if (standing != Standing::optional) presence_.beThere();
+  if (standing != Standing::optional) presence_.markPresent();
   useModel(model);
 }
 

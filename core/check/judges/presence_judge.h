@@ -9,7 +9,7 @@ namespace rocinante {
 class PresenceJudge {
  public:
   /// The device is in the cell from the start.
-  void beThere() { state_ = State::there; }
+  void markPresent() { state_ = State::there; }
 
   void add(const PacketPlace& place);
   void remove(const PacketPlace& place);

@@ -15,8 +15,8 @@ namespace rocinante {
 
 struct RecordingRequest {
   std::filesystem::path recording;  ///< a log, or what another program recorded, also as a folder
-  std::filesystem::path cell;       ///< whose devices are meant; empty: those of the recording
-  std::string device;               ///< of what names no other; empty: none
+  std::filesystem::path cell;       ///< names the devices; empty: the recording does
+  std::string device;               ///< for joints and frames that name none; empty: none
   ModelSearch search;               ///< for the meshes of a robot description
   /// Called now and then with the part that is done, 0 to 1; an error ends the work.
   std::function<Status(double)> progress;

@@ -14,7 +14,7 @@
 namespace rocinante {
 namespace {
 
-using Fate = ros::DeviceFinder::Fate;
+using JointMatch = ros::DeviceFinder::JointMatch;
 
 constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMaxNamed = 1024;
@@ -137,8 +137,8 @@ void RowTranslation::findHomes(std::string_view topic, std::span<const std::stri
   for (std::size_t i = 0; i < homes.size(); ++i) {
     const auto column = tableColumn(names_[places[i]]);
     const std::string quantity(column ? column->quantity : "");
-    switch (homes[i].fate) {
-      case Fate::said:
+    switch (homes[i].match) {
+      case JointMatch::driven:
         if (isSignalOf(homes[i].device, homes[i].name)) {
           addSignal({deviceOfPlain(topic), {"", homes[i].name + quantity}}, places[i]);
         } else if (!quantity.empty()) {
@@ -147,13 +147,13 @@ void RowTranslation::findHomes(std::string_view topic, std::span<const std::stri
           addJoint(homes[i].device, homes[i].name, places[i]);
         }
         break;
-      case Fate::ambiguous:
+      case JointMatch::ambiguous:
         unused_.push_back({places[i], kManyDevices, Severity::warning});
         break;
-      case Fate::passive:
+      case JointMatch::passive:
         unused_.push_back({places[i], kPassive, Severity::note});
         break;
-      case Fate::unknown:
+      case JointMatch::unknown:
         // As written, so that `check` can name the device that the cell lacks.
         if (column && !column->pose_part && !column->device.empty()) {
           addJoint(std::string(column->device), std::string(column->joint), places[i]);

@@ -29,12 +29,12 @@
 namespace rocinante::ros {
 
 struct ImportOptions {
-  const Cell* cell = nullptr;          ///< whose devices are meant; null: the bag's own, or none
+  const Cell* cell = nullptr;          ///< names the devices; null: the bag does, or none
   const CellBundle* bundle = nullptr;  ///< attached when given
   /// With a cell and no bundle: attach the robot that a bag describes, so that the cell can be
   /// compared with it.
   bool describe = false;
-  std::string device;               ///< of what names no other; empty: none
+  std::string device;               ///< for joints and frames that name none; empty: none
   std::vector<std::string> damage;  ///< known before: of a folder that lacks a file
   /// What the inputs should have; where they have another number, that is damage.
   std::vector<StatedMessages> stated;

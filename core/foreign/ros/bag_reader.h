@@ -41,8 +41,7 @@ struct BagTopic {
   std::string encoding;  ///< "cdr", "ros1", or any other
   std::map<std::string, std::string> metadata;
   std::shared_ptr<const LogSchema> schema;  ///< null: none
-  /// What makes the packets of its messages, when the reader does it itself; empty: RosTranslator,
-  /// where it knows the type.
+  /// Decoder name, if the reader makes the packets; empty: RosTranslator, where it knows the type.
   std::string decoder;
 
   /// Empty for messages that are neither CDR nor of ROS 1.
@@ -85,10 +84,10 @@ class BagReader {
   virtual Account account() const { return {}; }
   /// Copies what the file holds beside messages.
   virtual Status copyExtras(LogWriter&) { return {}; }
-  /// For those that make packets themselves: whose names are meant. Called once, before any
-  /// message; borrowed.
+  /// For those that make packets themselves: the devices that names belong to. Called once, before
+  /// any message; borrowed.
   virtual void useDevices(const DeviceFinder&) {}
-  /// Why they did not, or not of the whole message: a sentence, and of how many messages.
+  /// Reasons for messages not or partly translated, with counts.
   virtual TranslationNotes notesOf(std::size_t) const { return {}; }
   /// The moment that the log's times are shown from; empty: its first message.
   virtual std::optional<LogTime> origin() const { return std::nullopt; }

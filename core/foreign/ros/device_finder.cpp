@@ -151,7 +151,8 @@ bool DeviceFinder::lacksJoint(std::string_view device, std::string_view joint) c
 DeviceFinder::JointHome DeviceFinder::homeOf(std::string_view joint,
                                              const std::optional<std::string>& by_topic) const {
   const auto home = [](const Joint& of, std::string_view name) {
-    return JointHome{of.driven ? Fate::said : Fate::passive, of.device, std::string(name)};
+    return JointHome{of.driven ? JointMatch::driven : JointMatch::passive, of.device,
+                     std::string(name)};
   };
   if (const auto both = prefixed(joint)) {
     if (const Joint* const of = jointOf(both->first, both->second)) return home(*of, both->second);
@@ -160,8 +161,8 @@ DeviceFinder::JointHome DeviceFinder::homeOf(std::string_view joint,
     if (const Joint* const of = jointOf(*by_topic, joint)) return home(*of, joint);
   }
   const auto [first, last] = joints_.equal_range(joint);
-  if (first == last) return {Fate::unknown, {}, std::string(joint)};
-  if (std::next(first) != last) return {Fate::ambiguous, {}, std::string(joint)};
+  if (first == last) return {JointMatch::unknown, {}, std::string(joint)};
+  if (std::next(first) != last) return {JointMatch::ambiguous, {}, std::string(joint)};
   return home(first->second, joint);
 }
 
@@ -172,23 +173,23 @@ std::vector<DeviceFinder::JointHome> DeviceFinder::homesOf(std::string_view topi
   homes.reserve(joints.size());
   const std::optional<std::string> by_topic =
       stated.empty() ? deviceOfTopic(topic) : std::optional(std::string(stated));
-  std::map<std::string, std::size_t> said;  // joints by device
+  std::map<std::string, std::size_t> driven;  // joints by device
   for (const std::string_view joint : joints) {
     homes.push_back(homeOf(joint, by_topic));
-    if (homes.back().fate == Fate::said) ++said[homes.back().device];
+    if (homes.back().match == JointMatch::driven) ++driven[homes.back().device];
   }
   // Unknown joints go to the device that this message is about, so that `check` can name them.
   std::string rest = fallback_;
   std::size_t most = 0;
-  for (const auto& [device, count] : said) {
+  for (const auto& [device, count] : driven) {
     if (count > most) rest = device;
     most = std::max(most, count);
   }
   if (most == 0 && by_topic) rest = *by_topic;
   if (!knowsDevices()) rest = stated.empty() ? madeUpDevice(topic, "robot") : std::string(stated);
   for (JointHome& home : homes) {
-    if (home.fate != Fate::unknown || rest.empty()) continue;
-    home.fate = Fate::said;
+    if (home.match != JointMatch::unknown || rest.empty()) continue;
+    home.match = JointMatch::driven;
     home.device = rest;
   }
   return homes;

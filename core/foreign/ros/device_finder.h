@@ -16,7 +16,7 @@ namespace rocinante::ros {
 /// Knows names only. A plain value; borrows nothing.
 class DeviceFinder {
  public:
-  /// `fallback`: the device of what names no other; empty: none.
+  /// `fallback`: the device for joints and frames that name none; empty: none.
   DeviceFinder(const Cell* cell, std::string fallback);
 
   struct Link {
@@ -55,14 +55,14 @@ class DeviceFinder {
   /// be a misspelling of.
   bool lacksJoint(std::string_view device, std::string_view joint) const;
 
-  enum class Fate : std::uint8_t {
-    said,       ///< of `device`, as joint `name`
+  enum class JointMatch : std::uint8_t {
+    driven,     ///< of `device`, as joint `name`
     passive,    ///< a fixed or mimic joint: not sent
     ambiguous,  ///< a joint of several devices
     unknown,    ///< of no device
   };
   struct JointHome {
-    Fate fate = Fate::unknown;
+    JointMatch match = JointMatch::unknown;
     std::string device, name;
   };
   /// Where the joints of one message belong, in their order. `stated`: the device that goes before

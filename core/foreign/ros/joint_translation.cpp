@@ -102,11 +102,12 @@ class JointTranslation final : public TopicTranslation {
     const std::vector<DeviceFinder::JointHome> homes = devices_.homesOf(topic_, names, stated_);
     for (std::size_t i = 0; i < homes.size(); ++i) {
       const DeviceFinder::JointHome& home = homes[i];
-      if (home.fate == DeviceFinder::Fate::said && isName(home.name) && isName(home.device)) {
+      if (home.match == DeviceFinder::JointMatch::driven && isName(home.name) &&
+          isName(home.device)) {
         addToPlan(home, i);
-      } else if (home.fate == DeviceFinder::Fate::ambiguous) {
+      } else if (home.match == DeviceFinder::JointMatch::ambiguous) {
         leaveOut("joint states with joints of several devices; name the device in the topic");
-      } else if (home.fate == DeviceFinder::Fate::passive) {
+      } else if (home.match == DeviceFinder::JointMatch::passive) {
         ++passive_names_;
       } else {
         leaveOut("joint states with joints of no device; `log import --device` names one");

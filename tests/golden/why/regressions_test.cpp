@@ -442,7 +442,7 @@ void breakRobot(const std::string& file, const Vec3& eye, const Vec3& target,
   }
 }
 
-TEST(Regressions, OfRealRobotsAreLaidToTheRightLink) {
+TEST(Regressions, OfRealRobotsAreAssignedToTheRightLink) {
   ROCINANTE_NEEDS_SHARED_DATA("robots");
   if (std::getenv("ROCINANTE_LONG") == nullptr) {
     GTEST_SKIP() << "four robots, each joint and link; ROCINANTE_LONG=1 runs it";

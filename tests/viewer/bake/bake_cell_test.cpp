@@ -346,7 +346,8 @@ TEST(BakeCellTest, FaultsAreNamed) {
   };
   const std::string models = "in the baked cell's models: ";
   EXPECT_EQ(faultAfter([](Model&) {}), "");
-  EXPECT_EQ(faultAfter([](Model& m) { m.root = 3; }), models + "a root that is no link (baked)");
+  EXPECT_EQ(faultAfter([](Model& m) { m.root = 3; }),
+            models + "the root is not a link of the model (baked)");
   EXPECT_EQ(faultAfter([](Model& m) { m.joints[0].parent = 7; }),
             models + "a joint without links (baked)");
   EXPECT_EQ(faultAfter([](Model& m) { m.joints[1].mimic->joint = 1; }),

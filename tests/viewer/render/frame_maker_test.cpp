@@ -99,7 +99,7 @@ TEST_F(FrameMakerTest, ViewsOfTheSessionAreCamerasOnceTheyWereSaid) {
   request.time = test::sessionTime(4499);
   const auto early = maker.frame(request);
   ASSERT_FALSE(early.has_value());
-  EXPECT_EQ(early.error().what, "unknown camera `side`: there is none");
+  EXPECT_EQ(early.error().what, "unknown camera `side`: there are none");
 }
 
 TEST_F(FrameMakerTest, AnUnknownCameraIsAnsweredWithThoseThereAre) {

@@ -108,7 +108,7 @@ TEST_F(NamesOfAPicture, ACameraThatCannotStandIsNamedWithItsFault) {
   const auto bad = loadCell(folder_ / "bad.toml", {});
   ASSERT_TRUE(bad.ok()) << bad.error().text();
   EXPECT_EQ(KnownNames(*bad).checkCamera("here").error().text(),
-            "unknown camera `here`: there is none; the cell has an error: " +
+            "unknown camera `here`: there are none; the cell has an error: " +
                 (folder_ / "bad.toml").string() +
                 ":5:10: error: `eye` and `target` are the same point [cell.no-direction]");
 }

@@ -26,7 +26,7 @@ Status setBackdropOpacity(CommandWords words, const CommandStage& stage) {
   const auto opacity = numberOf(words[0]);
   if (!opacity.ok()) return opacity.error();
   if (!(*opacity >= 0 && *opacity <= 1)) {
-    return badWord(fmt::format("`{}` is no opacity, 0 to 1", words[0]));
+    return badWord(fmt::format("`{}` is not an opacity: give 0 to 1", words[0]));
   }
   (*backdrop)->opacity = *opacity;
   return {};

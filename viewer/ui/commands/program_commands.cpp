@@ -331,7 +331,7 @@ std::vector<Command> programCommands() {
        .run = setTheme},
       {.name = "help",
        .arguments = "[on|off]",
-       .means = "all of this, on the picture",
+       .means = "show all keys and commands over the picture",
        .run = setHelp,
        .shortcuts = {{"F1", "", ""}},
        .keys_shown = "? or F1"},

@@ -63,7 +63,7 @@ SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
 
 struct LiveFeed::Impl {
   /// What the window takes in one call.
-  struct Mail {
+  struct Inbox {
     LiveFigures figures;
     StateChanges changes;
     std::optional<std::vector<LiveSource>> sources;  ///< if they changed
@@ -80,8 +80,8 @@ struct LiveFeed::Impl {
   Sources sources;
   std::unique_ptr<LiveKeeper> keeper;
   std::string keeping_fault;
-  std::atomic<Mail*> mailbox{nullptr};
-  std::atomic<Mail*> returned{nullptr};  ///< taken, and empty again
+  std::atomic<Inbox*> ready{nullptr};
+  std::atomic<Inbox*> returned{nullptr};  ///< taken, and empty again
   std::atomic<bool> stop{false};
   std::mutex wake_mutex;
   std::function<void()> wake;  ///< guarded by wake_mutex
@@ -91,7 +91,7 @@ struct LiveFeed::Impl {
   // Of the network's thread.
   SessionState state;
   LiveFigures figures;
-  std::unique_ptr<Mail> mail = std::make_unique<Mail>();  ///< being filled
+  std::unique_ptr<Inbox> inbox = std::make_unique<Inbox>();  ///< being filled
   bool whole = false;  ///< too much has changed: the state is handed over as a copy
   std::optional<SessionClock> clock;
   std::optional<ReceivedDecoder> octets;  ///< empty: without decoders
@@ -100,7 +100,7 @@ struct LiveFeed::Impl {
   ~Impl() {
     stop.store(true);
     if (thread.joinable()) thread.join();
-    delete mailbox.exchange(nullptr);
+    delete ready.exchange(nullptr);
     delete returned.exchange(nullptr);
   }
 
@@ -162,7 +162,7 @@ void LiveFeed::Impl::take(std::uint32_t endpoint, const ReceivedDatagram& datagr
     return;
   }
   state.apply(figures.time, *packet);
-  whole = whole || !mail->changes.add(figures.time, said, state);
+  whole = whole || !inbox->changes.add(figures.time, said, state);
 }
 
 /// Tells the keeper what was lost, and up to when everything was received.
@@ -181,14 +181,14 @@ void LiveFeed::Impl::tellKeeper() {
   keeper->pass(drained_until);
 }
 
-/// Fails when the window has not taken the last mail.
+/// Fails when the window has not taken the last inbox.
 bool LiveFeed::Impl::handOver() {
-  if (mailbox.load(std::memory_order_acquire) != nullptr) return false;
-  mail->figures = figures;
-  if (std::exchange(whole, false)) mail->changes.replaceBy(state);
-  mailbox.store(mail.release(), std::memory_order_release);
-  mail.reset(returned.exchange(nullptr, std::memory_order_acq_rel));
-  if (!mail) mail = std::make_unique<Mail>();
+  if (ready.load(std::memory_order_acquire) != nullptr) return false;
+  inbox->figures = figures;
+  if (std::exchange(whole, false)) inbox->changes.replaceBy(state);
+  ready.store(inbox.release(), std::memory_order_release);
+  inbox.reset(returned.exchange(nullptr, std::memory_order_acq_rel));
+  if (!inbox) inbox = std::make_unique<Inbox>();
   const std::lock_guard lock(wake_mutex);
   if (wake) wake();
   return true;
@@ -219,7 +219,7 @@ void LiveFeed::Impl::run() {
     const SteadyTime now = steadyNow();
     meter.add(now, count);
     if (watch.look(now, state.counts())) {
-      mail->sources = watch.sources();
+      inbox->sources = watch.sources();
       figures.gaps = 0;
       for (const auto& [source, counts] : state.counts()) figures.gaps += counts.gap;
       news = true;
@@ -287,12 +287,12 @@ Result<LiveFeed> LiveFeed::start(const std::vector<Endpoint>& endpoints,
 }
 
 bool LiveFeed::update(LiveSnapshot& live) {
-  std::unique_ptr<Impl::Mail> mail(impl_->mailbox.exchange(nullptr, std::memory_order_acq_rel));
-  if (!mail) return false;
-  static_cast<LiveFigures&>(live) = std::move(mail->figures);
-  std::move(mail->changes).applyTo(live.state, *impl_->window_decoder);
-  if (mail->sources) live.sources = *std::exchange(mail->sources, std::nullopt);
-  delete impl_->returned.exchange(mail.release(), std::memory_order_acq_rel);
+  std::unique_ptr<Impl::Inbox> inbox(impl_->ready.exchange(nullptr, std::memory_order_acq_rel));
+  if (!inbox) return false;
+  static_cast<LiveFigures&>(live) = std::move(inbox->figures);
+  std::move(inbox->changes).applyTo(live.state, *impl_->window_decoder);
+  if (inbox->sources) live.sources = *std::exchange(inbox->sources, std::nullopt);
+  delete impl_->returned.exchange(inbox.release(), std::memory_order_acq_rel);
   return true;
 }
 

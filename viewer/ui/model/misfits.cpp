@@ -51,7 +51,8 @@ std::string whatDoesNotFit(const Model& model, const DeviceState& state) {
 
 }  // namespace
 
-std::vector<Misfit> misfits(const Cell& cell, const PosedScene& scene, const SessionState& state) {
+std::vector<Misfit> mismatchedDevices(const Cell& cell, const PosedScene& scene,
+                                      const SessionState& state) {
   std::vector<Misfit> found;
   for (const auto& [name, device] : state.devices()) {
     if (isRemoved(device)) continue;
@@ -66,7 +67,7 @@ std::vector<Misfit> misfits(const Cell& cell, const PosedScene& scene, const Ses
 std::string whyNoSession(const Cell& cell, const SessionState& last) {
   if (last.sources().empty() && last.devices().empty()) return "has no packets";
   if (!cell.bare_model.empty()) return {};  // any device fits
-  const std::vector<Misfit> found = misfits(cell, poseScene(cell, last), last);
+  const std::vector<Misfit> found = mismatchedDevices(cell, poseScene(cell, last), last);
   const bool fits = std::ranges::any_of(last.devices(), [&](const auto& named) {
     const DeviceState& said = named.second;
     const bool is_moved = said.pose || said.joints || !said.named_joints.empty();

@@ -15,7 +15,8 @@ struct Misfit {
 
 /// At most one per device, by name. Devices that wait for their `add` and removed ones do not
 /// count. Pure; `rocinante check` checks far more.
-std::vector<Misfit> misfits(const Cell& cell, const PosedScene& scene, const SessionState& state);
+std::vector<Misfit> mismatchedDevices(const Cell& cell, const PosedScene& scene,
+                                      const SessionState& state);
 
 /// Why a session that ends with this state is none of the cell: no packet came, or no device that
 /// is moved in it fits. A sentence's rest ("has no packets"); empty: it may be one. Pure.

@@ -157,9 +157,9 @@ Result<bool> ViewModel::update(SteadyTime now) {
     if (auto posed = pose(moment); !posed) return posed.error();
     follow();
     // Checking thousands of devices for each frame would cost as much as posing them.
-    if (!feed_ || !misfits_at_ || now - *misfits_at_ >= std::chrono::milliseconds(500)) {
-      misfits_ = rocinante::misfits(*cell_, scene_, *state_);
-      misfits_at_ = now;
+    if (!feed_ || !mismatched_at_ || now - *mismatched_at_ >= std::chrono::milliseconds(500)) {
+      mismatched_ = rocinante::mismatchedDevices(*cell_, scene_, *state_);
+      mismatched_at_ = now;
     }
     nearest_is_old_ = true;
   }
@@ -171,7 +171,7 @@ Status ViewModel::pose(LogTime moment) {
   prepareExtras(style_, *cell_, scene_, *state_, clearances_, extras_);
   publishing.addTo(scene_);
   if (feed_ && showsNow()) {
-    // Nobody points there any more.
+    // That window's pointer has gone silent: drop it.
     std::erase_if(scene_.drawings, [this](const PosedDrawing& drawing) {
       return (drawing.id == Publisher::kPointer || drawing.id == Publisher::kPointerName) &&
              others_.isSilent(drawing.source);

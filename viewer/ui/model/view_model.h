@@ -110,7 +110,7 @@ class ViewModel {
   /// Since the last datagram of a live session, or since it began; empty: it is not live.
   std::optional<Nanoseconds> liveSilence(SteadyTime now) const;
   /// Received data that does not fit the cell; in a live session at most half a second old.
-  const std::vector<Misfit>& misfits() const { return misfits_; }
+  const std::vector<Misfit>& mismatchedDevices() const { return mismatched_; }
   /// Damage of the log that affects the picture, and any picture shown so far.
   const StateDamage& damage() const { return damage_; }
   const StateDamage& seenDamage() const { return seen_damage_; }
@@ -301,8 +301,8 @@ class ViewModel {
   std::optional<TrailFinder> trail_finder_;
   std::optional<ClearanceGauge> clearances_;  // made on first use
   FrameExtras extras_;
-  std::vector<Misfit> misfits_;
-  std::optional<SteadyTime> misfits_at_;
+  std::vector<Misfit> mismatched_;
+  std::optional<SteadyTime> mismatched_at_;
   std::vector<Event> events_;
   std::optional<BesideSession> beside_;  // borrows *cell_
   bool beside_was_shown_ = true;
@@ -314,7 +314,7 @@ class ViewModel {
   std::unique_ptr<NearestStudy> nearest_;  // borrows *cell_
   std::unique_ptr<EndpointSurvey> survey_;
   std::optional<NearestFound> nearest_found_;
-  std::optional<NearestWish> nearest_asked_;
+  std::optional<NearestQuery> nearest_asked_;
   bool nearest_is_old_ = false;  ///< what is shown has changed since it was asked
   std::set<std::string> hidden_, shown_paths_;
   ViewChoice choice_;

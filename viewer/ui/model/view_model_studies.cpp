@@ -75,7 +75,7 @@ bool ViewModel::isStudyBusy() const {
 }
 
 bool ViewModel::lookForNearest() {
-  NearestWish wish{selected.device, viewer.reference.device};
+  NearestQuery wish{selected.device, viewer.reference.device};
   if (wish.other == wish.device) wish.other.clear();
   const bool wanted = viewer.nearest_wanted && !wish.device.empty();
   if (wanted) {

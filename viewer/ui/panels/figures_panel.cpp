@@ -172,7 +172,7 @@ void drawBeside(ViewModel& model, SteadyTime now) {
 /// Draws received data that does not fit the cell.
 void drawMisfits(const ViewModel& model) {
   constexpr std::size_t kMaxNamed = 8;
-  const std::vector<Misfit>& misfits = model.misfits();
+  const std::vector<Misfit>& misfits = model.mismatchedDevices();
   if (misfits.empty() || !model.cell().bare_model.empty()) return;
   ImGui::TextColored(panelInk(PanelColor::fault), "%s",
                      (countText(misfits.size(), "device") +

@@ -85,7 +85,7 @@ void drawPalette(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
   palette.chosen = std::min(palette.chosen, entries.empty() ? 0 : entries.size() - 1);
 
   const PaletteEntry* picked = nullptr;
-  if (entries.empty()) ImGui::TextDisabled("no command is called so");
+  if (entries.empty()) ImGui::TextDisabled("no matching command");
   const float pitch = ImGui::GetTextLineHeightWithSpacing();
   const auto rows = static_cast<float>(std::min<std::size_t>(entries.size(), kLinesShown));
   ImGui::BeginChild("entries", ImVec2(0, rows * pitch));

@@ -103,7 +103,7 @@ TimeAxis timeAxis(const ViewModel& model, float room) {
 void askStudy(ViewModel& model, const TimeAxis& axis) {
   LogStudy* const study = model.study();
   if (study == nullptr) return;
-  StudyWish wish;
+  StudyQuery wish;
   wish.from = axis.from;
   wish.until = axis.until;
   wish.columns = wish.strip_columns = columnsOf(axis.width);
@@ -123,7 +123,7 @@ void askStudy(ViewModel& model, const TimeAxis& axis) {
   model.viewer.picture_beside.reset();
   if (study_beside == nullptr) return;
   const EventAlignment& alignment = model.beside()->alignment();
-  StudyWish wish_beside = wish;
+  StudyQuery wish_beside = wish;
   wish_beside.from = alignment.inB(wish.from);
   wish_beside.until = alignment.inB(wish.until);
   if (const auto picture = study_beside->show(wish_beside)) {

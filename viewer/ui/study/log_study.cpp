@@ -38,22 +38,22 @@ struct LogStudy::Impl {
   Status begin(const std::stop_token& stop);
   Status read(LogScan& scan, const std::function<bool()>& goes_on);
   Status readAll(const std::stop_token& stop);
-  Status readChosen(const StudyWish& wish, const std::stop_token& stop);
+  Status readChosen(const StudyQuery& wish, const std::stop_token& stop);
   Result<bool> readMore(const std::stop_token& stop);
-  Status answer(const StudyWish& wish, const std::stop_token& stop);
-  Status refine(const StudyWish& wish, const std::stop_token& stop);
-  bool isFineEnough(const StudyWish& wish) const;
+  Status answer(const StudyQuery& wish, const std::stop_token& stop);
+  Status refine(const StudyQuery& wish, const std::stop_token& stop);
+  bool isFineEnough(const StudyQuery& wish) const;
   const LogScan* scanOf(const SeriesKey& key) const;
-  void publish(const StudyWish& wish, const LogScan* refined, bool whole);
+  void publish(const StudyQuery& wish, const LogScan* refined, bool whole);
   LogTime reachedBy(const LogScan& scan) const;
-  Result<std::string> tableOf(const TableWish& wish, const std::stop_token& stop);
+  Result<std::string> tableOf(const TableQuery& wish, const std::stop_token& stop);
   Result<SessionState> stateAt(LogTime moment);
-  StudyWish wished() {
+  StudyQuery wished() {
     const std::lock_guard lock(mutex);
     return newest;
   }
 
-  // Of the thread.
+  // Only the worker thread touches these.
   const Cell& cell;
   PositionalNames names;
   std::filesystem::path log;
@@ -71,12 +71,12 @@ struct LogStudy::Impl {
   std::mutex mutex;
   std::condition_variable_any asked, answered;
   // Guarded by mutex.
-  StudyWish newest;
+  StudyQuery newest;
   std::uint64_t wishes = 0;         ///< number of the newest
   std::uint64_t whole_answers = 0;  ///< number of the newest answered wholly
   std::shared_ptr<const StudyPicture> picture;
   bool news = false;
-  std::optional<TableWish> table_wish;
+  std::optional<TableQuery> table_wish;
   bool table_busy = false;
   std::optional<Result<std::string>> made_table;
   std::string fault;
@@ -121,10 +121,10 @@ Status LogStudy::Impl::begin(const std::stop_token& stop) {
 /// Reads to the end, and shows what is known meanwhile.
 Status LogStudy::Impl::read(LogScan& scan, const std::function<bool()>& goes_on) {
   SteadyTime shown = std::chrono::steady_clock::now();
-  StudyWish last;
+  StudyQuery last;
   while (!scan.ended() && goes_on()) {
     if (Status read = scan.step(); !read) return read;
-    const StudyWish wanted = wished();
+    const StudyQuery wanted = wished();
     if (wanted.strip_columns == 0 && wanted.columns == 0) continue;
     if (wanted == last && std::chrono::steady_clock::now() - shown < kShowEvery) continue;
     publish(wanted, nullptr, false);
@@ -142,7 +142,7 @@ Status LogStudy::Impl::readAll(const std::stop_token& stop) {
 }
 
 /// What packets do not state themselves is gathered by another pass, for all that is wished of it.
-Status LogStudy::Impl::readChosen(const StudyWish& wish, const std::stop_token& stop) {
+Status LogStudy::Impl::readChosen(const StudyQuery& wish, const std::stop_token& stop) {
   std::set<SeriesKey> keys = chosenKeys(wish);
   if (std::ranges::includes(chosen_keys, keys)) return {};
   const bool grows = !all->isComplete();
@@ -196,7 +196,7 @@ Result<SessionState> LogStudy::Impl::stateAt(LogTime moment) {
 }
 
 /// A bin that is known is no wider than a pixel.
-bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
+bool LogStudy::Impl::isFineEnough(const StudyQuery& wish) const {
   return std::ranges::all_of(wish.values(), [&](const SeriesKey& key) {
     const LogScan* const scan = key.isValue() ? scanOf(key) : nullptr;
     return scan == nullptr || scan->isFine(key, wish.pixel());
@@ -204,7 +204,7 @@ bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
 }
 
 /// Reads the part that is shown once more, and a little on both sides, until another wish comes.
-Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop) {
+Status LogStudy::Impl::refine(const StudyQuery& wish, const std::stop_token& stop) {
   const Nanoseconds span = wish.until - wish.from;
   const Nanoseconds pixel = wish.pixel();
   std::set<SeriesKey> keys = wish.values();
@@ -252,7 +252,7 @@ LogTime LogStudy::Impl::reachedBy(const LogScan& scan) const {
 }
 
 /// `refined`: has the values of the shown part; null: those that are known of all.
-void LogStudy::Impl::publish(const StudyWish& wish, const LogScan* refined, bool whole) {
+void LogStudy::Impl::publish(const StudyQuery& wish, const LogScan* refined, bool whole) {
   auto made = std::make_shared<StudyPicture>();
   made->wish = wish;
   made->reached = all->ended() ? end : all->series().reached();
@@ -271,8 +271,8 @@ void LogStudy::Impl::publish(const StudyWish& wish, const LogScan* refined, bool
   }
   const LogScan& shown = refined != nullptr ? *refined : *all;
   made->units = unitsUntil(wish, all->series(), shown.series(), reachedBy(shown));
-  StudyWish finer = wish;
-  finer.columns = StudyWish::kPathColumns;
+  StudyQuery finer = wish;
+  finer.columns = StudyQuery::kPathColumns;
   const auto finely = [&](const SeriesKey& key) {
     const LogScan* const scan = refined != nullptr ? refined : scanOf(key);
     if (scan == nullptr) return std::vector<ValueColumn>();
@@ -292,14 +292,14 @@ void LogStudy::Impl::publish(const StudyWish& wish, const LogScan* refined, bool
   news = true;
 }
 
-Result<std::string> LogStudy::Impl::tableOf(const TableWish& wish, const std::stop_token& stop) {
+Result<std::string> LogStudy::Impl::tableOf(const TableQuery& wish, const std::stop_token& stop) {
   const auto state_at = [this](LogTime moment) { return stateAt(moment); };
   const auto goes_on = [&stop] { return !stop.stop_requested(); };
   return writePlottedTable(wish, {cell, names, log, start, all->series(), state_at, goes_on});
 }
 
 /// A log that grows is known as finely as it was gathered.
-Status LogStudy::Impl::answer(const StudyWish& wish, const std::stop_token& stop) {
+Status LogStudy::Impl::answer(const StudyQuery& wish, const std::stop_token& stop) {
   if (Status done = readChosen(wish, stop); !done) return done;
   const bool fine = !all->isComplete() || isFineEnough(wish);
   publish(wish, nullptr, fine);
@@ -322,9 +322,9 @@ void LogStudy::Impl::work(const std::stop_token& stop) {
   };
   if (!read) fail(read.error());
   while (!stop.stop_requested()) {
-    StudyWish wanted;
+    StudyQuery wanted;
     std::uint64_t number = 0;
-    std::optional<TableWish> next_table;
+    std::optional<TableQuery> next_table;
     bool is_asked = false;
     {
       std::unique_lock lock(mutex);
@@ -357,10 +357,10 @@ void LogStudy::Impl::work(const std::stop_token& stop) {
   }
 }
 
-std::shared_ptr<const StudyPicture> LogStudy::show(const StudyWish& wish) {
+std::shared_ptr<const StudyPicture> LogStudy::show(const StudyQuery& wish) {
   Impl& impl = *impl_;
   std::unique_lock lock(impl.mutex);
-  StudyWish bounded = wish;
+  StudyQuery bounded = wish;
   bounded.columns = std::min(wish.columns, kMaxColumns);
   bounded.strip_columns = std::min(wish.strip_columns, kMaxColumns);
   if (!(bounded == impl.newest) || impl.wishes == 0) {
@@ -387,7 +387,7 @@ void LogStudy::writeTable(std::vector<SeriesKey> keys, LogTime from, LogTime unt
                           std::filesystem::path path) {
   Impl& impl = *impl_;
   std::unique_lock lock(impl.mutex);
-  impl.table_wish = TableWish{std::move(keys), from, until, std::move(path)};
+  impl.table_wish = TableQuery{std::move(keys), from, until, std::move(path)};
   impl.asked.notify_all();
   if (waits) impl.answered.wait(lock, [&] { return impl.made_table.has_value(); });
 }

@@ -27,9 +27,9 @@ class LogStudy {
   LogStudy(const LogStudy&) = delete;
   LogStudy& operator=(const LogStudy&) = delete;
 
-  /// Asks for a picture, and returns the newest there is, which may answer an earlier wish or show
-  /// less; null: none yet. When `waits`, it returns the answer, whole.
-  std::shared_ptr<const StudyPicture> show(const StudyWish& wish);
+  /// Requests a picture and returns the latest; it may be of an earlier request, or show less.
+  /// Null: none yet. When `waits`, it returns the picture of this request, whole.
+  std::shared_ptr<const StudyPicture> show(const StudyQuery& wish);
   bool waits = false;
   /// True when there is a picture that show() has not returned.
   bool hasNews() const;

@@ -7,7 +7,7 @@
 
 namespace rocinante {
 
-/// Of the thread.
+/// Only the worker thread touches it.
 class MomentStudy::Poser {
  public:
   explicit Poser(const Cell& cell) : poses_(cell) {}

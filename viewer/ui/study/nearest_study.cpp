@@ -7,22 +7,22 @@
 
 namespace rocinante {
 
-/// Of the thread.
+/// Only the worker thread touches it.
 class NearestStudy::Gauge {
  public:
   explicit Gauge(const Cell& cell) : cell_(cell) {}
   NearestFound answer(const Question& question);
 
  private:
-  void measureFor(const NearestWish& wish);
+  void measureFor(const NearestQuery& wish);
 
   Cell cell_;  // a copy whose clearances are the wish; models are shared
   // Of the last wish. A device's own patterns would be read as patterns: `chosen` is exact.
-  NearestWish measured_;
+  NearestQuery measured_;
   std::optional<ClearanceGauge> gauge_;
 };
 
-void NearestStudy::Gauge::measureFor(const NearestWish& wish) {
+void NearestStudy::Gauge::measureFor(const NearestQuery& wish) {
   if (gauge_ && measured_ == wish) return;
   measured_ = wish;
   gauge_.reset();
@@ -65,7 +65,7 @@ NearestStudy::NearestStudy(const Cell& cell)
         return gauge.answer(question);
       }) {}
 
-bool NearestStudy::ask(const NearestWish& wish, const SessionState& state, LogTime moment) {
+bool NearestStudy::ask(const NearestQuery& wish, const SessionState& state, LogTime moment) {
   if (worker_.isBusy()) return false;
   worker_.ask({wish, state, moment});
   return true;

@@ -11,15 +11,15 @@
 namespace rocinante {
 
 /// Which distance is wanted: of a device from another one, or from the nearest other.
-struct NearestWish {
+struct NearestQuery {
   std::string device;
   std::string other;  ///< empty: the nearest
-  bool operator==(const NearestWish&) const = default;
+  bool operator==(const NearestQuery&) const = default;
 };
 
 /// The least distance of two devices at a moment.
 struct NearestFound {
-  NearestWish wish;
+  NearestQuery wish;
   LogTime moment{};
   std::string other;  ///< empty: there is no device with geometry to measure
   double distance_m = 0;
@@ -36,7 +36,7 @@ class NearestStudy {
 
   /// Asks for the distance in a state, which is copied, unless the thread still works on another
   /// one: true when it was taken.
-  bool ask(const NearestWish& wish, const SessionState& state, LogTime moment);
+  bool ask(const NearestQuery& wish, const SessionState& state, LogTime moment);
   /// The last answer; empty before the first.
   std::optional<NearestFound> found() const;
   bool isBusy() const { return worker_.isBusy(); }
@@ -47,7 +47,7 @@ class NearestStudy {
 
  private:
   struct Question {
-    NearestWish wish;
+    NearestQuery wish;
     SessionState state;
     LogTime moment;
   };

@@ -12,7 +12,7 @@
 
 namespace rocinante {
 
-Result<std::string> writePlottedTable(const TableWish& wish, const TableSource& source) {
+Result<std::string> writePlottedTable(const TableQuery& wish, const TableSource& source) {
   auto [keys, left_out] = tableKeys(wish.keys, source.all);
   SeriesTable table{.keys = std::move(keys),
                     .from = wish.from,

@@ -11,7 +11,7 @@
 namespace rocinante {
 
 /// What of the plots is to be written as a table.
-struct TableWish {
+struct TableQuery {
   std::vector<SeriesKey> keys;
   LogTime from{}, until{};
   std::filesystem::path path;
@@ -30,6 +30,6 @@ struct TableSource {
 
 /// Writes the table (core/series/series_table.h), and says how it went: a sentence, with the texts
 /// that are left out.
-Result<std::string> writePlottedTable(const TableWish& wish, const TableSource& source);
+Result<std::string> writePlottedTable(const TableQuery& wish, const TableSource& source);
 
 }  // namespace rocinante

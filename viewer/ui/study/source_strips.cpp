@@ -17,7 +17,7 @@ std::vector<ValueColumn> columnsOfRates(const std::vector<float>& rates) {
   return columns;
 }
 
-SourceStrip stripOf(const std::string& name, const SourceSeries& source, const StudyWish& wish,
+SourceStrip stripOf(const std::string& name, const SourceSeries& source, const StudyQuery& wish,
                     const std::pair<LogTime, LogTime>& whole, LogTime reached) {
   SourceStrip strip;
   strip.source = name;
@@ -33,7 +33,7 @@ SourceStrip stripOf(const std::string& name, const SourceSeries& source, const S
 
 }  // namespace
 
-std::vector<SourceStrip> stripsOf(const SeriesScan& series, const StudyWish& wish,
+std::vector<SourceStrip> stripsOf(const SeriesScan& series, const StudyQuery& wish,
                                   const std::pair<LogTime, LogTime>& whole, LogTime reached) {
   std::vector<SourceStrip> strips{stripOf("", series.all(), wish, whole, reached)};
   for (const auto& [name, source] : series.sources()) {
@@ -43,7 +43,7 @@ std::vector<SourceStrip> stripsOf(const SeriesScan& series, const StudyWish& wis
 }
 
 std::vector<ValueColumn> rateColumns(const SeriesKey& key, const SeriesScan& series,
-                                     const StudyWish& wish, LogTime reached) {
+                                     const StudyQuery& wish, LogTime reached) {
   const auto& sources = series.sources();
   const auto found = sources.find(key.name);
   const SourceSeries* const source = key.name.empty()         ? &series.all()

@@ -9,7 +9,7 @@ namespace rocinante {
 namespace {
 
 template <class Bin>
-std::vector<BinColumn<Bin>> columnsOf(const TimeBins<Bin>* bins, const StudyWish& wish,
+std::vector<BinColumn<Bin>> columnsOf(const TimeBins<Bin>* bins, const StudyQuery& wish,
                                       LogTime reached) {
   if (bins == nullptr) return {};
   auto columns = bins->columns(wish.from, wish.until, wish.columns);
@@ -26,8 +26,8 @@ std::vector<BinColumn<Bin>> columnsOf(const TimeBins<Bin>* bins, const StudyWish
 
 /// Columns of the log beside, at the times of the shown one.
 struct Mapping {
-  const StudyWish& there;
-  const StudyWish& here;
+  const StudyQuery& there;
+  const StudyQuery& here;
   const EventAlignment& alignment;
 
   template <class Column>
@@ -70,7 +70,7 @@ bool isChosen(const SeriesKey& key) {
   return key.kind == SeriesKey::Kind::link || key.kind == SeriesKey::Kind::derived;
 }
 
-std::set<SeriesKey> chosenKeys(const StudyWish& wish) {
+std::set<SeriesKey> chosenKeys(const StudyQuery& wish) {
   std::set<SeriesKey> keys;
   for (const SeriesKey& key : wish.values()) {
     if (isChosen(key)) keys.insert(key);
@@ -78,7 +78,7 @@ std::set<SeriesKey> chosenKeys(const StudyWish& wish) {
   return keys;
 }
 
-std::set<SeriesKey> StudyWish::values() const {
+std::set<SeriesKey> StudyQuery::values() const {
   std::set<SeriesKey> all(keys.begin(), keys.end());
   for (const auto& [x, y] : paths) {
     all.insert(x);
@@ -108,12 +108,12 @@ std::set<SeriesKey> textsOf(const SeriesScan& all) {
   return texts;
 }
 
-std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyWish& wish,
+std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyQuery& wish,
                                       LogTime reached) {
   return columnsOf(values, wish, reached);
 }
 
-UnitCurves unitsUntil(const StudyWish& wish, const SeriesScan& all, const SeriesScan& shown,
+UnitCurves unitsUntil(const StudyQuery& wish, const SeriesScan& all, const SeriesScan& shown,
                       LogTime reached) {
   UnitCurves made;
   for (const SeriesKey& key : wish.values()) {
@@ -132,13 +132,13 @@ UnitCurves unitsUntil(const StudyWish& wish, const SeriesScan& all, const Series
   return made;
 }
 
-StateCurve statesUntil(const StateSeries* states, const StudyWish& wish, LogTime reached) {
+StateCurve statesUntil(const StateSeries* states, const StudyQuery& wish, LogTime reached) {
   if (states == nullptr) return {};
   return {columnsOf(&states->bins, wish, reached), states->texts, states->has_numbers};
 }
 
 std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
-                                                   const StudyWish& wish,
+                                                   const StudyQuery& wish,
                                                    const EventAlignment& alignment) {
   auto aligned = std::make_shared<StudyPicture>();
   aligned->wish = wish;

@@ -17,7 +17,7 @@
 namespace rocinante {
 
 /// What the time line and the plots of a window show.
-struct StudyWish {
+struct StudyQuery {
   std::vector<SeriesKey> keys;
   LogTime from{}, until{};
   std::size_t columns = 0;        ///< pixels from `from` to `until`, at most 8192
@@ -32,7 +32,7 @@ struct StudyWish {
   }
   /// The values of curves and of paths.
   std::set<SeriesKey> values() const;
-  bool operator==(const StudyWish&) const = default;
+  bool operator==(const StudyQuery&) const = default;
 };
 
 /// Packets and losses of one source, or of all (with an empty name): by column, per second.
@@ -69,7 +69,7 @@ std::set<SeriesKey> textsOf(const SeriesScan& all);
 
 /// The answer to a wish, ready to be drawn.
 struct StudyPicture {
-  StudyWish wish;
+  StudyQuery wish;
   /// By key: the values of joints and poses, and rates as if they were values. Empty for a value
   /// that no packet states.
   std::vector<std::vector<ValueColumn>> curves;
@@ -90,21 +90,21 @@ struct StudyPicture {
 /// True for what is gathered only when it is asked for: there are too many to gather all.
 bool isChosen(const SeriesKey& key);
 /// Those of a wish.
-std::set<SeriesKey> chosenKeys(const StudyWish& wish);
+std::set<SeriesKey> chosenKeys(const StudyQuery& wish);
 
 /// The columns of a wish that a value has, known until `reached`: a curve ends there. Null: none.
-std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyWish& wish,
+std::vector<ValueColumn> columnsUntil(const ValueBins* values, const StudyQuery& wish,
                                       LogTime reached);
 /// The units of the signals of a wish in `all` of the log, with their numbers in `shown`, a part of
 /// it. What is derived of signals has their unit, or none where that is not the same one in all of
 /// the log.
-UnitCurves unitsUntil(const StudyWish& wish, const SeriesScan& all, const SeriesScan& shown,
+UnitCurves unitsUntil(const StudyQuery& wish, const SeriesScan& all, const SeriesScan& shown,
                       LogTime reached);
-StateCurve statesUntil(const StateSeries* states, const StudyWish& wish, LogTime reached);
+StateCurve statesUntil(const StateSeries* states, const StudyQuery& wish, LogTime reached);
 
 /// The curves of a picture of the log beside, at the times of `wish`, which is of the shown log.
 std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
-                                                   const StudyWish& wish,
+                                                   const StudyQuery& wish,
                                                    const EventAlignment& alignment);
 
 }  // namespace rocinante

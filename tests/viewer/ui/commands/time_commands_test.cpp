@@ -50,7 +50,7 @@ class TimeCommands : public testing::Test {
 TEST_F(TimeCommands, PlotsWhatThereIs) {
   EXPECT_EQ(run("plot arm.turn"), "");
   EXPECT_EQ(run("plot arm/hand:z"), "");
-  EXPECT_EQ(run("plot arm:x"), "no packet of the log states `arm:x`: there is none");
+  EXPECT_EQ(run("plot arm:x"), "no packet of the log states `arm:x`: there are none");
   EXPECT_EQ(run("plot rate/robot"), "");
   EXPECT_EQ(model_->viewer.plots.curves().size(), 3U);
   EXPECT_EQ(run("plot arm.bend"), "`arm` has no joint value `bend`: there is only turn");
@@ -61,7 +61,7 @@ TEST_F(TimeCommands, PlotsWhatThereIs) {
   EXPECT_EQ(run("plot arm/hnad:x"), "`arm` has no link `hnad`: did you mean `hand`?");
   EXPECT_EQ(run("plot arm/hand:x in leg"), "no device is named `leg`: there is only arm");
   EXPECT_EQ(run("plot signal arm load"),
-            "no packet of the log states `signal arm load`: there is none");
+            "no packet of the log states `signal arm load`: there are none");
   EXPECT_EQ(run("plot mean 0.5 d/dt arm.turn"), "");
   EXPECT_EQ(run("plot arm/hand:x - arm/base:x"), "");
   EXPECT_EQ(run("plot d/dt arm.bend"), "`arm` has no joint value `bend`: there is only turn");
@@ -85,9 +85,9 @@ TEST_F(TimeCommands, AJointThatFollowsAnotherIsPlottedByThatOne) {
   EXPECT_EQ(run("plot arm.half"), "");
   test::writeSession(folder_ / "n.mcap", {{0, "signal - x 1\n"}, {1000, "signal - x 2\n"}});
   show("n.mcap");
-  EXPECT_EQ(run("plot arm.turn"), "no packet of the log states `arm.turn`: there is none");
+  EXPECT_EQ(run("plot arm.turn"), "no packet of the log states `arm.turn`: there are none");
   EXPECT_EQ(run("plot arm.half"),
-            "no packet of the log states `arm.turn`, which `arm.half` follows: there is none");
+            "no packet of the log states `arm.turn`, which `arm.half` follows: there are none");
 }
 
 TEST_F(TimeCommands, ATableOfWhatIsSeen) {

@@ -92,7 +92,7 @@ TEST_F(KeptSession, TimeLineAndCurvesGrowWithIt) {
   open({});
   send(0, "joints arm 0.5");
   waitUntil([&] { return model_->cursor() != nullptr; });
-  StudyWish wish;
+  StudyQuery wish;
   wish.keys = {{SeriesKey::Kind::joint, "arm", "turn"}};
   wish.columns = wish.strip_columns = 100;
   for (int round = 1; round <= 3; ++round) {

@@ -26,7 +26,7 @@ TEST(Misfits, AreWhatWasSaidAndMovesNothing) {
               "joints amr 1\nadd part box\njoints gone 1\nremove gone\n"));
   ASSERT_NE(packet, nullptr);
   state.apply(LogTime{}, *packet);
-  const auto found = misfits(*cell, poseScene(*cell, state), state);
+  const auto found = mismatchedDevices(*cell, poseScene(*cell, state), state);
   std::string text;
   for (const Misfit& one : found) text += one.device + " " + one.what + "\n";
   EXPECT_EQ(text,

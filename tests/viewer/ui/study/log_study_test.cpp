@@ -26,8 +26,8 @@ class StudiedLog : public testing::Test {
     ASSERT_TRUE(cell.ok());
     cell_ = std::move(*cell);
   }
-  static StudyWish wish(std::int64_t from_ms, std::int64_t until_ms) {
-    StudyWish wish;
+  static StudyQuery wish(std::int64_t from_ms, std::int64_t until_ms) {
+    StudyQuery wish;
     wish.keys = {turn(), {SeriesKey::Kind::rate, "robot"}, {SeriesKey::Kind::joint, "arm", "no"}};
     wish.from = sessionTime(from_ms);
     wish.until = sessionTime(until_ms);
@@ -62,7 +62,7 @@ TEST_F(StudiedLog, HasEveryValueAndRate) {
 TEST_F(StudiedLog, GathersTheLinksThatAreAskedFor) {
   LogStudy study(cell_, folder_ / "s.mcap");
   study.waits = true;
-  StudyWish asked = wish(0, 10'000);
+  StudyQuery asked = wish(0, 10'000);
   asked.keys = {turn(), {SeriesKey::Kind::link, "arm", "qz", "hand"}};
   const auto picture = study.show(asked);
   EXPECT_TRUE(picture->whole);
@@ -85,7 +85,7 @@ TEST_F(StudiedLog, GathersTheLinksThatAreAskedFor) {
 TEST_F(StudiedLog, GathersWhatIsDerived) {
   LogStudy study(cell_, folder_ / "s.mcap");
   study.waits = true;
-  StudyWish asked = wish(0, 10'000);
+  StudyQuery asked = wish(0, 10'000);
   asked.keys = {*parseSeriesKey("d/dt arm.turn"), *parseSeriesKey("mean 2 d/dt arm.turn")};
   const auto picture = study.show(asked);
   ASSERT_EQ(picture->curves.size(), 2U);
@@ -102,7 +102,7 @@ TEST_F(StudiedLog, GathersWhatIsDerived) {
 TEST_F(StudiedLog, GathersOneValueOverAnother) {
   LogStudy study(cell_, folder_ / "s.mcap");
   study.waits = true;
-  StudyWish asked = wish(0, 10'000);
+  StudyQuery asked = wish(0, 10'000);
   asked.keys.clear();
   const SeriesKey x = *parseSeriesKey("arm/hand:qw"), y = *parseSeriesKey("arm/hand:qz");
   asked.paths = {{x, y}};
@@ -110,8 +110,8 @@ TEST_F(StudiedLog, GathersOneValueOverAnother) {
   ASSERT_TRUE(picture->whole);
   ASSERT_EQ(picture->paths.size(), 1U);
   const XyColumns& path = picture->paths[0];
-  ASSERT_EQ(path.x.size(), StudyWish::kPathColumns);
-  ASSERT_EQ(path.y.size(), StudyWish::kPathColumns);
+  ASSERT_EQ(path.x.size(), StudyQuery::kPathColumns);
+  ASSERT_EQ(path.y.size(), StudyQuery::kPathColumns);
   for (const double part : {0.1, 0.5, 0.9}) {
     const auto pair = pairAt(path, part);
     ASSERT_TRUE(pair.has_value());
@@ -133,7 +133,7 @@ TEST_F(StudiedLog, KeepsStatesWithTheirTexts) {
                                           {9000, "signal - estop true\n"}});
   LogStudy study(cell_, folder_ / "m.mcap");
   study.waits = true;
-  StudyWish asked = wish(0, 9'001);
+  StudyQuery asked = wish(0, 9'001);
   asked.keys = {turn(), *parseSeriesKey("signal arm mode"), *parseSeriesKey("signal - estop")};
   const auto picture = study.show(asked);
   ASSERT_EQ(picture->states.size(), 3U);
@@ -158,7 +158,7 @@ TEST_F(StudiedLog, GathersASignalByUnit) {
                                           {9000, "signals arm load=7000\n"}});
   LogStudy study(cell_, folder_ / "u.mcap");
   study.waits = true;
-  StudyWish asked = wish(0, 9'001);
+  StudyQuery asked = wish(0, 9'001);
   const SeriesKey load = *parseSeriesKey("signal arm load");
   const SeriesKey heat = *parseSeriesKey("signal arm heat");
   asked.keys = {turn(), load, heat};
@@ -187,7 +187,7 @@ TEST_F(StudiedLog, ReadsAPartAgainWhenPixelsAreFiner) {
   LogStudy study(cell_, folder_ / "s.mcap");
   study.waits = true;
   // Ten microseconds about a packet: a pixel is 100 ns, and a bin of the whole log 610 us.
-  StudyWish close = wish(0, 1);
+  StudyQuery close = wish(0, 1);
   close.from = sessionTime(5000) - Nanoseconds(5000);
   close.until = sessionTime(5000) + Nanoseconds(5000);
   const auto picture = study.show(close);
@@ -204,7 +204,7 @@ TEST_F(StudiedLog, ReadsAPartAgainWhenPixelsAreFiner) {
 
 TEST_F(StudiedLog, AnswersWithoutWaiting) {
   LogStudy study(cell_, folder_ / "s.mcap");
-  const StudyWish all = wish(0, 10'000);
+  const StudyQuery all = wish(0, 10'000);
   std::shared_ptr<const StudyPicture> picture;
   for (int i = 0; i < 2000 && !(picture && picture->whole); ++i) {
     picture = study.show(all);

@@ -28,7 +28,7 @@ class NearestStudyTest : public testing::Test {
     EXPECT_TRUE(cell.ok());
     cell_ = std::move(*cell);
   }
-  NearestFound measured(const NearestWish& wish) {
+  NearestFound measured(const NearestQuery& wish) {
     if (!study_) study_.emplace(cell_);
     EXPECT_TRUE(study_->ask(wish, SessionState(), LogTime(Nanoseconds(7))));
     study_->wait();
