@@ -60,8 +60,8 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& words,
                                          const Options& options) {
   ChildProcess made;
   made.last_signal_ = options.last_signal;
-  made.said_ = ::memfd_create("said", MFD_CLOEXEC);
-  if (made.said_ < 0) return Error{ErrorKind::refused, std::strerror(errno), words.front()};
+  made.error_output_ = ::memfd_create("said", MFD_CLOEXEC);
+  if (made.error_output_ < 0) return Error{ErrorKind::refused, std::strerror(errno), words.front()};
   std::array<int, 2> ends{-1, -1};  // ours, and its
   if (options.ours != Ours::none) {
     const int fault = options.ours == Ours::output
@@ -73,7 +73,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& words,
   const Result<pid_t> process =
       startChild(words,
                  {options.ours == Ours::input ? ends[1] : options.in,
-                  options.ours == Ours::output ? ends[1] : options.out, made.said_},
+                  options.ours == Ours::output ? ends[1] : options.out, made.error_output_},
                  options.own_group);
   if (ends[1] >= 0) ::close(ends[1]);
   if (!process) return process.error();
@@ -83,7 +83,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& words,
 
 void ChildProcess::swap(ChildProcess& other) {
   std::swap(process_, other.process_);
-  std::swap(said_, other.said_);
+  std::swap(error_output_, other.error_output_);
   std::swap(stream_, other.stream_);
   std::swap(last_signal_, other.last_signal_);
   std::swap(end_, other.end_);
@@ -103,7 +103,7 @@ ChildProcess::~ChildProcess() {
     ::kill(process_, last_signal_);
     look(true);
   }
-  if (said_ >= 0) ::close(said_);
+  if (error_output_ >= 0) ::close(error_output_);
 }
 
 void ChildProcess::closeStream() {
@@ -126,15 +126,16 @@ std::optional<ChildProcess::End> ChildProcess::look(bool wait) {
 }
 
 std::uint64_t ChildProcess::saidBytes() const {
-  return said_ < 0 ? 0
-                   : static_cast<std::uint64_t>(std::max<off_t>(0, ::lseek(said_, 0, SEEK_END)));
+  return error_output_ < 0
+             ? 0
+             : static_cast<std::uint64_t>(std::max<off_t>(0, ::lseek(error_output_, 0, SEEK_END)));
 }
 
 std::string ChildProcess::said(std::size_t most_bytes) const {
   const std::uint64_t size = saidBytes();
   std::string text(std::min<std::uint64_t>(most_bytes, size), '\0');
   const ssize_t got =
-      ::pread(said_, text.data(), text.size(), static_cast<off_t>(size - text.size()));
+      ::pread(error_output_, text.data(), text.size(), static_cast<off_t>(size - text.size()));
   text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   text.erase(text.find_last_not_of(" \n") + 1);
   return text;

@@ -73,7 +73,7 @@ class ChildProcess {
   void swap(ChildProcess& other);
 
   pid_t process_ = -1;
-  int said_ = -1;  ///< a file in memory
+  int error_output_ = -1;  ///< a file in memory
   int stream_ = -1;
   int last_signal_ = SIGTERM;
   End end_;

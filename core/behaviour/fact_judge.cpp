@@ -131,8 +131,8 @@ class FactJudge {
       finding.what = fmt::format("{}: moved by {}, since {}", textOf(fact_),
                                  figureText(*apart, "mm"), times_.bothTimes(*first));
     } else {
-      finding.what = fmt::format("{}: {}, accepted {}, since {}", textOf(fact_), said(now),
-                                 said(before), times_.bothTimes(*first));
+      finding.what = fmt::format("{}: {}, accepted {}, since {}", textOf(fact_), valueText(now),
+                                 valueText(before), times_.bothTimes(*first));
     }
     findings.push_back(std::move(finding));
   }
@@ -143,7 +143,7 @@ class FactJudge {
     const std::size_t tab = fact.find('\t');
     return tab == std::string::npos ? fact : fact.substr(0, tab) + " part " + fact.substr(tab + 1);
   }
-  static std::string said(const FactChange& change) {
+  static std::string valueText(const FactChange& change) {
     if (change.text.empty()) return "nothing";
     // Texts of signals are quoted.
     return change.text.front() == '"' ? change.text : "\"" + change.text + "\"";

@@ -24,7 +24,7 @@ void NumberRecorder::begin(const SessionState& state, LogTime start) {
     Signal* const signal = signalOf(item.device, item.name.link, item.name.name);
     if (signal == nullptr) return;
     const bool is_number = value.kind == SignalKind::number;
-    said_.push_back({nullptr, signal, true, is_number, value.number, true, value.unit});
+    statements_.push_back({nullptr, signal, true, is_number, value.number, true, value.unit});
   };
   eachItem(state, ByKind{take, [](const auto&) {}});
   keep(state, start);
@@ -73,35 +73,35 @@ NumberRecorder::Signal* NumberRecorder::signalOf(std::string_view device, std::s
 void NumberRecorder::read(const Statement& statement) {
   if (statement.kind == StatementKind::remove) {
     const auto device = devices_.find(statement.name);
-    if (device != devices_.end()) said_.push_back({&device->second});
+    if (device != devices_.end()) statements_.push_back({&device->second});
     return;
   }
   if (!isSignal(statement.kind)) return;
   const PathView& path = statement.path;
   for (std::size_t i = 0; i < statement.names.size(); ++i) {
-    Said said;
-    said.signal = signalOf(path.first, path.second, statement.names[i]);
-    if (said.signal == nullptr) continue;
+    Said each;
+    each.signal = signalOf(path.first, path.second, statement.names[i]);
+    if (each.signal == nullptr) continue;
     if (!statement.is_default) {
-      said.is_stated = true;
-      said.is_number = statement.signal_kinds[i] == SignalKind::number;
-      said.number = statement.numbers[i];
-      said.has_unit = statement.kind == StatementKind::signal;
-      said.unit = statement.unit;
+      each.is_stated = true;
+      each.is_number = statement.signal_kinds[i] == SignalKind::number;
+      each.number = statement.numbers[i];
+      each.has_unit = statement.kind == StatementKind::signal;
+      each.unit = statement.unit;
     }
-    said_.push_back(said);
+    statements_.push_back(each);
   }
 }
 
 bool NumberRecorder::keep(const SessionState& state, LogTime time) {
   says_fact_ = false;
-  for (const Said& said : said_) {
-    if (said.removed != nullptr) {
-      while (!said.removed->stated.empty()) takeBack(*said.removed->stated.back(), time);
+  for (const Said& each : statements_) {
+    if (each.removed != nullptr) {
+      while (!each.removed->stated.empty()) takeBack(*each.removed->stated.back(), time);
       continue;
     }
-    Signal& signal = *said.signal;
-    if (!said.is_stated) {
+    Signal& signal = *each.signal;
+    if (!each.is_stated) {
       takeBack(signal, time);
       continue;
     }
@@ -113,20 +113,20 @@ bool NumberRecorder::keep(const SessionState& state, LogTime time) {
       device.stated.push_back(&signal);
       ++stated_;
     }
-    if (!said.is_number) {
+    if (!each.is_number) {
       if (std::exchange(signal.is_number, false)) add(signal, time, kUnstated);
       signal.unit.clear();
       change(signal);
       continue;
     }
-    if (said.has_unit && signal.unit != said.unit) {
-      signal.unit = said.unit;
+    if (each.has_unit && signal.unit != each.unit) {
+      signal.unit = each.unit;
       change(signal);
     }
     if (!std::exchange(signal.is_number, true)) change(signal);
-    add(signal, time, said.number);
+    add(signal, time, each.number);
   }
-  said_.clear();
+  statements_.clear();
   if (stated_ + unseen_ == state.signalCount()) return says_fact_;
   takeBackLost(state, time);
   return true;

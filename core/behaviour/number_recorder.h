@@ -33,7 +33,7 @@ class NumberRecorder {
   /// which is the last one kept and outlives their use. Nothing when it may be any.
   std::optional<std::vector<ChangedSignal>> takeChanged(const SessionState& state);
   /// It was not: what was read of it is forgotten.
-  void drop() { said_.clear(); }
+  void drop() { statements_.clear(); }
   /// Names what is beyond kMaxSignals.
   void finish(Account& left_out);
 
@@ -86,7 +86,7 @@ class NumberRecorder {
   std::size_t count_ = 0, stated_ = 0;
   std::size_t unseen_ = 0;    ///< signals of the state that are not in `stated_`
   std::uint64_t beyond_ = 0;  ///< values of signals beyond the limit
-  std::vector<Said> said_;
+  std::vector<Said> statements_;
   bool says_fact_ = false;  ///< what is being kept
   std::vector<Signal*> changed_;
   bool is_astray_ = false;  ///< the state has had others than were seen here

@@ -158,7 +158,7 @@ class EventJudge {
     const Event* found = nullptr;
     for (const Event& other : found_.run.only_b) {
       if (other.text != event.text || other.source != event.source) continue;
-      if (std::ranges::find(told_, &other) != told_.end()) continue;
+      if (std::ranges::find(reported_, &other) != reported_.end()) continue;
       if (found == nullptr ||
           std::chrono::abs(other.time - expected) < std::chrono::abs(found->time - expected)) {
         found = &other;
@@ -202,7 +202,7 @@ class EventJudge {
       RunFinding finding = findingAt(event, event.time, expected);
       const Event* const moved = nearest(event, expected);
       if (moved != nullptr && isSoon(event, *moved, expected)) {
-        told_.push_back(moved);
+        reported_.push_back(moved);
         continue;
       }
       if (moved != nullptr) {
@@ -210,7 +210,7 @@ class EventJudge {
         finding.what = fmt::format("event \"{}\" of {} is out of order: at {} (accepted {})",
                                    event.text, event.source, timeText(finding.first_run),
                                    timeText(finding.first_accepted));
-        told_.push_back(moved);
+        reported_.push_back(moved);
       } else {
         // Before the log begins nothing is known.
         if (expected < run_.start) continue;
@@ -224,7 +224,7 @@ class EventJudge {
 
   void judgeExtra() {
     for (const Event& event : found_.run.only_b) {
-      if (std::ranges::find(told_, &event) != told_.end()) continue;
+      if (std::ranges::find(reported_, &event) != reported_.end()) continue;
       const bool is_accepted =
           std::ranges::any_of(found_.accepted, [&](const EventAlignment& alignment) {
             return std::ranges::any_of(alignment.only_b, [&](const Event& other) {
@@ -264,7 +264,7 @@ class EventJudge {
   std::vector<Moments> moments_;  ///< by accepted session
   Moments new_;
   std::vector<bool> isolated_;
-  std::vector<const Event*> told_;
+  std::vector<const Event*> reported_;
 };
 
 }  // namespace

@@ -110,11 +110,12 @@ void tellToolEffects(const Cell& cell, const SessionTrack& run, RunJudgement& ju
     if (model == nullptr || track == run.devices.end() || !isOf(*model, track->second)) continue;
     const JointsOverTime motion(run, track->second, *model);
     for (RunFinding* const finding : its) {
-      const std::string told = finding->item + ": " + figureText(*finding->largest, finding->unit);
+      const std::string beginning =
+          finding->item + ": " + figureText(*finding->largest, finding->unit);
       const auto place = motion.placeOf(std::string_view(finding->item).substr(name.size() + 1));
       const auto joints = motion.at(run.origin + finding->at_run);
-      if (!place || !joints || !finding->what.starts_with(told)) continue;
-      finding->what.insert(told.size(),
+      if (!place || !joints || !finding->what.starts_with(beginning)) continue;
+      finding->what.insert(beginning.size(),
                            effectText(*model, *joints, *place, *finding->largest / kDegrees));
     }
   }

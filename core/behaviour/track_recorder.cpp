@@ -24,12 +24,13 @@ bool isOn(const Path& carrier, const PathView& path) {
 
 /// True for a pose in another space than `state` has it.
 bool isCarriedAnew(const SessionState& state, const Statement& pose) {
-  const DeviceState* const said = state.findDevice(pose.name);
-  return !isOn(said != nullptr && said->pose ? said->pose->value.carrier : Path(), pose.carrier);
+  const DeviceState* const found = state.findDevice(pose.name);
+  return !isOn(found != nullptr && found->pose ? found->pose->value.carrier : Path(), pose.carrier);
 }
 
-bool isAbsent(const DeviceState* said) {
-  return said == nullptr || (said->presence && said->presence->value.presence == Presence::removed);
+bool isAbsent(const DeviceState* state) {
+  return state == nullptr ||
+         (state->presence && state->presence->value.presence == Presence::removed);
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ void TrackRecorder::begin(SessionState state) {
   state_ = std::move(state);
   counts_before_ = state_.counts();
   std::vector<std::string> names;
-  for (const auto& [name, said] : state_.devices()) names.push_back(name);
+  for (const auto& [name, device] : state_.devices()) names.push_back(name);
   for (const std::string& name : names) addDevice(name, track_.start);
   numbers_.begin(state_, track_.start);
   facts_are_restated_ = true;
@@ -165,10 +166,10 @@ TrackRecorder::Recording& TrackRecorder::recording(const std::string& name, cons
 }
 
 const Model* TrackRecorder::modelOf(std::string_view name) const {
-  const DeviceState* said = state_.findDevice(name);
-  if (said != nullptr && said->presence && said->presence->value.presence == Presence::added &&
-      !said->presence->value.model.empty()) {
-    const auto model = cell_.models.find(said->presence->value.model);
+  const DeviceState* state = state_.findDevice(name);
+  if (state != nullptr && state->presence && state->presence->value.presence == Presence::added &&
+      !state->presence->value.model.empty()) {
+    const auto model = cell_.models.find(state->presence->value.model);
     if (model != cell_.models.end()) return model->second.get();
   }
   const CellDevice* device = cell_.findDevice(name);
@@ -217,13 +218,13 @@ void TrackRecorder::keep(Recording& device, LogTime time, bool is_restated) {
     if (device.track->updates.size() <= bin) device.track->updates.resize(bin + 1);
     ++device.track->updates[bin];
   }
-  const DeviceState* const said = state_.findDevice(device.name);
+  const DeviceState* const state = state_.findDevice(device.name);
   const bool is_first = !std::exchange(device.is_stated, true);
   if (device.says_presence || is_first) {
     device.has_its_model = modelOf(device.name) == device.model;
   }
-  if (device.says_joints || is_first) addJoints(device, said, time);
-  if (device.says_pose || is_first) addPose(device, said, time);
+  if (device.says_joints || is_first) addJoints(device, state, time);
+  if (device.says_pose || is_first) addPose(device, state, time);
 }
 
 double* TrackRecorder::nextRow(Recording& device, std::size_t series, LogTime time) {
@@ -237,16 +238,16 @@ double* TrackRecorder::nextRow(Recording& device, std::size_t series, LogTime ti
   return row + 1;
 }
 
-void TrackRecorder::addJoints(Recording& device, const DeviceState* said, LogTime time) {
+void TrackRecorder::addJoints(Recording& device, const DeviceState* state, LogTime time) {
   if (device.joint_columns == 0) return;
   double* const row = nextRow(device, kJoints, time);
-  if (isAbsent(said) || !device.has_its_model || !takesJoints(device, *said)) return;
-  const bool is_plain = !device.has_mimics && !said->joints;
+  if (isAbsent(state) || !device.has_its_model || !takesJoints(device, *state)) return;
+  const bool is_plain = !device.has_mimics && !state->joints;
   if (is_plain) {
-    namedValues(device, *said, row);
+    namedValues(device, *state, row);
   } else {
     // Columns have the values' order.
-    const JointVector joints = jointsOf(*device.model, said);
+    const JointVector joints = jointsOf(*device.model, state);
     std::copy_n(joints.values.begin(), device.joint_columns, row);
   }
   if (device.links) device.links->place(row, row + device.joint_columns);
@@ -254,15 +255,15 @@ void TrackRecorder::addJoints(Recording& device, const DeviceState* said, LogTim
   if (!is_first && !device.says_all_joints) leaveOutUnstated(device, row);
 }
 
-bool TrackRecorder::takesJoints(Recording& device, const DeviceState& said) {
-  if (said.joints) {
-    if (!unfit_.takesValues(device.name, *device.model, said)) return false;
-    if (said.joints->value.size() == device.model->positionalCount()) {
+bool TrackRecorder::takesJoints(Recording& device, const DeviceState& state) {
+  if (state.joints) {
+    if (!unfit_.takesValues(device.name, *device.model, state)) return false;
+    if (state.joints->value.size() == device.model->positionalCount()) {
       std::fill(device.stated_values.begin(), device.stated_values.end(), true);
       return true;
     }
     const JointVector zero = zeroJoints(*device.model);
-    for (const auto& [name, item] : said.named_joints) {
+    for (const auto& [name, item] : state.named_joints) {
       const auto place = device.model->findJointValue(name);
       if (!place) continue;
       device.stated_values[zero.first_value[place->joint] + place->component] = true;
@@ -270,35 +271,35 @@ bool TrackRecorder::takesJoints(Recording& device, const DeviceState& said) {
     return true;
   }
   // Names are looked up once, not for each packet.
-  bool is_known = said.named_joints.size() == device.named.size();
+  bool is_known = state.named_joints.size() == device.named.size();
   auto known = device.named.begin();
-  for (auto it = said.named_joints.begin(); is_known && it != said.named_joints.end(); ++it) {
+  for (auto it = state.named_joints.begin(); is_known && it != state.named_joints.end(); ++it) {
     is_known = it->first == (known++)->name;
   }
   if (!is_known) {
     device.named.clear();
     const JointVector zero = zeroJoints(*device.model);
-    for (const auto& [name, item] : said.named_joints) {
+    for (const auto& [name, item] : state.named_joints) {
       NamedValue& value = device.named.emplace_back(NamedValue{name, {}});
       if (const auto place = device.model->findJointValue(name)) {
         value.column = zero.first_value[place->joint] + place->component;
         device.stated_values[*value.column] = true;
       }
     }
-    unfit_.takesValues(device.name, *device.model, said);
+    unfit_.takesValues(device.name, *device.model, state);
   }
   return std::ranges::any_of(device.named,
                              [](const NamedValue& value) { return value.column.has_value(); });
 }
 
-void TrackRecorder::namedValues(Recording& device, const DeviceState& said, double* row) {
+void TrackRecorder::namedValues(Recording& device, const DeviceState& state, double* row) {
   const bool is_whole = device.named.size() == device.joint_columns;
   if (!is_whole) {
     const JointVector zero = zeroJoints(*device.model);
     std::copy_n(zero.values.begin(), device.joint_columns, row);
   }
   auto known = device.named.begin();
-  for (const auto& [name, item] : said.named_joints) {
+  for (const auto& [name, item] : state.named_joints) {
     if (known->column) row[*known->column] = item.value;
     ++known;
   }
@@ -316,13 +317,13 @@ void TrackRecorder::leaveOutUnstated(const Recording& device, double* row) const
   }
 }
 
-void TrackRecorder::addPose(Recording& device, const DeviceState* said, LogTime time) {
+void TrackRecorder::addPose(Recording& device, const DeviceState* state, LogTime time) {
   double* const row = nextRow(device, kPose, time);
-  if (isAbsent(said)) return;
+  if (isAbsent(state)) return;
   Pose stated;
-  if (said->pose) {
+  if (state->pose) {
     device.is_pose_stated = true;
-    stated = said->pose->value.pose;
+    stated = state->pose->value.pose;
   } else if (const CellDevice* of_cell = cell_.findDevice(device.name)) {
     stated = of_cell->pose;
   }

@@ -68,10 +68,10 @@ class TrackRecorder {
   void addDevice(const std::string& name, LogTime time);
   void read(const Statement& statement);
   void keep(Recording& device, LogTime time, bool is_restated);
-  void addJoints(Recording& device, const DeviceState* said, LogTime time);
-  void addPose(Recording& device, const DeviceState* said, LogTime time);
-  bool takesJoints(Recording& device, const DeviceState& said);
-  void namedValues(Recording& device, const DeviceState& said, double* row);
+  void addJoints(Recording& device, const DeviceState* state, LogTime time);
+  void addPose(Recording& device, const DeviceState* state, LogTime time);
+  bool takesJoints(Recording& device, const DeviceState& state);
+  void namedValues(Recording& device, const DeviceState& state, double* row);
   void leaveOutUnstated(const Recording& device, double* row) const;
   double* nextRow(Recording& device, std::size_t series, LogTime time);
   void store(Recording& device, std::size_t series);

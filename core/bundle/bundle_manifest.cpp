@@ -110,7 +110,7 @@ class ManifestReader {
   void readName(const Json& each, BundleManifest& manifest) {
     BundleManifest::Name name;
     name.in = text(each, "in");
-    name.says = text(each, "says");
+    name.written = text(each, "says");
     const std::string why = text(each, "why");
     const auto reason = std::ranges::find(kReasons, why, [](const auto& it) { return it.second; });
     if (reason == kReasons.end()) fail("it gives an unknown reason for a name");
@@ -182,7 +182,7 @@ std::string manifestText(const BundleManifest& manifest) {
   }
   root["names"] = OrderedJson::array();
   for (const BundleManifest::Name& name : manifest.names) {
-    OrderedJson one = {{"in", name.in}, {"says", name.says}, {"why", textOf(name.why)}};
+    OrderedJson one = {{"in", name.in}, {"says", name.written}, {"why", textOf(name.why)}};
     if (!name.means.empty()) one["means"] = name.means;
     root["names"].push_back(std::move(one));
   }

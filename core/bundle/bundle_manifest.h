@@ -31,13 +31,13 @@ struct BundleManifest {
   /// A name that a file in folder `in` says. `means` is one of the files, or empty; `why` as
   /// FoundFile has it.
   struct Name {
-    std::string in, says, means;
+    std::string in, written, means;
     FoundFile::Why why = FoundFile::Why::found;
     bool operator==(const Name&) const = default;
   };
   std::string main;         ///< the file that is the cell
   std::vector<File> files;  ///< by name
-  std::vector<Name> names;  ///< by `in` and `says`, each pair once
+  std::vector<Name> names;  ///< by `in` and `written`, each pair once
   /// Folders that were search roots when the cell was attached (--search).
   std::vector<std::string> search;
   /// Folders that the cell names as search roots, with or without files in them.

@@ -177,14 +177,14 @@ Status noteNames(const FileLookups& noted, const BundleNames& names, BundleManif
   for (const FileLookup& lookup : noted.lookups) {
     BundleManifest::Name name;
     name.in = names.nameOf(canonicalOf(lookup.beside));
-    name.says = manifestWord(lookup.name);
+    name.written = manifestWord(lookup.name);
     name.why = lookup.found.why;
     if (!lookup.found.path.empty()) name.means = names.nameOf(canonicalOf(lookup.found.path));
-    const auto [same, is_new] = known.emplace(std::pair(name.in, name.says), name);
+    const auto [same, is_new] = known.emplace(std::pair(name.in, name.written), name);
     if (!is_new && same->second != name) {
       return Error{
           ErrorKind::unsupported,
-          fmt::format("the name {} means two files, so a log cannot carry the cell", name.says),
+          fmt::format("the name {} means two files, so a log cannot carry the cell", name.written),
           lookup.beside.string()};
     }
   }

@@ -57,7 +57,7 @@ FileAnswers answersOf(const BundleManifest& manifest, const fs::path& root) {
       found.path = root / name.means;
       found.root = root;
     }
-    known->emplace(Key(name.in, name.says), std::move(found));
+    known->emplace(Key(name.in, name.written), std::move(found));
   }
   return [known, root](const std::string& name, const fs::path& beside) {
     const fs::path in = beside.lexically_relative(root);

@@ -146,12 +146,12 @@ void CellMaterials::read(TomlTable& root, const std::filesystem::path& folder, M
       }
     }
     table.finish();
-    const bool says = table.has("color") || table.has("specular") || table.has("emission") ||
-                      table.has("shininess") || table.has("texture") ||
-                      table.has("texture_scale") || table.has("texture_offset") ||
-                      table.has("texture_rotation_deg") || table.has("texture_wrap") ||
-                      table.has("alpha") || table.has("alpha_cutoff");
-    if (!says) {
+    const bool is_stated = table.has("color") || table.has("specular") || table.has("emission") ||
+                           table.has("shininess") || table.has("texture") ||
+                           table.has("texture_scale") || table.has("texture_offset") ||
+                           table.has("texture_rotation_deg") || table.has("texture_wrap") ||
+                           table.has("alpha") || table.has("alpha_cutoff");
+    if (!is_stated) {
       table.faults().error("cell.missing-key", table.place(), "[[material]] changes nothing",
                            "give it a color, texture, specular, emission or shininess");
     }

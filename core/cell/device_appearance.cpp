@@ -10,7 +10,7 @@ namespace {
 
 // The packets' settings for one path, if any.
 template <class T>
-const T* said(const std::map<Path, Item<T>>& items, bool is_layer, std::string_view first) {
+const T* statedOf(const std::map<Path, Item<T>>& items, bool is_layer, std::string_view first) {
   const auto found = items.find(Path{is_layer, is_layer ? "layer" : std::string(first),
                                      is_layer ? std::string(first) : std::string()});
   return found == items.end() ? nullptr : &found->second.value;
@@ -45,8 +45,8 @@ PosedShare DeviceAppearance::shareOf(std::string_view name, const CellLayer* lis
   PosedShare share;
   share.layer = name;
   share.visible =
-      shown(said(state_.visibility(), true, name), listed == nullptr || listed->visible);
-  if (const ColorValue* value = said(state_.colors(), true, name)) {
+      shown(statedOf(state_.visibility(), true, name), listed == nullptr || listed->visible);
+  if (const ColorValue* value = statedOf(state_.colors(), true, name)) {
     share.says_color = true;
     share.recolors = value->rgba.has_value();
     share.color = value->rgba ? value->rgba : own;
@@ -90,8 +90,8 @@ void DeviceAppearance::dress(PosedDevice& device, std::optional<std::uint32_t> o
     if (!share.link && !share.ofParts()) whole.add(share);
     any_look = any_look || share.look != LayerLook();
   }
-  whole.visible = whole.visible && shown(said(state_.visibility(), false, device.name), true);
-  if (const ColorValue* value = said(state_.colors(), false, device.name)) {
+  whole.visible = whole.visible && shown(statedOf(state_.visibility(), false, device.name), true);
+  if (const ColorValue* value = statedOf(state_.colors(), false, device.name)) {
     whole.color = value->rgba ? value->rgba : own;
     whole.recolored = value->rgba.has_value();
   }

@@ -157,9 +157,9 @@ void SessionCheck::judgeAdd(const Statement& statement, DeviceJudge& device,
   if (had_model) return;
   // Values sent before the device had a model are kept and count from now on.
   const auto& devices = stream_.state().devices();
-  const auto said = devices.find(statement.name);
-  if (said == devices.end()) return;
-  const DeviceState& earlier = said->second;
+  const auto found = devices.find(statement.name);
+  if (found == devices.end()) return;
+  const DeviceState& earlier = found->second;
   PacketPlace then = place;
   then.is_restated = true;
   if (earlier.joints) {
@@ -191,8 +191,8 @@ void SessionCheck::dropFindings() {
   for (auto each = devices_.begin(); each != devices_.end();) {
     each->second.dropFindings();
     // An order that the state still holds says what later values mean.
-    const DeviceState* const said = stream_.state().findDevice(each->first);
-    const bool is_over = each->second.isStray() && (said == nullptr || said->orders.empty());
+    const DeviceState* const found = stream_.state().findDevice(each->first);
+    const bool is_over = each->second.isStray() && (found == nullptr || found->orders.empty());
     each = is_over ? devices_.erase(each) : std::next(each);
   }
 }

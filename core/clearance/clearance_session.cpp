@@ -16,9 +16,10 @@ void ClearanceSession::take(LogTime time, const Packet& packet, const SessionSta
   for (const Statement& statement : packet.statements) {
     if (!movesDevice(statement.kind)) continue;
     const auto found = next_.device_by_name.find(statement.name);
-    const DeviceState* const said = state.findDevice(statement.name);
-    const bool is_there = found != next_.device_by_name.end() && said != nullptr;
-    if (!keepsStructure(statement.kind, said, is_there ? &next_.devices[found->second] : nullptr)) {
+    const DeviceState* const device_state = state.findDevice(statement.name);
+    const bool is_there = found != next_.device_by_name.end() && device_state != nullptr;
+    if (!keepsStructure(statement.kind, device_state,
+                        is_there ? &next_.devices[found->second] : nullptr)) {
       return gatherAll(time, state);
     }
     if (is_there) changes_.push_back(found->second);
@@ -28,20 +29,20 @@ void ClearanceSession::take(LogTime time, const Packet& packet, const SessionSta
   }
   for (const std::size_t at : changes_) {
     PlacedDevice& device = next_.devices[at];
-    const DeviceState* const said = state.findDevice(device.name);
-    device.joints = jointsOf(*device.model, said);
-    if (said->pose) device.pose = said->pose->value.pose;
+    const DeviceState* const device_state = state.findDevice(device.name);
+    device.joints = jointsOf(*device.model, device_state);
+    if (device_state->pose) device.pose = device_state->pose->value.pose;
     touch(at, time);
   }
 }
 
 /// Whether the device stays where it hangs: otherwise the whole cell is posed anew.
-bool ClearanceSession::keepsStructure(StatementKind kind, const DeviceState* said,
+bool ClearanceSession::keepsStructure(StatementKind kind, const DeviceState* device_state,
                                       const PlacedDevice* device) const {
   if (kind == StatementKind::add || kind == StatementKind::remove) return false;
   if (device == nullptr || kind != StatementKind::pose) return true;
-  if (!said->pose) return false;
-  const Path& carrier = said->pose->value.carrier;
+  if (!device_state->pose) return false;
+  const Path& carrier = device_state->pose->value.carrier;
   if (carrier.is_layer || carrier.first.empty()) return !device->carrier;
   const auto found = next_.device_by_name.find(carrier.first);
   if (found == next_.device_by_name.end() || !device->carrier) return false;

@@ -31,7 +31,7 @@ class ClearanceSession {
 
  private:
   void restart(LogTime time, const SessionState& state);
-  bool keepsStructure(StatementKind kind, const DeviceState* said,
+  bool keepsStructure(StatementKind kind, const DeviceState* device_state,
                       const PlacedDevice* device) const;
   void gatherAll(LogTime time, const SessionState& state);
   void touch(std::size_t device, LogTime time);

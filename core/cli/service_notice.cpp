@@ -65,7 +65,9 @@ ServiceNotice ServiceNotice::fromEnvironment() {
 }
 
 ServiceNotice::ServiceNotice(ServiceNotice&& other) noexcept
-    : socket_(std::exchange(other.socket_, -1)), watchdog_(other.watchdog_), told_(other.told_) {}
+    : socket_(std::exchange(other.socket_, -1)),
+      watchdog_(other.watchdog_),
+      notified_at_(other.notified_at_) {}
 
 ServiceNotice::~ServiceNotice() {
   if (socket_ >= 0) ::close(socket_);
@@ -76,8 +78,8 @@ void ServiceNotice::status(std::string_view text) {
 }
 
 void ServiceNotice::alive(SteadyTime now) {
-  if (!watchdog_ || (told_ && now - *told_ < *watchdog_ / 2)) return;
-  told_ = now;
+  if (!watchdog_ || (notified_at_ && now - *notified_at_ < *watchdog_ / 2)) return;
+  notified_at_ = now;
   send("WATCHDOG=1");
 }
 

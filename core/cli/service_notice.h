@@ -39,7 +39,7 @@ class ServiceNotice {
 
   int socket_ = -1;
   std::optional<Nanoseconds> watchdog_;
-  std::optional<SteadyTime> told_;
+  std::optional<SteadyTime> notified_at_;
 };
 
 }  // namespace rocinante::cli

@@ -90,28 +90,28 @@ std::string plainNumber(std::string_view text) {
 }
 
 /// "Value 20 not in range 64 to 65507": CLI11 prints [64 - 65507] from version 2.4 on.
-std::string oneRangeWording(std::string_view said) {
+std::string oneRangeWording(std::string_view message) {
   constexpr std::string_view kRange = " not in range ";
-  const std::size_t at = said.find(kRange);
-  if (at == said.npos) return std::string(said);
-  std::string_view range = said.substr(at + kRange.size());
+  const std::size_t at = message.find(kRange);
+  if (at == message.npos) return std::string(message);
+  std::string_view range = message.substr(at + kRange.size());
   std::string_view between = " to ";
   if (range.starts_with('[') && range.ends_with(']')) {
     range = range.substr(1, range.size() - 2);
     between = " - ";
   }
   const std::size_t middle = range.find(between);
-  if (middle == range.npos) return std::string(said);
-  return std::string(said.substr(0, at + kRange.size())) + plainNumber(range.substr(0, middle)) +
+  if (middle == range.npos) return std::string(message);
+  return std::string(message.substr(0, at + kRange.size())) + plainNumber(range.substr(0, middle)) +
          " to " + plainNumber(range.substr(middle + between.size()));
 }
 
 /// "--a is required but 2 were given": CLI11 before 2.4 writes "and" in place of "but".
-std::string oneCountWording(std::string said) {
+std::string oneCountWording(std::string message) {
   constexpr std::string_view kBut = " is required but ";
-  const std::size_t at = said.find(kBut);
-  if (at != said.npos) said.replace(at, kBut.size(), " is required and ");
-  return said;
+  const std::size_t at = message.find(kBut);
+  if (at != message.npos) message.replace(at, kBut.size(), " is required and ");
+  return message;
 }
 
 }  // namespace
@@ -131,14 +131,15 @@ std::string usageFault(const CLI::App& app, const CLI::ParseError& fault) {
                                 innermost_app.get_subcommands().empty();
   if (lacks_subcommand) return "which subcommand?" + where;
   const std::string words = oneCountWording(fault.what());
-  const std::string_view said = words;
+  const std::string_view message = words;
   constexpr std::string_view kMissing = ": 1 required ";
-  if (const std::size_t at = said.find(kMissing); at != said.npos && said.ends_with(" missing")) {
-    std::string_view value = said.substr(at + kMissing.size());
+  if (const std::size_t at = message.find(kMissing);
+      at != message.npos && message.ends_with(" missing")) {
+    std::string_view value = message.substr(at + kMissing.size());
     value.remove_suffix(std::string_view(" missing").size());
-    return std::string(said.substr(0, at)) + " needs its " + std::string(value) + where;
+    return std::string(message.substr(0, at)) + " needs its " + std::string(value) + where;
   }
-  return oneRangeWording(said) + where;
+  return oneRangeWording(message) + where;
 }
 
 }  // namespace rocinante::cli

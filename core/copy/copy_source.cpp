@@ -124,7 +124,7 @@ Status CopySource::takeMessage() {
     }
     if (selection_.waitsForPacket(message)) {
       if (Status taken = takeOctetsIfWanted(message); !taken) return taken;
-    } else if (selection_.wants(message)) {
+    } else if (selection_.includes(message)) {
       message_ = message;
     }
   }
@@ -143,7 +143,7 @@ Status CopySource::takeOctetsIfWanted(const LogMessage& octets) {
     at_end_ = true;
     return {};
   }
-  if (!before.areOf(*behind_) || !selection_.wants(*behind_)) return {};
+  if (!before.areOf(*behind_) || !selection_.includes(*behind_)) return {};
   message_ = octets;
   message_->payload = octets_payload_;
   return {};

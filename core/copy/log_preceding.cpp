@@ -106,7 +106,7 @@ Result<std::optional<LogMessage>> openingKeyframe(LogReader& reader, std::string
 }
 
 void SelectionFold::fold(const LogMessage& message) {
-  if (selection_.wants(message)) folder_.fold(state_, message);
+  if (selection_.includes(message)) folder_.fold(state_, message);
 }
 
 SessionState wantedKeyframeState(ByteView payload, LogTime moment, const Selection& selection,

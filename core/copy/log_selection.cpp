@@ -184,7 +184,7 @@ bool Selection::waitsForPacket(const LogMessage& octets) const {
   return id < waits_.size() && waits_[id];
 }
 
-bool Selection::wants(const LogMessage& message) {
+bool Selection::includes(const LogMessage& message) {
   const ChannelId id = message.channel->id;
   const Answer answer = id < by_channel_.size() ? by_channel_[id] : Answer::yes;
   if (answer == Answer::no || answer == Answer::yes) return answer == Answer::yes;

@@ -65,7 +65,7 @@ class Selection {
   Selection(const SelectionOptions& options, const std::vector<LogChannel>& channels);
 
   /// For octets of waitsForPacket() it says what holds without a packet.
-  bool wants(const LogMessage& message);
+  bool includes(const LogMessage& message);
   /// True for octets on whose packet it depends whether both are wanted.
   bool waitsForPacket(const LogMessage& octets) const;
   /// The same for a datagram inside a keyframe, which has no channel.

@@ -118,8 +118,8 @@ void tellVisual(const RocinanteSdfSink& sink, const sdf::Visual& visual, const s
   const sdf::Material* const material = visual.Material();
   if (material == nullptr) return tellShape(sink, visual, link, shape);
   const std::string script = material->ScriptName();
-  const RocinanteSdfMaterial told = plain(*material, script);
-  shape.material = &told;
+  const RocinanteSdfMaterial described = plain(*material, script);
+  shape.material = &described;
   tellShape(sink, visual, link, shape);
 }
 
@@ -180,23 +180,23 @@ void tellJoint(const RocinanteSdfSink& sink, const sdf::Joint& joint, const With
   tell(sink, joint.ResolveChildLink(child));
   if (parent != "world") parent.insert(0, model.prefix);
   child.insert(0, model.prefix);
-  RocinanteSdfJoint told{};
-  told.name = name.c_str();
-  told.parent = parent.c_str();
-  told.child = child.c_str();
-  told.type = wordOf(joint.Type());
-  told.in_model = plain(model.pose * pose);
-  told.axis[2] = 1;
+  RocinanteSdfJoint described{};
+  described.name = name.c_str();
+  described.parent = parent.c_str();
+  described.child = child.c_str();
+  described.type = wordOf(joint.Type());
+  described.in_model = plain(model.pose * pose);
+  described.axis[2] = 1;
   if (const sdf::JointAxis* axis = joint.Axis(0)) {
     ignition::math::Vector3d along;
     tell(sink, axis->ResolveXyz(along));
-    for (std::size_t i = 0; i < 3; ++i) told.axis[i] = along[i];
-    told.lower = axis->Lower();
-    told.upper = axis->Upper();
-    told.velocity = axis->MaxVelocity();
-    told.effort = axis->Effort();
+    for (std::size_t i = 0; i < 3; ++i) described.axis[i] = along[i];
+    described.lower = axis->Lower();
+    described.upper = axis->Upper();
+    described.velocity = axis->MaxVelocity();
+    described.effort = axis->Effort();
   }
-  sink.joint(sink.to, &told);
+  sink.joint(sink.to, &described);
 }
 
 void tellModel(const RocinanteSdfSink& sink, const sdf::Model& model, const Within& here) {

@@ -318,7 +318,7 @@ bool IndexWalk::takeDataEnd(const mcap::Record& record) {
   at_.position = record.end();
   index_.ended = true;
   endLooseRun();
-  std::optional<mcap::Statistics> told;
+  std::optional<mcap::Statistics> statistics;
   mcap::RecordStepper steps(file_, at_.position);
   while (const std::optional<mcap::Record> next = steps.next()) {
     mcap::Channel channel;
@@ -329,9 +329,9 @@ bool IndexWalk::takeDataEnd(const mcap::Record& record) {
     if (next->opcode == Opcode::schema && mcap::parse(next->content, schema)) {
       addSchema(index_, std::move(schema));
     }
-    if (next->opcode == Opcode::statistics) mcap::parse(next->content, told.emplace());
+    if (next->opcode == Opcode::statistics) mcap::parse(next->content, statistics.emplace());
     if (next->opcode != Opcode::footer) continue;
-    if (told && isSound(*next, record.end())) compareCounts(*told, record.offset);
+    if (statistics && isSound(*next, record.end())) compareCounts(*statistics, record.offset);
     index_.closed =
         next->content.size() == mcap::kFooterContentBytes && magicAt(file_, steps.position());
     break;
@@ -352,16 +352,16 @@ bool IndexWalk::isSound(const mcap::Record& footer_record, std::uint64_t start) 
                              static_cast<std::size_t>(end - start))) == footer.summary_crc;
 }
 
-void IndexWalk::compareCounts(const mcap::Statistics& told, std::uint64_t data_end) {
+void IndexWalk::compareCounts(const mcap::Statistics& statistics, std::uint64_t data_end) {
   std::uint64_t found = 0;
   for (const auto& [channel, count] : index_.message_counts) found += count;
   const bool is_known = std::ranges::any_of(
       index_.damage, [](const DamageSpan& each) { return each.messages_lost != std::uint64_t{0}; });
-  if (is_known || found >= told.message_count) return;
+  if (is_known || found >= statistics.message_count) return;
   damaged(mcap::magic().size(), data_end,
           fmt::format("the statistics count {}, but {} are there: a piece of the file is missing",
-                      countText(told.message_count, "message"), found),
-          told.message_count - found);
+                      countText(statistics.message_count, "message"), found),
+          statistics.message_count - found);
 }
 
 void IndexWalk::skipDamage(std::uint64_t next) {

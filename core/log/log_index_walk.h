@@ -98,7 +98,7 @@ class IndexWalk {
   /// The summary's checksum holds from `start`, wherever its footer says that it begins.
   bool isSound(const mcap::Record& footer_record, std::uint64_t start) const;
   /// Where a piece of the file is missing from one record's end to another's, nothing looks broken.
-  void compareCounts(const mcap::Statistics& told, std::uint64_t data_end);
+  void compareCounts(const mcap::Statistics& statistics, std::uint64_t data_end);
   /// Resumes at `next`, the next byte that begins a credible record.
   void skipDamage(std::uint64_t next);
 

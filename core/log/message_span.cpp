@@ -39,20 +39,22 @@ bool MessageSpan::mayHold(ChannelId channel) const {
 
 mcap::Chunk SpanDecoder::chunkInFile(const MessageSpan& span,
                                      std::vector<DamageSpan>& damage) const {
-  const mcap::Chunk& told = span.chunk;
+  const mcap::Chunk& listed = span.chunk;
   const std::optional<mcap::Record> record = mcap::recordAt(file_, span.offset);
   mcap::Chunk found;
   if (record && record->opcode == Opcode::chunk && record->end() == span.end &&
-      mcap::parse(record->content, found) && found.message_start_time == told.message_start_time &&
-      found.message_end_time == told.message_end_time &&
-      found.uncompressed_size == told.uncompressed_size && found.compression == told.compression &&
-      found.records.data() == told.records.data() && found.records.size() == told.records.size()) {
+      mcap::parse(record->content, found) &&
+      found.message_start_time == listed.message_start_time &&
+      found.message_end_time == listed.message_end_time &&
+      found.uncompressed_size == listed.uncompressed_size &&
+      found.compression == listed.compression && found.records.data() == listed.records.data() &&
+      found.records.size() == listed.records.size()) {
     return found;
   }
-  damage.push_back({span.offset, span.offset + kChunkHeadBytes + told.compression.size(),
+  damage.push_back({span.offset, span.offset + kChunkHeadBytes + listed.compression.size(),
                     "the header of the chunk disagrees with the summary; the summary is used",
                     std::uint64_t{0}});
-  found = told;
+  found = listed;
   mcap::ByteCursor cursor(file_.subspan(static_cast<std::size_t>(span.offset)));
   cursor.take(mcap::kPrefixBytes + 3 * sizeof(std::uint64_t));
   found.uncompressed_crc = cursor.number<std::uint32_t>();

@@ -185,7 +185,7 @@ class ColladaReader {
     const ColladaInput* input = nullptr;
     const ColladaSource* source = nullptr;
     Slots* slots = nullptr;
-    bool told = false;
+    bool is_reported = false;
   };
 
   Read readOf(const ColladaInput* input) {
@@ -204,13 +204,13 @@ class ColladaReader {
     if (read.source == nullptr) return false;
     index = primitive.index(corner, read.input->offset);
     if (index < read.source->count) return true;
-    if (!read.told && told_.insert(read.input->element).second) {
+    if (!read.is_reported && reported_.insert(read.input->element).second) {
       faults_.error("collada.bad-index", ColladaDocument::placeOf(*primitive.element),
                     fmt::format("<{}> uses {} {} of {}", primitive.element->Name(),
                                 read.input->semantic, index, read.source->count),
                     "such corners have none");
     }
-    read.told = true;
+    read.is_reported = true;
     return false;
   }
 
@@ -316,7 +316,7 @@ class ColladaReader {
   ColladaNodes nodes_;
   ColladaInstances instances_;
   std::unordered_map<const ColladaSource*, Slots> slots_;
-  std::unordered_set<const Element*> told_;  ///< inputs with a bad index
+  std::unordered_set<const Element*> reported_;  ///< inputs with a bad index
   std::unordered_map<std::uint64_t, std::uint32_t> colored_;
   std::uint32_t instance_ = 0;
   LooseMesh loose_;

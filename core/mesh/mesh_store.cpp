@@ -124,8 +124,8 @@ std::shared_ptr<const Mesh> MeshStore::load(const std::string& name,
   auto entry = meshes_.find(key);
   if (entry == meshes_.end()) entry = meshes_.emplace(key, read(key, found)).first;
   Loaded& loaded = entry->second;
-  if (!loaded.told) {
-    loaded.told = true;
+  if (!loaded.is_reported) {
+    loaded.is_reported = true;
     addFile(found.path);
     for (const FileLookup& lookup : loaded.lookups) {
       search_.note(lookup);

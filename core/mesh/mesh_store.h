@@ -62,8 +62,8 @@ class MeshStore {
   using Key = std::tuple<std::filesystem::path, double, UpAxis>;
   struct Loaded {
     std::shared_ptr<const Mesh> mesh;
-    Error problem{};    ///< without a mesh
-    bool told = false;  ///< the results below have been passed on
+    Error problem{};           ///< without a mesh
+    bool is_reported = false;  ///< the results below have been passed on
     Findings faults;
     std::vector<FileLookup> lookups;
   };

@@ -16,7 +16,7 @@ constexpr int kBatches = 16;
 Account ChosenSource::leftOut() const { return inner_->leftOut(); }
 
 bool ChosenSource::takes(const ReceivedDatagram& datagram) {
-  const bool wanted = wants(datagram);
+  const bool wanted = accepts(datagram);
   count_.note(wanted);
   return wanted;
 }

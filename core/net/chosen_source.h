@@ -78,7 +78,7 @@ class ChosenSource : public DatagramSource {
       : inner_(std::move(inner)), count_(inner_->keepsPlace()) {}
 
   /// Asked once for each datagram, in order; counts those that it does not want.
-  virtual bool wants(const ReceivedDatagram& datagram) = 0;
+  virtual bool accepts(const ReceivedDatagram& datagram) = 0;
 
  private:
   bool takes(const ReceivedDatagram& datagram);

@@ -4,7 +4,7 @@
 
 namespace rocinante {
 
-bool FilteredSource::wants(const ReceivedDatagram& datagram) {
+bool FilteredSource::accepts(const ReceivedDatagram& datagram) {
   if (!own_.empty() && std::find(own_.begin(), own_.end(), datagram.sender) != own_.end()) {
     ++echoes_;
     return false;

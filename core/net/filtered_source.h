@@ -26,7 +26,7 @@ class FilteredSource final : public ChosenSource {
   InputCounts counts() const override;
 
  private:
-  bool wants(const ReceivedDatagram& datagram) override;
+  bool accepts(const ReceivedDatagram& datagram) override;
 
   AddressFilter allow_;
   std::vector<SocketAddress> own_;

@@ -57,13 +57,13 @@ bool isOwnAddress(const SocketAddress& sought) {
 }
 
 Status waitForInterfaces(std::span<const Endpoint> endpoints, Nanoseconds longest,
-                         const std::function<void(const std::string&)>& told,
+                         const std::function<void(const std::string&)>& notify,
                          const std::function<bool()>& stop) {
   const auto give_up = std::chrono::steady_clock::now() + longest;
   for (bool is_told = false;; is_told = true) {
     const std::string missing = missingInterfaces(endpoints);
     if (missing.empty()) return {};
-    if (!is_told) told("waiting for the network interface " + missing);
+    if (!is_told) notify("waiting for the network interface " + missing);
     if (stop()) {
       return Error{ErrorKind::refused, "interrupted while waiting for a network interface",
                    missing};

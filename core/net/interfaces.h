@@ -14,10 +14,10 @@ namespace rocinante {
 bool isOwnAddress(const SocketAddress& address);
 
 /// Returns when every network interface that the endpoints name exists: a cable adapter plugged in
-/// later, a VPN, a container's network. `told` is called once with the missing ones. refused when
+/// later, a VPN, a container's network. `notify` is called once with the missing ones. refused when
 /// `longest` passes first, or when `stop` returns true, which is called every 20 ms.
 Status waitForInterfaces(std::span<const Endpoint> endpoints, Nanoseconds longest,
-                         const std::function<void(const std::string&)>& told,
+                         const std::function<void(const std::string&)>& notify,
                          const std::function<bool()>& stop);
 
 /// "lo, eth0": the network interfaces of this machine, for messages.

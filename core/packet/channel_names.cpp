@@ -76,12 +76,12 @@ std::optional<ChannelNames> channelNamesIn(const ChannelMetadata& metadata) {
   if (packet == nullptr || !packet->faults.empty() || packet->statements.size() != 1) {
     return std::nullopt;
   }
-  const Statement& said = packet->statements.front();
-  if (said.kind != StatementKind::signal || said.names.size() != 1) return std::nullopt;
-  ChannelNames names{std::string(said.path.first), std::string(said.path.second), {}, {}};
+  const Statement& statement = packet->statements.front();
+  if (statement.kind != StatementKind::signal || statement.names.size() != 1) return std::nullopt;
+  ChannelNames names{std::string(statement.path.first), std::string(statement.path.second), {}, {}};
   if (is_signal) {
-    names.signal = said.names.front();
-    names.unit = said.unit;
+    names.signal = statement.names.front();
+    names.unit = statement.unit;
   } else if (names.device.empty() || !names.link.empty()) {
     return std::nullopt;
   }

@@ -93,8 +93,8 @@ void StateFolder::writeItem(Device& device, std::optional<Item<T>>& slot, T valu
 void StateFolder::foldJoints(const Statement& statement) {
   Device* const device = deviceFor(statement.name);
   if (device == nullptr) return;
-  DeviceState& said = device->second;
-  const JointsMeaning meaning = meaningOfJoints(&said, header_.source, statement);
+  DeviceState& device_state = device->second;
+  const JointsMeaning meaning = meaningOfJoints(&device_state, header_.source, statement);
   if (meaning.fault) {
     count(*meaning.fault);
     return forgetIfEmpty(statement.name);
@@ -104,12 +104,12 @@ void StateFolder::foldJoints(const Statement& statement) {
   }
   const std::uint64_t weight =
       kItemWeight + header_.source.size() + statement.numbers.size() * sizeof(double);
-  if (makeRoom(weightOf(said.joints), weight)) {
-    if (!said.joints) said.joints.emplace();
-    said.joints->value.assign(statement.numbers.begin(), statement.numbers.end());
-    claim(*said.joints);
-    clearNamedJoints(said);
-    said.last_write = time_;
+  if (makeRoom(weightOf(device_state.joints), weight)) {
+    if (!device_state.joints) device_state.joints.emplace();
+    device_state.joints->value.assign(statement.numbers.begin(), statement.numbers.end());
+    claim(*device_state.joints);
+    clearNamedJoints(device_state);
+    device_state.last_write = time_;
   } else {
     forgetIfEmpty(statement.name);
   }
@@ -149,18 +149,18 @@ bool StateFolder::setNamedJoint(DeviceState& device, NamedJoints::iterator found
 void StateFolder::foldOrder(const Statement& statement) {
   Device* const device = deviceFor(statement.name);
   if (device == nullptr) return;
-  DeviceState& said = device->second;
+  DeviceState& device_state = device->second;
   if (statement.names.empty()) {
-    eraseOrder(said, header_.source);
-    said.last_write = time_;
+    eraseOrder(device_state, header_.source);
+    device_state.last_write = time_;
   } else {
     auto order = itemOf(std::vector<std::string>(statement.names.begin(), statement.names.end()));
-    const auto found = said.orders.find(header_.source);
+    const auto found = device_state.orders.find(header_.source);
     const std::uint64_t before =
-        found == said.orders.end() ? 0 : weightOf(found->first) + weightOf(found->second);
+        found == device_state.orders.end() ? 0 : weightOf(found->first) + weightOf(found->second);
     if (makeRoom(before, header_.source.size() + weightOf(order))) {
-      said.orders.insert_or_assign(std::string(header_.source), std::move(order));
-      said.last_write = time_;
+      device_state.orders.insert_or_assign(std::string(header_.source), std::move(order));
+      device_state.last_write = time_;
     }
   }
   forgetIfEmpty(statement.name);
@@ -270,7 +270,7 @@ void StateFolder::foldDrawing(const Statement& statement) {
   Drawing& drawing = is_new ? state_.drawings_[key] : found->second;
   if (!goes_on) {
     drawing.parts.assign(statement.part_count, std::nullopt);
-    drawing.parts_said.assign(statement.part_count, SaidMark());
+    drawing.parts_stated.assign(statement.part_count, StatedMark());
   }
   drawing.kind = statement.kind;
   // A label has no colour: it is white, on the dark plate that a viewer draws below it.
@@ -282,7 +282,7 @@ void StateFolder::foldDrawing(const Statement& statement) {
   drawing.carrier = pathOf(statement.carrier);
   drawing.text = statement.text;
   drawing.parts[slot].emplace(statement.numbers.begin(), statement.numbers.end());
-  drawing.parts_said[slot].packet = state_.packets_;
+  drawing.parts_stated[slot].packet = state_.packets_;
 }
 
 void StateFolder::foldErase(const Statement& statement) {

@@ -130,9 +130,9 @@ std::optional<NamedSignal> signalNamed(std::string_view text) {
   const std::string packet = "RK1 - - -\n" + std::string(text) + " 0\n";
   const Packet* const read = decoder.decode(bytesOf(packet));
   if (read == nullptr || !read->faults.empty() || read->statements.size() != 1) return std::nullopt;
-  const Statement& said = read->statements.front();
-  NamedSignal named{std::string(said.path.first),
-                    {std::string(said.path.second), std::string(said.names.front())}};
+  const Statement& statement = read->statements.front();
+  NamedSignal named{std::string(statement.path.first),
+                    {std::string(statement.path.second), std::string(statement.names.front())}};
   return signalNameText(named.device, named.name) == text ? std::optional(std::move(named))
                                                           : std::nullopt;
 }

@@ -94,7 +94,7 @@ class OwnedTexts {
     eachMap(state, [&](std::string_view, const auto& map) {
       for (const auto& [key, value] : map) {
         eachItemOf(key, value, [&](const auto& item) {
-          if (wants(item.owner())) add(item);
+          if (includes(item.owner())) add(item);
         });
         addNamedJoints(key);
       }
@@ -110,7 +110,7 @@ class OwnedTexts {
   }
 
  private:
-  bool wants(std::string_view owner) const { return !only_ || *only_ == owner; }
+  bool includes(std::string_view owner) const { return !only_ || *only_ == owner; }
 
   template <class Said>
   void addTo(Stage stage, const Said& item) {

@@ -29,9 +29,9 @@ struct Path {
 
 /// When an item was last stated, counted in packets folded. Used for unfinished restatements and
 /// not part of a state's identity: any two are equal.
-struct SaidMark {
+struct StatedMark {
   std::uint64_t packet = 0;
-  bool operator==(const SaidMark&) const { return true; }
+  bool operator==(const StatedMark&) const { return true; }
 };
 
 /// A value with the SOURCE that wrote it last.
@@ -39,7 +39,7 @@ template <class T>
 struct Item {
   T value;
   std::string owner;
-  SaidMark said;
+  StatedMark stated;
   bool operator==(const Item&) const = default;
 };
 
@@ -134,7 +134,7 @@ struct Drawing {
   /// a gap. Each holds x y z triples, metres. A line continues from part to part, but not across a
   /// gap.
   std::vector<std::optional<std::vector<double>>> parts;
-  std::vector<SaidMark> parts_said;  ///< by part: a restatement can remove single parts
+  std::vector<StatedMark> parts_stated;  ///< by part: a restatement can remove single parts
   bool operator==(const Drawing&) const = default;
 };
 
@@ -295,7 +295,7 @@ class SessionState {
 
   std::map<std::string, OpenRestatement, std::less<>> open_;  ///< by SOURCE
   LogTime open_until_{};       ///< when the first of `open_` times out
-  std::uint64_t packets_ = 0;  ///< applied; the count in SaidMark
+  std::uint64_t packets_ = 0;  ///< applied; the count in StatedMark
 
   std::map<std::string, SourceCounts, std::less<>> counts_;
   std::map<std::string, RelayCounts, std::less<>> relays_;

@@ -129,7 +129,7 @@ Item<T> StateFolder::itemOf(T value) const {
 template <class T>
 void StateFolder::claim(Item<T>& item) const {
   if (!sameName(item.owner, header_.source)) item.owner = header_.source;
-  item.said.packet = state_.packets_;
+  item.stated.packet = state_.packets_;
 }
 
 template <class Map>

@@ -68,7 +68,7 @@ void StateFolder::eraseOrder(DeviceState& device, std::string_view source) {
 
 template <class T>
 bool StateFolder::isUnrepeated(const Item<T>& item, std::uint64_t first_packet) const {
-  return item.said.packet < first_packet && item.owner == header_.source;
+  return item.stated.packet < first_packet && item.owner == header_.source;
 }
 
 template <class T>
@@ -92,7 +92,7 @@ void StateFolder::eraseUnrepeated(SessionState::Drawings& drawings, std::uint64_
     bool has_parts = false;
     for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
       auto& part = drawing.parts[i];
-      if (part && drawing.parts_said[i].packet < first_packet) {
+      if (part && drawing.parts_stated[i].packet < first_packet) {
         state_.weight_ -= part->size() * sizeof(double);
         part.reset();
       }

@@ -141,9 +141,9 @@ Status SessionWriter::beginWith(const SessionState& preceding, LogTime moment) {
     return {};
   }
   // Continue from what a reader of this log can know: the keyframe.
-  Result<SessionState> told = KeyframeReader().read(bytesOf(text), moment);
-  if (!told) return told.error();
-  session.state = std::move(*told);
+  Result<SessionState> keyframe = KeyframeReader().read(bytesOf(text), moment);
+  if (!keyframe) return keyframe.error();
+  session.state = std::move(*keyframe);
   return session.writeKeyframe(text, moment);
 }
 

@@ -37,7 +37,7 @@ std::vector<std::string> orderOfValues(const DeviceState& device, const std::str
   return sorted == names ? own->second.value : names;
 }
 
-std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& told) const {
+std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& sent_orders) const {
   std::vector<std::string> texts(1);
   const auto add = [&](const ItemKey* before, const ItemKey& key, std::string text) {
     if (!texts.back().empty() && texts.back().size() + text.size() > kMostBytes) {
@@ -50,7 +50,7 @@ std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& told) c
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     const ItemKey& key = keys_[i];
     if (key.kind == ItemKind::joint && (i == 0 || keys_[i - 1].kind != ItemKind::joint)) {
-      if (std::string text = byOrder(key, restating, told); !text.empty()) {
+      if (std::string text = byOrder(key, restating, sent_orders); !text.empty()) {
         add(nullptr, key, std::move(text));
         while (i + 1 < keys_.size() && keys_[i + 1].kind == ItemKind::joint) ++i;
         before = nullptr;
@@ -61,7 +61,7 @@ std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& told) c
     if (key.kind == ItemKind::positions || key.kind == ItemKind::order) {
       const std::string& owner = *ownerOf(state_, key);
       const DeviceState& device = *state_.findDevice(key.name);
-      const bool was_told = told.erase({key.name, owner}) > 0;
+      const bool was_told = sent_orders.erase({key.name, owner}) > 0;
       const auto order = device.orders.find(owner);
       const bool is_ordered = order != device.orders.end();
       // The text cancels the order itself where it restates, or where the state has one.
@@ -69,7 +69,8 @@ std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& told) c
         text.insert(0, orderText(key.name, {}) + '\n');
       }
       const bool says_order = is_ordered && (key.kind == ItemKind::order || !restating);
-      if (style_.by_order && says_order) told[{key.name, owner}] = orderTag(order->second.value);
+      if (style_.by_order && says_order)
+        sent_orders[{key.name, owner}] = orderTag(order->second.value);
     }
     add(before, key, std::move(text));
     before = &key;
@@ -79,7 +80,8 @@ std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& told) c
 
 /// All named joints of the owner under an order, which is sent first unless it is known; empty when
 /// those in `keys_` are as short by name.
-std::string DeviceValues::byOrder(const ItemKey& first, bool restating, ToldOrders& told) const {
+std::string DeviceValues::byOrder(const ItemKey& first, bool restating,
+                                  ToldOrders& sent_orders) const {
   const DeviceState& device = *state_.findDevice(first.name);
   const std::string& owner = *ownerOf(state_, first);
   const std::vector<std::string> names = orderOfValues(device, owner, style_);
@@ -100,12 +102,12 @@ std::string DeviceValues::byOrder(const ItemKey& first, bool restating, ToldOrde
   }
   if (!restating && by_name <= text.size()) return {};
   const std::pair key{first.name, owner};
-  const auto known = told.find(key);
-  if (restating || known == told.end() || known->second != tag) {
+  const auto known = sent_orders.find(key);
+  if (restating || known == sent_orders.end() || known->second != tag) {
     text.insert(0, orderText(first.name, names) + '\n');
   }
   if (text.size() > kMostBytes) return {};
-  told[key] = tag;
+  sent_orders[key] = tag;
   return text;
 }
 

@@ -27,12 +27,12 @@ class DeviceValues {
   DeviceValues(const SessionState& state, std::span<const ItemKey> keys, const ItemStyle& style)
       : state_(state), keys_(keys), style_(style) {}
 
-  /// Statements, each with its LF: one text, or several beyond kMostBytes. `told` is what the
-  /// listeners know, and becomes what they know then.
-  std::vector<std::string> texts(bool restating, ToldOrders& told) const;
+  /// Statements, each with its LF: one text, or several beyond kMostBytes. `sent_orders` is what
+  /// the listeners know, and becomes what they know then.
+  std::vector<std::string> texts(bool restating, ToldOrders& sent_orders) const;
 
  private:
-  std::string byOrder(const ItemKey& first, bool restating, ToldOrders& told) const;
+  std::string byOrder(const ItemKey& first, bool restating, ToldOrders& sent_orders) const;
 
   const SessionState& state_;
   std::span<const ItemKey> keys_;

@@ -183,7 +183,7 @@ void FilteredOutput::applied(const SessionState& state, const ThroughBySource& t
 }
 
 void FilteredOutput::forgetOrders(std::string_view device) {
-  std::erase_if(told_, [&](const auto& each) { return each.first.first == device; });
+  std::erase_if(sent_orders_, [&](const auto& each) { return each.first.first == device; });
 }
 
 bool FilteredOutput::saysOrder(const SessionState& state,
@@ -212,7 +212,7 @@ void FilteredOutput::sendUnit(const Step& step, RelayDraft& draft) {
     by_owner[*ownerOf(step.state, key)].push_back(std::move(key));
   }
   for (const auto& [owner, keys] : by_owner) {
-    for (std::string& text : DeviceValues(step.state, keys, style_).texts(false, told_)) {
+    for (std::string& text : DeviceValues(step.state, keys, style_).texts(false, sent_orders_)) {
       const bool fits =
           draft.source == owner && draft.text.size() + text.size() <= roomFor(step, owner);
       if (!draft.text.empty() && !fits) send(step, draft, false);
@@ -261,7 +261,7 @@ void FilteredOutput::restate(const SessionState& state, const ThroughBySource& t
   restating_.emplace(state, std::move(options));
   pending_.sweep(state);
   // Listeners forget an order that a whole restatement does not repeat.
-  std::erase_if(told_, [&](const auto& each) { return !saysOrder(state, each.first); });
+  std::erase_if(sent_orders_, [&](const auto& each) { return !saysOrder(state, each.first); });
   std::size_t most = RestatingPace::kMaxWithParts;
   if (options_.bytes_per_second) {
     const double bytes = *options_.bytes_per_second * secondsOf(RestatingPace::kLongest) /
@@ -280,10 +280,10 @@ void FilteredOutput::sendRestating(const Step& step) {
     if (paced_.anyChanges()) return;
     const bool any_waits = pending_.anyReady() || paced_.anyEvents();
     if (bucket_ && any_waits && live_datagrams_ < kLiveForEachRestated) return;
-    std::vector<ItemKey> said;
-    std::vector<RelayDraft> drafts = restating_->next(step.state, &said, told_);
+    std::vector<ItemKey> restated;
+    std::vector<RelayDraft> drafts = restating_->next(step.state, &restated, sent_orders_);
     for (RelayDraft& draft : drafts) send(step, draft, true);
-    for (const ItemKey& key : said) pending_.said(step.state, key);
+    for (const ItemKey& key : restated) pending_.markStated(step.state, key);
     pace_.sent(drafts.size());
     live_datagrams_ = 0;
   }

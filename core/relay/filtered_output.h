@@ -119,7 +119,7 @@ class FilteredOutput {
   bool forgets_nothing_ = false;  ///< its restatements are too long to have part=
   int live_datagrams_ = 0;        ///< since the last one of a restatement
   std::vector<RepeatedErase> erases_;
-  ToldOrders told_;
+  ToldOrders sent_orders_;
 };
 
 }  // namespace rocinante

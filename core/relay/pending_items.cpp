@@ -115,7 +115,7 @@ void PendingItems::written(const SessionState& state, ItemKey&& key, LogTime now
   }
 }
 
-void PendingItems::said(const SessionState& state, const ItemKey& key) {
+void PendingItems::markStated(const SessionState& state, const ItemKey& key) {
   // The next change counts from what was said here, also of what came before this output was there.
   const bool counts_from_here = options_.min_change.any() && isPaced(key);
   const auto found =

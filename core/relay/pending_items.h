@@ -32,7 +32,7 @@ class PendingItems {
   /// The item was written and is in the state.
   void written(const SessionState& state, ItemKey&& key, LogTime now);
   /// The item was said otherwise, by a restatement: MinChange counts from there.
-  void said(const SessionState& state, const ItemKey& key);
+  void markStated(const SessionState& state, const ItemKey& key);
   /// Forgets what the state has no more, since a source's restatement did not repeat it: listeners
   /// lose it with the next restatement of this output, so that it is no small change when it comes
   /// back.

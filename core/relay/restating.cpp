@@ -114,22 +114,23 @@ Restating::Restating(const SessionState& state, Options options) : options_(std:
                    [&](const Part& a, const Part& b) { return stageOfPart(a) < stageOfPart(b); });
 }
 
-std::vector<RelayDraft> Restating::next(const SessionState& state, std::vector<ItemKey>* said,
-                                        ToldOrders& told) {
+std::vector<RelayDraft> Restating::next(const SessionState& state, std::vector<ItemKey>* restated,
+                                        ToldOrders& sent_orders) {
   const Part& part = parts_[next_++];
   std::vector<RelayDraft> drafts(1);
   drafts[0].source = part.source;
   std::vector<ItemKey> together;
   const auto say = [&] {
     if (together.empty()) return;
-    for (std::string& lines : DeviceValues(state, together, options_.style).texts(true, told)) {
+    for (std::string& lines :
+         DeviceValues(state, together, options_.style).texts(true, sent_orders)) {
       const std::string& text = drafts.back().text;
       if (!text.empty() && text.size() + lines.size() > options_.text_bytes) {
         drafts.push_back({part.source, {}, {}});
       }
       drafts.back().text += lines;
     }
-    if (said != nullptr) said->insert(said->end(), together.begin(), together.end());
+    if (restated != nullptr) restated->insert(restated->end(), together.begin(), together.end());
     together.clear();
   };
   for (const ItemKey& key : part.items) {

@@ -68,10 +68,10 @@ class Restating {
   const std::string& id() const { return options_.id; }
 
   /// The next part: one datagram, or several when its text has grown beyond text_bytes. Adds the
-  /// items that were said to `said`, if it is not null, and their orders to `told`. Must not have
-  /// ended.
-  std::vector<RelayDraft> next(const SessionState& state, std::vector<ItemKey>* said,
-                               ToldOrders& told);
+  /// restated items to `restated`, if it is not null, and their orders to `sent_orders`. Must not
+  /// have ended.
+  std::vector<RelayDraft> next(const SessionState& state, std::vector<ItemKey>* restated,
+                               ToldOrders& sent_orders);
 
  private:
   struct Part {

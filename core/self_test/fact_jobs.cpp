@@ -30,7 +30,7 @@ constexpr std::size_t kMaxQuoted = 200;
 struct RunningJob {
   pid_t child = -1;
   int output = -1;  ///< the reading end
-  std::string said;
+  std::string printed;
   std::string failure;  ///< why there is no answer
 };
 
@@ -56,7 +56,7 @@ RunningJob start(const FactJob& job) {
 /// Reads the output to its end, or what is there at `until`; false when it did not end.
 bool readOutput(RunningJob& job, SteadyClock::time_point until) {
   char piece[4096];
-  while (job.said.size() < kMaxOutput) {
+  while (job.printed.size() < kMaxOutput) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - SteadyClock::now());
     pollfd waiting{job.output, POLLIN, 0};
     const int news = ::poll(&waiting, 1, static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
@@ -65,7 +65,7 @@ bool readOutput(RunningJob& job, SteadyClock::time_point until) {
     const ssize_t got = ::read(job.output, piece, sizeof piece);
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;
-    job.said.append(piece, static_cast<std::size_t>(got));
+    job.printed.append(piece, static_cast<std::size_t>(got));
   }
   return true;
 }
@@ -99,11 +99,11 @@ void finish(RunningJob& job, SteadyClock::time_point until, Nanoseconds limit) {
 }
 
 /// The facts of the last line that holds some; from other output the first line.
-std::vector<SelfTestFact> answerOf(const std::string& said, std::string& other) {
+std::vector<SelfTestFact> answerOf(const std::string& printed, std::string& other) {
   std::vector<SelfTestFact> answer;
-  for (std::size_t at = 0; at < said.size();) {
-    const std::size_t end = std::min(said.find('\n', at), said.size());
-    const std::string_view line = std::string_view(said).substr(at, end - at);
+  for (std::size_t at = 0; at < printed.size();) {
+    const std::size_t end = std::min(printed.find('\n', at), printed.size());
+    const std::string_view line = std::string_view(printed).substr(at, end - at);
     if (auto facts = factsOfWire(line)) {
       answer = std::move(*facts);
     } else if (other.empty()) {
@@ -141,7 +141,7 @@ std::vector<SelfTestFact> findFacts(const std::vector<FactJob>& jobs, Nanosecond
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     finish(running[i], until, limit);
     std::string other;
-    const std::vector<SelfTestFact> answer = answerOf(running[i].said, other);
+    const std::vector<SelfTestFact> answer = answerOf(running[i].printed, other);
     if (!other.empty()) other.insert(0, ": ");
     const std::string failure = running[i].failure.empty() ? "no answer" : running[i].failure;
     for (const std::string& name : jobs[i].names) {

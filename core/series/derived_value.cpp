@@ -98,14 +98,14 @@ struct DerivedValue::Node {
     return std::nullopt;
   }
 
-  Said rateAt(LogTime time, const Said& said) {
-    if (!said) return std::nullopt;
-    if (!*said) {
+  Said rateAt(LogTime time, const Said& stated) {
+    if (!stated) return std::nullopt;
+    if (!*stated) {
       before.reset();
-      return said;
+      return stated;
     }
     if (time == kUnknownTime) return std::nullopt;
-    const Entry sample{time, **said};
+    const Entry sample{time, **stated};
     if (before && before->time < time) {
       const double rate = (sample.amount - before->amount) / secondsBetween(before->time, time);
       before = sample;
@@ -117,15 +117,15 @@ struct DerivedValue::Node {
   }
 
   /// `held`: of a value that holds from sample to sample; else of one whose rate is asked for.
-  Said meanAt(LogTime time, const Said& said, bool held) {
-    if (!said) return held && due && *due <= time ? betweenAt(time) : std::nullopt;
+  Said meanAt(LogTime time, const Said& stated, bool held) {
+    if (!stated) return held && due && *due <= time ? betweenAt(time) : std::nullopt;
     due.reset();
-    if (!*said) {
+    if (!*stated) {
       entries.clear();
-      return said;
+      return stated;
     }
-    if (time == kUnknownTime) return held ? said : std::nullopt;
-    const double value = **said;
+    if (time == kUnknownTime) return held ? stated : std::nullopt;
+    const double value = **stated;
     if (entries.empty()) {
       entries.push_back({time, held ? 0 : value});
     } else if (entries.back().time < time) {
@@ -139,7 +139,7 @@ struct DerivedValue::Node {
     dropBefore(time - over, held);
     const Said mean = meanUntil(entries.back());
     if (entries.size() > kMostEntries) thinOut();
-    if (!mean) return held ? said : std::nullopt;
+    if (!mean) return held ? stated : std::nullopt;
     const bool ends = time > LogTime::max() - 2 * over;
     if (held && !ends && isApart(**mean)) due = time + stepOver();
     return mean;
@@ -388,7 +388,7 @@ std::optional<std::optional<double>> DerivedValue::asOf(LogTime time) {
 
 std::optional<DerivedValue::Between> DerivedValue::nextBefore(LogTime time) {
   for (auto due = root_->firstDue(); due && *due < time; due = root_->firstDue()) {
-    if (const auto said = root_->at(*due, false)) return Between{*due, *said};
+    if (const auto stated = root_->at(*due, false)) return Between{*due, *stated};
   }
   return std::nullopt;
 }

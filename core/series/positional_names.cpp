@@ -5,9 +5,9 @@
 namespace rocinante {
 namespace {
 
-const Model* modelFor(const Cell& cell, std::string_view device, const DeviceState& said) {
-  if (said.presence && said.presence->value.presence == Presence::added) {
-    const auto added = cell.models.find(said.presence->value.model);
+const Model* modelFor(const Cell& cell, std::string_view device, const DeviceState& device_state) {
+  if (device_state.presence && device_state.presence->value.presence == Presence::added) {
+    const auto added = cell.models.find(device_state.presence->value.model);
     if (added != cell.models.end()) return added->second.get();
   }
   if (const CellDevice* own = cell.findDevice(device)) return cell.modelOf(*own);
@@ -24,8 +24,8 @@ const Model* modelFor(const Cell& cell, std::string_view device, const DeviceSta
 }  // namespace
 
 PositionalNames positionalNames(const Cell& cell) {
-  return [&cell](std::string_view device, const DeviceState& said) {
-    const Model* const model = modelFor(cell, device, said);
+  return [&cell](std::string_view device, const DeviceState& device_state) {
+    const Model* const model = modelFor(cell, device, device_state);
     return model == nullptr ? std::vector<std::string>() : positionalNames(*model);
   };
 }

@@ -5,13 +5,14 @@
 
 namespace rocinante {
 
-std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
+std::optional<double> jointSaid(const DeviceState& device_state, std::string_view name,
                                 const std::vector<std::string>& names) {
-  if (const auto named = said.named_joints.find(name); named != said.named_joints.end()) {
+  if (const auto named = device_state.named_joints.find(name);
+      named != device_state.named_joints.end()) {
     return named->second.value;
   }
-  if (!said.joints) return std::nullopt;
-  const std::vector<double>& values = said.joints->value;
+  if (!device_state.joints) return std::nullopt;
+  const std::vector<double>& values = device_state.joints->value;
   if (!names.empty()) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end() || names.size() != values.size()) return std::nullopt;
@@ -27,16 +28,16 @@ std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
 }
 
 std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key) {
-  const Item<SignalValue>* const said = state.findSignal(key.name, {key.link, key.part});
-  if (said == nullptr || said->value.kind == SignalKind::text) return std::nullopt;
-  return said->value.number;
+  const Item<SignalValue>* const item = state.findSignal(key.name, {key.link, key.part});
+  if (item == nullptr || item->value.kind == SignalKind::text) return std::nullopt;
+  return item->value.number;
 }
 
 std::optional<std::string> stateSaid(const SessionState& state, const SeriesKey& key) {
-  const Item<SignalValue>* const said = state.findSignal(key.name, {key.link, key.part});
-  if (said == nullptr || said->value.kind == SignalKind::number) return std::nullopt;
-  if (said->value.kind == SignalKind::text) return said->value.text;
-  return said->value.number != 0 ? "true" : "false";
+  const Item<SignalValue>* const item = state.findSignal(key.name, {key.link, key.part});
+  if (item == nullptr || item->value.kind == SignalKind::number) return std::nullopt;
+  if (item->value.kind == SignalKind::text) return item->value.text;
+  return item->value.number != 0 ? "true" : "false";
 }
 
 }  // namespace rocinante

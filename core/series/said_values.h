@@ -12,13 +12,13 @@
 namespace rocinante {
 
 /// The names of the values of a device's positional `joints`, in order; empty when its model is not
-/// known. `said`: what packets have said about it.
-using PositionalNames =
-    std::function<std::vector<std::string>(std::string_view device, const DeviceState& said)>;
+/// known. `device_state`: what packets state about it.
+using PositionalNames = std::function<std::vector<std::string>(std::string_view device,
+                                                               const DeviceState& device_state)>;
 
 /// The values of `joints` that a device's state gives to a name, as pictures show them: named ones
 /// first, positional ones when there are as many as `names`, or by "1", "2" without names.
-std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
+std::optional<double> jointSaid(const DeviceState& device_state, std::string_view name,
                                 const std::vector<std::string>& names);
 
 /// The number of a signal, a boolean as 1 or 0; empty for a text, and when it is not stated.

@@ -77,7 +77,7 @@ CountBins SeriesScan::countBins() const {
 void SeriesScan::beginWith(SessionState state, LogTime at) {
   began_ = true;
   state_ = std::move(state);
-  for (const auto& [name, said] : state_.devices()) {
+  for (const auto& [name, device_state] : state_.devices()) {
     takeEverything(deviceNamed(name), at);
   }
   if (!state_.signals().empty()) takeEverything(deviceNamed({}), at);
@@ -163,11 +163,12 @@ void SeriesScan::takeStatement(const Statement& statement, std::string_view sour
     written_by_[std::string(source)].insert(&device);
   }
   if (is_signal) return takeSignals(statement, device, time);
-  const DeviceState* const said = state_.findDevice(statement.name);
-  if (said == nullptr || statement.kind == StatementKind::remove) return endAll(device, time);
+  const DeviceState* const device_state = state_.findDevice(statement.name);
+  if (device_state == nullptr || statement.kind == StatementKind::remove)
+    return endAll(device, time);
   switch (statement.kind) {
     case StatementKind::joints:
-      return takeJoints(statement, source, device, *said, time);
+      return takeJoints(statement, source, device, *device_state, time);
     case StatementKind::joint:
       for (std::size_t i = 0; i < statement.names.size(); ++i) {
         store_.record(idOf(device, statement.names[i]), time, statement.numbers[i]);
@@ -217,11 +218,11 @@ void SeriesScan::takeSignals(const Statement& statement, Device& device, LogTime
   }
 }
 
-void SeriesScan::takeAllSignals(Device& device, const Signals& said, LogTime time) {
-  for (const auto& [name, item] : said) signalOf(device, name);
+void SeriesScan::takeAllSignals(Device& device, const Signals& device_state, LogTime time) {
+  for (const auto& [name, item] : device_state) signalOf(device, name);
   for (auto& [name, signal] : device.signals) {
-    const auto found = said.find(name);
-    if (found == said.end()) {
+    const auto found = device_state.find(name);
+    if (found == device_state.end()) {
       signal.end(store_, time);
     } else {
       const SignalValue& value = found->second.value;
@@ -232,8 +233,8 @@ void SeriesScan::takeAllSignals(Device& device, const Signals& said, LogTime tim
 }
 
 void SeriesScan::takeJoints(const Statement& statement, std::string_view source, Device& device,
-                            const DeviceState& said, LogTime time) {
-  const JointsMeaning meaning = meaningOfJoints(&said, source, statement);
+                            const DeviceState& device_state, LogTime time) {
+  const JointsMeaning meaning = meaningOfJoints(&device_state, source, statement);
   if (meaning.fault) return;
   if (meaning.names != nullptr) {
     auto known = device.orders.find(source);
@@ -247,7 +248,7 @@ void SeriesScan::takeJoints(const Statement& statement, std::string_view source,
     }
     return;
   }
-  if (!device.knows_names) learnNames(device, said);
+  if (!device.knows_names) learnNames(device, device_state);
   if (device.names.empty()) {
     for (std::size_t i = device.positions.size(); i < statement.numbers.size(); ++i) {
       device.positions.push_back(idOf(device, std::to_string(i + 1)));
@@ -265,11 +266,11 @@ void SeriesScan::takeJoints(const Statement& statement, std::string_view source,
   }
 }
 
-void SeriesScan::learnNames(Device& device, const DeviceState& said) {
+void SeriesScan::learnNames(Device& device, const DeviceState& device_state) {
   device.knows_names = true;
   device.names.clear();
   device.positions.clear();
-  if (options_.names) device.names = options_.names(device.name, said);
+  if (options_.names) device.names = options_.names(device.name, device_state);
   for (const std::string& name : device.names) device.positions.push_back(idOf(device, name));
 }
 
@@ -277,29 +278,29 @@ void SeriesScan::learnNames(Device& device, const DeviceState& said) {
 void SeriesScan::takeEverything(Device& device, LogTime time) {
   // No device has this name: these are the signals of none.
   if (device.name.empty()) return takeAllSignals(device, state_.signals(), time);
-  const DeviceState* const said = state_.findDevice(device.name);
-  if (said == nullptr) return endAll(device, time);
-  takeAllSignals(device, said->signals, time);
-  if (!device.knows_names) learnNames(device, *said);
+  const DeviceState* const device_state = state_.findDevice(device.name);
+  if (device_state == nullptr) return endAll(device, time);
+  takeAllSignals(device, device_state->signals, time);
+  if (!device.knows_names) learnNames(device, *device_state);
   device.orders.clear();
-  for (const auto& [name, item] : said->named_joints) idOf(device, name);
-  if (said->joints && device.names.empty()) {
-    for (std::size_t i = device.positions.size(); i < said->joints->value.size(); ++i) {
+  for (const auto& [name, item] : device_state->named_joints) idOf(device, name);
+  if (device_state->joints && device.names.empty()) {
+    for (std::size_t i = device.positions.size(); i < device_state->joints->value.size(); ++i) {
       device.positions.push_back(idOf(device, std::to_string(i + 1)));
     }
   }
   for (const auto& [name, id] : device.joints) {
-    if (const auto value = jointSaid(*said, name, device.names)) {
+    if (const auto value = jointSaid(*device_state, name, device.names)) {
       store_.record(id, time, *value);
     } else {
       store_.end(id, time);
     }
   }
-  if (!said->pose && !device.pose) return;
+  if (!device_state->pose && !device.pose) return;
   for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
     const SeriesId id = poseIds(device)[part];
-    if (said->pose) {
-      store_.record(id, time, poseNumbers(said->pose->value.pose)[part]);
+    if (device_state->pose) {
+      store_.record(id, time, poseNumbers(device_state->pose->value.pose)[part]);
     } else {
       store_.end(id, time);
     }

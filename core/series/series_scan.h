@@ -102,17 +102,17 @@ class SeriesScan {
   void take(const Packet& packet, LogTime time);
   void takeStatement(const Statement& statement, std::string_view source, LogTime time);
   void takeJoints(const Statement& statement, std::string_view source, Device& device,
-                  const DeviceState& said, LogTime time);
+                  const DeviceState& device_state, LogTime time);
   void takeSignals(const Statement& statement, Device& device, LogTime time);
   void takeEverything(Device& device, LogTime time);
-  void takeAllSignals(Device& device, const Signals& said, LogTime time);
+  void takeAllSignals(Device& device, const Signals& device_state, LogTime time);
   void takeLinks(LogTime time);
   void count(const Packet& packet, LogTime time);
   Device& deviceNamed(std::string_view name);
   std::array<SeriesId, 7>& poseIds(Device& device);
   SeriesId idOf(Device& device, std::string_view joint);
   SignalSeries& signalOf(Device& device, const SignalNameView& name);
-  void learnNames(Device& device, const DeviceState& said);
+  void learnNames(Device& device, const DeviceState& device_state);
   void endAll(Device& device, LogTime time);
   CountBins countBins() const;
 

@@ -102,15 +102,15 @@ void SeriesStore::derive(const SeriesKey& key) {
 void SeriesStore::tell(Id id, std::optional<double> value) {
   for (const Follower& follower : followers_[id]) {
     derived_[follower.derived].value.take(follower.stated, value);
-    told_ = true;
+    has_news_ = true;
   }
 }
 
 void SeriesStore::settle(LogTime time, bool exactly) {
-  const auto take = [this](Derived& derived, LogTime at, const std::optional<double>& said) {
-    derived.newest = said && std::isfinite(*said) ? said : std::nullopt;
+  const auto take = [this](Derived& derived, LogTime at, const std::optional<double>& value) {
+    derived.newest = value && std::isfinite(*value) ? value : std::nullopt;
     if (derived.newest) {
-      record(derived.id, at, *said);
+      record(derived.id, at, *value);
     } else {
       end(derived.id, at);
     }
@@ -120,15 +120,15 @@ void SeriesStore::settle(LogTime time, bool exactly) {
       take(derived, between->time, between->value);
     }
   }
-  if (std::exchange(told_, false)) {
+  if (std::exchange(has_news_, false)) {
     ++derived_samples_;
     for (Derived& derived : derived_) {
-      if (const auto said = derived.value.at(time)) take(derived, time, *said);
+      if (const auto value = derived.value.at(time)) take(derived, time, *value);
     }
   }
   for (Derived& derived : derived_) {
     if (!exactly) break;
-    if (const auto said = derived.value.asOf(time)) take(derived, time, *said);
+    if (const auto value = derived.value.asOf(time)) take(derived, time, *value);
   }
 }
 

@@ -109,7 +109,7 @@ class SeriesStore {
   std::uint64_t text_bytes_ = 0;  ///< of their texts
   std::vector<Derived> derived_;
   std::vector<std::vector<Follower>> followers_;  ///< by the stated value
-  bool told_ = false;                             ///< since they were settled
+  bool has_news_ = false;                         ///< since they were settled
   std::uint64_t derived_samples_ = 0;
 };
 

@@ -91,16 +91,17 @@ class Rows {
       if (!links_ || !part || !links_->poses()[link_[column]]) return std::nullopt;
       return poseNumbers(*links_->poses()[link_[column]])[*part];
     }
-    const DeviceState* const said = state.findDevice(key.name);
-    if (said == nullptr) return std::nullopt;
+    const DeviceState* const device_state = state.findDevice(key.name);
+    if (device_state == nullptr) return std::nullopt;
     if (key.kind == SeriesKey::Kind::pose) {
       const auto part = posePart(key.part);
-      if (!said->pose || !part) return std::nullopt;
-      return poseNumbers(said->pose->value.pose)[*part];
+      if (!device_state->pose || !part) return std::nullopt;
+      return poseNumbers(device_state->pose->value.pose)[*part];
     }
     auto& names = names_[column];
-    if (!names) names = table_.names ? table_.names(key.name, *said) : std::vector<std::string>();
-    return jointSaid(*said, key.part, *names);
+    if (!names)
+      names = table_.names ? table_.names(key.name, *device_state) : std::vector<std::string>();
+    return jointSaid(*device_state, key.part, *names);
   }
 
   const SeriesTable& table_;

@@ -23,8 +23,8 @@ struct ValueBin {
   bool hasSample() const { return low <= high; }
   /// Nothing happened: the value of the bin before holds.
   bool holds() const { return !hasSample() && !ends; }
-  void take(Said said) {
-    const auto sample = static_cast<Value>(said);
+  void take(Said value) {
+    const auto sample = static_cast<Value>(value);
     if (sample < low) low = sample;
     if (sample > high) high = sample;
     last = sample;

@@ -39,16 +39,16 @@ void KeyframeFinder::findChannel() {
 
 std::optional<SessionState> KeyframeFinder::usable(const LogMessage& message) {
   if (refused_.contains(message.place())) return std::nullopt;
-  Result<SessionState> told = keyframes_.read(message.payload, message.log_time);
-  if (!told) {
-    refuse(message, told.error().what);
+  Result<SessionState> read = keyframes_.read(message.payload, message.log_time);
+  if (!read) {
+    refuse(message, read.error().what);
     return std::nullopt;
   }
   if (!reader_.inOrderAt(message.place())) {
     refuse(message, "a message after it in the file sorts before it");
     return std::nullopt;
   }
-  return std::move(*told);
+  return std::move(*read);
 }
 
 void KeyframeFinder::refuse(const LogMessage& message, std::string cause) {

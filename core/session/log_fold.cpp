@@ -215,9 +215,9 @@ void LogFold::fold(const LogMessage& message, std::vector<Event>* sink) {
 }
 
 void LogFold::adopt(const LogMessage& message) {
-  std::optional<SessionState> told = finder_.usable(message);
-  if (!told) return;
-  state_ = std::move(*told);
+  std::optional<SessionState> keyframe = finder_.usable(message);
+  if (!keyframe) return;
+  state_ = std::move(*keyframe);
   base_ = reached_;
   since_base_ = 0;
   keepState();

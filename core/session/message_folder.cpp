@@ -5,10 +5,10 @@ namespace rocinante {
 Applied foldPacket(SessionState& state, LogTime time, const Packet& packet,
                    std::vector<Event>* events) {
   const Applied applied = state.apply(time, packet);
-  std::vector<Event> said = state.takeEvents();
+  std::vector<Event> taken = state.takeEvents();
   if (events != nullptr) {
-    events->insert(events->end(), std::make_move_iterator(said.begin()),
-                   std::make_move_iterator(said.end()));
+    events->insert(events->end(), std::make_move_iterator(taken.begin()),
+                   std::make_move_iterator(taken.end()));
   }
   return applied;
 }

@@ -19,22 +19,22 @@ Result<MomentWalk> MomentWalk::open(const std::filesystem::path& path) {
 
 Status MomentWalk::visit(LogTime from, LogTime until, const MomentVisitor& visitor) {
   if (Status found = reader_.seek(from); !found) return found;
-  std::optional<LogTime> said;
+  std::optional<LogTime> reached;
   const auto finish = [&]() -> Status {
-    if (!said || !visitor.moment) return {};
-    const Result<const SessionState*> state = stateAt(*said);
+    if (!reached || !visitor.moment) return {};
+    const Result<const SessionState*> state = stateAt(*reached);
     if (!state) return state.error();
-    return visitor.moment(*said, **state);
+    return visitor.moment(*reached, **state);
   };
   while (true) {
     const Result<std::optional<LogMessage>> message = reader_.next();
     if (!message) return message.error();
     if (!*message || (*message)->log_time >= until) break;
     if (!(*message)->channel->folded()) continue;
-    if (said && *said != (*message)->log_time) {
+    if (reached && *reached != (*message)->log_time) {
       if (Status finished = finish(); !finished) return finished;
     }
-    said = (*message)->log_time;
+    reached = (*message)->log_time;
     if (!visitor.message) continue;
     if (Status visited = visitor.message(**message, folder_.decode(**message)); !visited) {
       return visited;

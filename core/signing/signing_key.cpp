@@ -44,8 +44,9 @@ std::string_view takeLine(std::string_view& text) {
 /// The key behind `word` in the next line.
 Result<Seed> takeKey(std::string_view& text, std::string_view word, const std::string& name,
                      int line) {
-  const std::string_view said = takeLine(text);
-  const auto key = said.starts_with(word) ? readBase64<32>(said.substr(word.size())) : std::nullopt;
+  const std::string_view first_line = takeLine(text);
+  const auto key =
+      first_line.starts_with(word) ? readBase64<32>(first_line.substr(word.size())) : std::nullopt;
   if (key) return *key;
   return damaged(fmt::format("the line must be `{}` and 44 characters of base64", word), name,
                  line);
@@ -152,8 +153,8 @@ Result<SigningKey> SigningKey::read(const std::filesystem::path& path) {
 }
 
 Result<SigningKey> SigningKey::parse(std::string_view text, const std::string& name) {
-  const auto said = takeKey(text, kPublicWord, name, 1);
-  if (!said) return said.error();
+  const auto public_key = takeKey(text, kPublicWord, name, 1);
+  if (!public_key) return public_key.error();
   if (text.empty()) {
     return damaged("the secret line is missing: this is a public key", name, 2);
   }
@@ -161,7 +162,7 @@ Result<SigningKey> SigningKey::parse(std::string_view text, const std::string& n
   if (!seed) return seed.error();
   SigningKey key = ofSeed(*seed);
   ::sodium_memzero(seed->data(), seed->size());
-  if (key.public_ != *said) {
+  if (key.public_ != *public_key) {
     return damaged("the public and the secret line do not belong together", name, 2);
   }
   if (!text.empty()) return damaged("a key file has two lines", name, 3);

@@ -59,7 +59,7 @@ std::optional<Untrusted> TrustJudge::judge(ByteView datagram, WallTime received)
   return std::nullopt;
 }
 
-bool TrustedSource::wants(const ReceivedDatagram& datagram) {
+bool TrustedSource::accepts(const ReceivedDatagram& datagram) {
   const auto reason = judge_->judge(datagram.payload, datagram.kernel_time);
   if (reason) untrusted_.add(*reason);
   return !reason;

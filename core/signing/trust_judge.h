@@ -72,7 +72,7 @@ class TrustedSource final : public ChosenSource {
   InputCounts counts() const override;
 
  private:
-  bool wants(const ReceivedDatagram& datagram) override;
+  bool accepts(const ReceivedDatagram& datagram) override;
 
   std::shared_ptr<TrustJudge> judge_;
   UntrustedCounts untrusted_;

@@ -179,10 +179,10 @@ SourceResult Source::setColor(PathView path, std::optional<std::uint32_t> rgba) 
 
 SourceResult Source::setSignal(PathView path, std::string_view name, double value,
                                std::string_view unit, double deadband) {
-  const CText<RK_UNIT_BYTES> said(unit);
-  if (said.get() == nullptr) return SourceResult::bad_text;
+  const CText<RK_UNIT_BYTES> unit_text(unit);
+  if (unit_text.get() == nullptr) return SourceResult::bad_text;
   return resultOf(rk_source_signal(state_->source, CPath(path), CName(name).name(), value,
-                                   unit.empty() ? nullptr : said.get(), deadband));
+                                   unit.empty() ? nullptr : unit_text.get(), deadband));
 }
 
 SourceResult Source::setSignal(PathView path, std::string_view name, bool value) {

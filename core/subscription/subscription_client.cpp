@@ -193,8 +193,8 @@ void SubscriptionClient::accept(SteadyTime now, const SubscriptionMessage& answe
   const bool is_known = run == relay_run_;
   const bool is_first = relay_run_.empty();
   relay_run_ = run;
-  if (is_known && told_ == Told::subscribed) return;
-  told_ = Told::nothing;
+  if (is_known && reported_ == Told::subscribed) return;
+  reported_ = Told::nothing;
   const std::string relay = shown(answer.relay);
   tell(Told::subscribed,
        is_first ? fmt::format("subscribed to relay {} at {}", relay, relay_.text())
@@ -210,17 +210,17 @@ void SubscriptionClient::refuse(SteadyTime now, const std::string& sentence) {
   due_ = now + kAfterRefusal;
   // A refusal is an answer.
   asking_since_ = due_;
-  if (told_ == Told::refused && told_sentence_ == sentence) return;
+  if (reported_ == Told::refused && told_sentence_ == sentence) return;
   told_sentence_ = sentence;
-  told_ = Told::nothing;
+  reported_ = Told::nothing;
   tell(Told::refused, fmt::format("{} refused: {}; asking again every {} s", relay_.text(),
                                   sentence.empty() ? "no reason given" : shown(sentence),
                                   kAfterRefusal / std::chrono::seconds(1)));
 }
 
 void SubscriptionClient::tell(Told what, std::string sentence) {
-  if (told_ == what) return;
-  told_ = what;
+  if (reported_ == what) return;
+  reported_ = what;
   news_ = std::move(sentence);
 }
 

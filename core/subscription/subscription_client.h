@@ -96,7 +96,7 @@ class SubscriptionClient {
   SteadyTime tokens_at_;
   SteadyTime opened_;                          ///< the first request was due
   std::optional<Nanoseconds> accepted_after_;  ///< from opened_ to the first acceptance
-  Told told_ = Told::nothing;
+  Told reported_ = Told::nothing;
   std::string told_sentence_;  ///< of the last refusal
   std::optional<std::string> news_;
 };

@@ -65,7 +65,7 @@ std::string LiveInput::names() const { return fmt::format("{}", fmt::join(names_
 Status LiveInput::pass(std::int64_t wait_ms) {
   std::vector<pollfd> waiting;
   for (const auto& each : sources_) {
-    if (const auto said = each->maintain()) cli::warn(*said);
+    if (const auto news = each->maintain()) cli::warn(*news);
     waiting.push_back({each->fileDescriptor(), POLLIN, 0});
   }
   ::poll(waiting.data(), waiting.size(), static_cast<int>(wait_ms));

@@ -97,7 +97,7 @@ class ArtifactApprover {
     }
     if (judged.areas) accepted.areas_pixels = pictureXxh3(*judged.areas);
     if (approval_.isAccepted(name, accepted)) {
-      told_.push_back(name);
+      accepted_.push_back(name);
       return {};
     }
     const auto of_case = std::ranges::find(suite_.cases, judged.frame.case_name, &SuiteCase::name);
@@ -109,7 +109,7 @@ class ArtifactApprover {
       unwritten_ = staged.error();
       return {};
     }
-    told_.push_back(name);
+    accepted_.push_back(name);
     return {};
   }
 
@@ -123,10 +123,10 @@ class ArtifactApprover {
     if (!left_alone.ok()) return left_alone.error();
     for (const std::string& name : *left_alone) {
       cli::warn("another approve changed it meanwhile, so it was left alone (case " + name + ")");
-      std::erase(told_, name);
+      std::erase(accepted_, name);
     }
     refused += left_alone->size();
-    return told_;
+    return accepted_;
   }
 
  private:
@@ -149,7 +149,7 @@ class ArtifactApprover {
   const ApproveArguments& arguments_;
   Approval approval_;
   std::string by_, at_;
-  std::vector<std::string> told_;
+  std::vector<std::string> accepted_;
   std::optional<Error> unwritten_;
 };
 
@@ -184,10 +184,10 @@ Result<cli::Exit> approveArtifact(const ApproveArguments& arguments, const Appro
   if (cli::stopRequested()) {
     return Error{ErrorKind::refused, "interrupted: nothing was approved", suite->file.string()};
   }
-  const auto told = approver.commit(refused);
-  if (!told.ok()) return told.error();
-  for (const std::string& name : *told) fmt::print("approved {}\n", name);
-  fmt::print("{} approved, {} refused; goldens in {}\n", told->size() + runs_approved, refused,
+  const auto approved = approver.commit(refused);
+  if (!approved.ok()) return approved.error();
+  for (const std::string& name : *approved) fmt::print("approved {}\n", name);
+  fmt::print("{} approved, {} refused; goldens in {}\n", approved->size() + runs_approved, refused,
              suite->goldens.lexically_normal().string());
   return refused > 0 ? cli::Exit::no : cli::Exit::done;
 }

@@ -117,9 +117,9 @@ class Approver {
     if (!left_alone.ok()) return left_alone.error();
     for (const std::string& name : *left_alone) {
       cli::warn("another approve changed it meanwhile, so it was left alone (case " + name + ")");
-      std::erase(told_, name);
+      std::erase(approved_, name);
     }
-    for (const std::string& name : told_) fmt::print("approved {}\n", name);
+    for (const std::string& name : approved_) fmt::print("approved {}\n", name);
     counts_.approved -= left_alone->size();
     counts_.refused += left_alone->size();
     return counts_;
@@ -161,7 +161,7 @@ class Approver {
     // Unchanged: keep the first acceptance.
     if (approval_.isAccepted(frame.name, accepted)) {
       ++counts_.unchanged;
-      if (!arguments_.interactive) told_.push_back(frame.name);
+      if (!arguments_.interactive) approved_.push_back(frame.name);
       return {};
     }
     if (list_ && list_->find(frame.name)->second != accepted.pixels) {
@@ -183,7 +183,7 @@ class Approver {
       unwritten_ = staged.error();
       return {};
     }
-    told_.push_back(frame.name);
+    approved_.push_back(frame.name);
     tellOfShared(*frame.suite_case);
     ++counts_.approved;
     return {};
@@ -216,7 +216,7 @@ class Approver {
   Approval approval_;
   std::string by_, at_;
   Counts counts_;
-  std::vector<std::string> told_;  ///< frames accepted once commit() succeeds
+  std::vector<std::string> approved_;  ///< frames accepted once commit() succeeds
   std::optional<Error> unwritten_;
   bool quit_ = false;
 };

@@ -49,19 +49,19 @@ class OwnSceneDrawer : HeldMaker, public SceneDrawer {
 Result<SceneIdentity> SceneDrawer::identity(const FrameRequest& request) {
   auto frame = maker_.identity(request);
   if (!frame.ok()) return frame.error();
-  const auto said = state(request);
-  if (!said.ok()) return said.error();
+  const auto session_state = state(request);
+  if (!session_state.ok()) return session_state.error();
   SceneIdentity identity{std::move(*frame), {}};
-  identity.layers = layersOf(identity.frame, poseScene(maker_.cell(), *said));
+  identity.layers = layersOf(identity.frame, poseScene(maker_.cell(), *session_state));
   return identity;
 }
 
 Result<SessionState> SceneDrawer::state(const FrameRequest& request) {
   if (maker_.session() == nullptr) return SessionState{};
-  const auto said = maker_.session()->stateAt(request.time);
-  if (!said.ok()) return said.error();
+  const auto session_state = maker_.session()->stateAt(request.time);
+  if (!session_state.ok()) return session_state.error();
   // A copy: the next question to the session takes back what it answered.
-  return **said;
+  return **session_state;
 }
 
 MakeDrawer sceneDrawers(Cell cell, std::optional<std::filesystem::path> log) {

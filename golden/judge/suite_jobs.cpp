@@ -127,8 +127,8 @@ class Gatherer {
     done_[place] = true;
     ++count_;
     if (options_.progress) options_.progress(count_, judged_.size());
-    for (; told_ < judged_.size() && done_[told_]; ++told_) {
-      if (options_.tell) options_.tell(judged_[told_]);
+    for (; reported_ < judged_.size() && done_[reported_]; ++reported_) {
+      if (options_.tell) options_.tell(judged_[reported_]);
     }
   }
 
@@ -161,7 +161,7 @@ class Gatherer {
   const JobOptions& options_;
   std::vector<JudgedFrame> judged_;
   std::vector<bool> done_;
-  std::size_t count_ = 0, told_ = 0;
+  std::size_t count_ = 0, reported_ = 0;
 };
 
 class JobRunner {

@@ -55,9 +55,9 @@ void GoldenTexts::addGone(const FileHashes& golden, const FileTexts& texts,
     bundle_.manifest.files.push_back({name, content->second.size(), sha256});
     bundle_.contents.emplace_back(content->second.begin(), content->second.end());
     for (const std::string& folder : folders) {
-      const std::string says =
+      const std::string text =
           std::filesystem::path(name).lexically_relative(folder.empty() ? "." : folder).string();
-      bundle_.manifest.names.push_back({folder, says.empty() ? name : says, name});
+      bundle_.manifest.names.push_back({folder, text.empty() ? name : text, name});
     }
   }
 }

@@ -26,18 +26,18 @@ std::int64_t lower(int descriptor) {
 
 Result<std::unique_ptr<CommandSlot>> CommandSlot::make() {
   const int wake = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
-  const int told = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
-  if (wake < 0 || told < 0) {
+  const int announced = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+  if (wake < 0 || announced < 0) {
     return Error{ErrorKind::refused,
                  std::string("cannot set up the player's control: ") + std::strerror(errno),
                  {}};
   }
-  return std::unique_ptr<CommandSlot>(new CommandSlot(wake, told));
+  return std::unique_ptr<CommandSlot>(new CommandSlot(wake, announced));
 }
 
 CommandSlot::~CommandSlot() {
   ::close(wake_);
-  ::close(told_);
+  ::close(announced_);
 }
 
 std::string CommandSlot::ask(std::string line) {
@@ -49,11 +49,11 @@ std::string CommandSlot::ask(std::string line) {
   state_.wait(kAsked, std::memory_order_acquire);
   int answered = kAnswered;
   if (state_.load(std::memory_order_acquire) != kAnswered) return {};
-  std::string said = std::move(answer_);
+  std::string answer = std::move(answer_);
   state_.compare_exchange_strong(answered, kIdle, std::memory_order_acq_rel);
   // Wakes close(), which may be waiting.
   state_.notify_all();
-  return said;
+  return answer;
 }
 
 std::optional<std::string_view> CommandSlot::asked() {
@@ -82,15 +82,15 @@ void CommandSlot::answer(std::string line) {
 void CommandSlot::tell(std::string line) {
   {
     const std::lock_guard lock(mutex_);
-    told_lines_.push_back(std::move(line));
+    announced_lines_.push_back(std::move(line));
   }
-  raise(told_);
+  raise(announced_);
 }
 
 std::vector<std::string> CommandSlot::takeTold() {
-  lower(told_);
+  lower(announced_);
   const std::lock_guard lock(mutex_);
-  return std::exchange(told_lines_, {});
+  return std::exchange(announced_lines_, {});
 }
 
 void CommandSlot::close() {
@@ -102,7 +102,7 @@ void CommandSlot::close() {
   }
   state_.store(kClosed, std::memory_order_release);
   state_.notify_all();
-  raise(told_);
+  raise(announced_);
 }
 
 }  // namespace rocinante

@@ -25,7 +25,7 @@ class CommandSlot final : public CommandSource {
   /// Readable while a command waits for the sender.
   int wake() const { return wake_; }
   /// Readable after tell(), and when the slot is closed.
-  int told() const { return told_; }
+  int announced() const { return announced_; }
 
   // The listening thread:
   /// Hands over a line and waits for its answer; empty for none.
@@ -41,12 +41,12 @@ class CommandSlot final : public CommandSource {
   void close();
 
  private:
-  CommandSlot(int wake, int told) : wake_(wake), told_(told) {}
+  CommandSlot(int wake, int announced) : wake_(wake), announced_(announced) {}
   void takeWakes();
 
   static constexpr int kIdle = 0, kAsked = 1, kAnswered = 2, kClosed = 3;
 
-  int wake_, told_;
+  int wake_, announced_;
   std::atomic<int> state_{kIdle};
   // Used by the sending thread only:
   bool seen_ = false;
@@ -54,7 +54,7 @@ class CommandSlot final : public CommandSource {
 
   std::string line_, answer_;
   std::mutex mutex_;
-  std::vector<std::string> told_lines_;
+  std::vector<std::string> announced_lines_;
 };
 
 }  // namespace rocinante

@@ -30,9 +30,9 @@ Result<ControlAddress> ControlAddress::parse(std::string_view text) {
 }
 
 Result<ControlSocket> ControlSocket::open(const ControlAddress& address, AddressFilter allowed,
-                                          std::function<void(std::string)> told) {
+                                          std::function<void(std::string)> notify) {
   if (!address.path.empty()) return openUnixControl(address.path);
-  return openUdpControl(address.endpoint, std::move(allowed), std::move(told));
+  return openUdpControl(address.endpoint, std::move(allowed), std::move(notify));
 }
 
 }  // namespace rocinante

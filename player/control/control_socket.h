@@ -30,15 +30,15 @@ struct ControlSocket {
   std::unique_ptr<ControlInput> input;
   std::string where;
 
-  /// `told` is called once, with a sentence, when the first host is refused; on the thread that
+  /// `notify` is called once, with a sentence, when the first host is refused; on the thread that
   /// serves the socket.
   static Result<ControlSocket> open(const ControlAddress& address, AddressFilter allowed,
-                                    std::function<void(std::string)> told = {});
+                                    std::function<void(std::string)> notify = {});
 };
 
 /// ControlSocket::open() of a UDP port.
 Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed,
-                                     std::function<void(std::string)> told);
+                                     std::function<void(std::string)> notify);
 
 /// ControlSocket::open() of a Unix socket.
 Result<ControlSocket> openUnixControl(const std::filesystem::path& path);

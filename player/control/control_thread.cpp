@@ -19,7 +19,7 @@ void ControlThread::serveUntilClosed() {
   const auto ask = [this](std::string line) { return slot_.ask(std::move(line)); };
   std::vector<pollfd> descriptors;
   while (!slot_.closed()) {
-    descriptors.assign(1, {slot_.told(), POLLIN, 0});
+    descriptors.assign(1, {slot_.announced(), POLLIN, 0});
     for (const auto& input : inputs_) input->addDescriptors(descriptors);
     if (::poll(descriptors.data(), descriptors.size(), -1) < 0) continue;
     for (const std::string& line : slot_.takeTold()) {

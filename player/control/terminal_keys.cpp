@@ -164,9 +164,9 @@ void TerminalKeys::serve(const Ask& ask) {
   for (ssize_t i = 0; i < size; ++i) {
     const std::string_view command = reader_.take(typed[static_cast<std::size_t>(i)]);
     if (command.empty()) continue;
-    const std::string said = ask(std::string(command));
+    const std::string answer = ask(std::string(command));
     // The progress line shows the status anyway.
-    if (said.starts_with("error ")) tell(said.substr(6));
+    if (answer.starts_with("error ")) tell(answer.substr(6));
   }
 }
 

@@ -22,8 +22,8 @@ constexpr int kMaxDatagrams = 64;
 
 class UdpControl final : public ControlInput {
  public:
-  UdpControl(SystemSocket socket, AddressFilter allowed, std::function<void(std::string)> told)
-      : socket_(std::move(socket)), allowed_(std::move(allowed)), told_(std::move(told)) {}
+  UdpControl(SystemSocket socket, AddressFilter allowed, std::function<void(std::string)> notify)
+      : socket_(std::move(socket)), allowed_(std::move(allowed)), notify_(std::move(notify)) {}
 
   void addDescriptors(std::vector<pollfd>& descriptors) const override {
     descriptors.push_back({socket_.descriptor(), POLLIN, 0});
@@ -45,11 +45,11 @@ class UdpControl final : public ControlInput {
         if (!answers.empty()) send(answers, from, length);
         continue;
       }
-      if (told_) {
+      if (notify_) {
         // Once only: other hosts must not fill the terminal.
-        std::exchange(told_, {})("refused a command from " +
-                                 withoutMapping(fromSystem(from)).hostText() +
-                                 ": allow its address with --control-allow");
+        std::exchange(notify_, {})("refused a command from " +
+                                   withoutMapping(fromSystem(from)).hostText() +
+                                   ": allow its address with --control-allow");
       }
       if (const auto now = std::chrono::steady_clock::now(); now >= refuse_again_) {
         refuse_again_ = now + std::chrono::seconds(1);
@@ -84,8 +84,8 @@ class UdpControl final : public ControlInput {
     do {
       const std::size_t end = std::min(text.find('\n'), text.size());
       if (++lines > kMaxLines) return answers + "error a datagram holds at most 16 commands\n";
-      const std::string said = ask(std::string(text.substr(0, end)));
-      if (!said.empty()) answers += said + "\n";
+      const std::string answer = ask(std::string(text.substr(0, end)));
+      if (!answer.empty()) answers += answer + "\n";
       text.remove_prefix(std::min(end + 1, text.size()));
     } while (!text.empty());
     return answers;
@@ -100,7 +100,7 @@ class UdpControl final : public ControlInput {
 
   SystemSocket socket_;
   AddressFilter allowed_;
-  std::function<void(std::string)> told_;  ///< empty after the first call
+  std::function<void(std::string)> notify_;  ///< empty after the first call
   std::array<char, 65'536> buffer_{};
   std::optional<Peer> peer_;
   std::string untold_;
@@ -110,7 +110,7 @@ class UdpControl final : public ControlInput {
 }  // namespace
 
 Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed,
-                                     std::function<void(std::string)> told) {
+                                     std::function<void(std::string)> notify) {
   Result<SystemSocket> socket = SystemSocket::open(endpoint);
   if (!socket) return socket.error();
   sockaddr_storage system{};
@@ -129,7 +129,7 @@ Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter all
   ControlSocket control;
   control.where = "udp://" + bound->text();
   control.input =
-      std::make_unique<UdpControl>(std::move(*socket), std::move(allowed), std::move(told));
+      std::make_unique<UdpControl>(std::move(*socket), std::move(allowed), std::move(notify));
   return control;
 }
 

@@ -86,8 +86,8 @@ class UnixControl final : public ControlInput {
       from.unread.erase(0, end + 1);
       speaker_ = &from;
       if (!untold_.empty()) from.say(std::exchange(untold_, {}));
-      const std::string said = ask(line);
-      if (!said.empty()) from.say(said);
+      const std::string answer = ask(line);
+      if (!answer.empty()) from.say(answer);
     }
     if (from.unread.size() > kMaxCommandBytes) {
       from.say("error a command has at most " + std::to_string(kMaxCommandBytes) + " bytes");

@@ -135,10 +135,10 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
 
   Result<UdpSendPort> port =
       UdpSendPort::open(routes->all, how.speed ? options.realtime : Realtime::off,
-                        surroundings.stop, control.wake, surroundings.told);
+                        surroundings.stop, control.wake, surroundings.notify);
   if (!port) return port.error();
-  surroundings.told("playing " + namesOf(options.logs) + " to " + options.to.text() +
-                    mannerOf(options));
+  surroundings.notify("playing " + namesOf(options.logs) + " to " + options.to.text() +
+                      mannerOf(options));
   Result<std::unique_ptr<Playhead>> playhead =
       Playhead::open(*logs, *finder, *routes, how, port->now());
   if (!playhead) return playhead.error();
@@ -150,7 +150,7 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
                             logs->end(),
                             options.ack_timeout,
                             signer ? &*signer : nullptr,
-                            surroundings.told};
+                            surroundings.notify};
   Result<SendEnd> end = SendEnd::finished;
   {
     PlayStatus status;

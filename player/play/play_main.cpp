@@ -256,7 +256,7 @@ Result<PlayReport> playWithControl(Arguments& arguments) {
   };
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
-  surroundings.told = [&](std::string_view line) {
+  surroundings.notify = [&](std::string_view line) {
     if (!arguments.quiet) cli::tell(plainText(asNamed(std::string(line))) + "\n");
   };
   Result<PlayReport> report = play(options, surroundings, control);

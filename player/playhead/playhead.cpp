@@ -61,7 +61,7 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
   run.from = place_ = place;
   run.start = time_ = line_ = moment;
   // An interrupted restatement must be repeated.
-  const bool says = jump || in_block_;
+  const bool restates = jump || in_block_;
   in_block_ = false;
   if (jump && runs_ > 0) ++span_;
   if (jump) bounds_.from = moment;
@@ -76,7 +76,7 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
   if (isScheduled() && options_.gap_limit) {
     run.gap_limit = options_.speed->logDuration(*options_.gap_limit);
   }
-  if (says) restatements_.clear(now);
+  if (restates) restatements_.clear(now);
   if (options_.restate) {
     Result<SessionState> state = finder_->stateBefore(place);
     if (!state) return state.error();
@@ -86,7 +86,7 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
       run.turn_state = std::move(*turn_state);
     }
     run.sources = finder_->sources();
-    if (says) restatements_.begin(*state, run.sources, run.part_id, now);
+    if (restates) restatements_.begin(*state, run.sources, run.part_id, now);
     run.state = std::move(*state);
     if (isScheduled() && options_.repeat.count() > 0) {
       run.repeat = options_.speed->logDuration(options_.repeat);
@@ -255,13 +255,13 @@ Status Playhead::goToEvent(bool forwards, SteadyTime now) {
   if (!events) return events.error();
   const std::vector<LogTime>& times = **events;
   // Events up to and including this time have been played.
-  LogTime told = time(now);
+  LogTime reached = time(now);
   if (const std::optional<Due> head = this->head(); head && head->span == span_) {
-    told = std::min(told, head->place.time - Nanoseconds(1));
+    reached = std::min(reached, head->place.time - Nanoseconds(1));
   }
-  if (!forwards && playing_ && isScheduled()) told -= options_.speed->logDuration(kJustNow);
-  auto found = forwards ? std::upper_bound(times.begin(), times.end(), told)
-                        : std::lower_bound(times.begin(), times.end(), told);
+  if (!forwards && playing_ && isScheduled()) reached -= options_.speed->logDuration(kJustNow);
+  auto found = forwards ? std::upper_bound(times.begin(), times.end(), reached)
+                        : std::lower_bound(times.begin(), times.end(), reached);
   const bool is_there = forwards ? found != times.end() : found != times.begin();
   if (is_there && !forwards) --found;
   if (!is_there || *found < options_.span.from || *found >= options_.span.until) {

@@ -89,22 +89,22 @@ class SilenceTeller {
 
   void look(const Playhead& playhead, const std::optional<Playhead::Next>& next, SteadyTime now) {
     constexpr Nanoseconds kLongSilence = std::chrono::minutes(1);
-    if (!rules_.told || !next || !playhead.isPlaying() || next->immediate) return;
+    if (!rules_.notify || !next || !playhead.isPlaying() || next->immediate) return;
     if (next->deadline - now <= kLongSilence) return;
     const TapePosition place = next->due.place;
-    if (has_told_ && told_ == place) return;
-    told_ = place;
-    has_told_ = true;
+    if (has_reported_ && reported_ == place) return;
+    reported_ = place;
+    has_reported_ = true;
     const std::string behind = secondsText(place.time - rules_.origin, 3);
-    rules_.told(fmt::format(
+    rules_.notify(fmt::format(
         "silent for {}, until {} s: --gap-limit 2s shortens silences, --from {}s begins behind it",
         roughDuration(next->deadline - now), behind, behind));
   }
 
  private:
   const PlayheadRules& rules_;
-  TapePosition told_{};  // not an optional: g++ 12 takes its value for uninitialised
-  bool has_told_ = false;
+  TapePosition reported_{};  // not an optional: g++ 12 takes its value for uninitialised
+  bool has_reported_ = false;
 };
 
 void publish(Playhead& playhead, const std::optional<Playhead::Next>& next, SteadyTime now,

@@ -33,7 +33,7 @@ struct PlayheadRules {
   Nanoseconds ack_timeout = std::chrono::seconds(1);
   DatagramSigner* signer = nullptr;  ///< if set, signs the player's own restatements
   /// Gets a line about each silence of more than a minute; may be empty.
-  std::function<void(std::string_view line)> told = {};
+  std::function<void(std::string_view line)> notify = {};
 };
 
 /// Sends what the playhead says when it says so, and passes it the commands. Nothing is sent early,

@@ -249,7 +249,7 @@ Result<cli::Exit> run(const Arguments& arguments) {
   cli::catchStopSignals();
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
-  surroundings.told = [&arguments](std::string_view line) {
+  surroundings.notify = [&arguments](std::string_view line) {
     if (!arguments.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
   };
   const Result<RelayReport> report = relayUntilStopped(*options, surroundings);

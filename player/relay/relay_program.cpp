@@ -176,11 +176,11 @@ Status RunningRelay::open() {
   thread_.emplace(std::move(*thread));
   was_realtime_ = thread_->isRealtime();
 
-  for (const auto& each : sources_) surroundings_.told("listening on " + boundText(*each));
+  for (const auto& each : sources_) surroundings_.notify("listening on " + boundText(*each));
   for (const ToPort& each : to_) {
-    surroundings_.told("sending to " + each.sink->endpoint().text());
+    surroundings_.notify("sending to " + each.sink->endpoint().text());
   }
-  for (const auto& each : serve_) surroundings_.told("serving at " + boundText(each->socket()));
+  for (const auto& each : serve_) surroundings_.notify("serving at " + boundText(each->socket()));
   return {};
 }
 
@@ -261,17 +261,17 @@ Status RunningRelay::run() {
   while (!surroundings_.stop()) {
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       if (Status received = receive(i); !received) return received;
-      if (const auto said = sources_[i]->maintain()) surroundings_.told(*said);
+      if (const auto note = sources_[i]->maintain()) surroundings_.notify(*note);
     }
     for (const ToPort& each : to_) {
       const auto news = each.sink->news();
       if (!news) continue;
-      surroundings_.told(*news);
+      surroundings_.notify(*news);
       // Only a server that answers has an identity.
       if (Status checked = checkLoop(*each.sink); !checked) return checked;
     }
     if (relay_.loop() && !std::exchange(loop_told_, true)) {
-      surroundings_.told(relay_.loop()->text());
+      surroundings_.notify(relay_.loop()->text());
     }
     std::uint64_t subscribers = 0;
     for (const auto& each : serve_) {
@@ -288,7 +288,7 @@ Status RunningRelay::run() {
   }
   if (progress_shown_) std::fputs("\r\x1b[K", stderr);
   for (const auto& each : sources_) {
-    if (const auto text = neverAcceptedText(*each)) surroundings_.told(*text);
+    if (const auto text = neverAcceptedText(*each)) surroundings_.notify(*text);
   }
   return {};
 }

@@ -10,7 +10,7 @@ namespace rocinante {
 Result<PlayReport> sendPlan(DatagramStream& stream, const SendPlan& plan,
                             const std::function<bool()>& stop) {
   Result<UdpSendPort> port =
-      UdpSendPort::open({{plan.to, 0, false}}, plan.realtime, stop, -1, plan.told);
+      UdpSendPort::open({{plan.to, 0, false}}, plan.realtime, stop, -1, plan.notify);
   if (!port) return port.error();
   if (plan.began) plan.began();
   PlayJournal journal(plan.from, plan.until);

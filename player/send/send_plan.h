@@ -14,8 +14,8 @@ namespace rocinante {
 
 /// Callbacks of a running sender.
 struct SendSurroundings {
-  std::function<bool()> stop;                  ///< polled often; true ends sending
-  std::function<void(std::string_view)> told;  ///< receives one line for the user
+  std::function<bool()> stop;                    ///< polled often; true ends sending
+  std::function<void(std::string_view)> notify;  ///< receives one line for the user
 };
 
 /// Where and how fast to send a stream.
@@ -28,8 +28,8 @@ struct SendPlan {
   LogTime last{};           ///< end shown by the progress line
   Realtime realtime = Realtime::automatic;
   bool progress = false;
-  std::function<void(std::string_view)> told;  ///< receives one line for the user; may be empty
-  std::function<void()> began;                 ///< called once the socket is open; may be empty
+  std::function<void(std::string_view)> notify;  ///< receives one line for the user; may be empty
+  std::function<void()> began;                   ///< called once the socket is open; may be empty
 };
 
 /// Opens the socket, paces in the calling thread, sends `stream` and fills the report except its

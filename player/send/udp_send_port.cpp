@@ -27,11 +27,11 @@ Nanoseconds runningTime() {
 
 /// What is sent to a server that is not there would only wait.
 Status waitUntilReady(DatagramSink& sink, const std::function<bool()>& stop,
-                      const std::function<void(std::string_view)>& told) {
+                      const std::function<void(std::string_view)>& notify) {
   while (!stop()) {
     const Result<bool> ready = sink.isReady();
     if (!ready) return ready.error();
-    if (const auto news = sink.news(); news && told) told(*news);
+    if (const auto news = sink.news(); news && notify) notify(*news);
     if (*ready) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -42,7 +42,7 @@ Status waitUntilReady(DatagramSink& sink, const std::function<bool()>& stop,
 
 Result<UdpSendPort> UdpSendPort::open(const std::vector<Route>& routes, Realtime realtime,
                                       std::function<bool()> stop, int wake,
-                                      const std::function<void(std::string_view)>& told) {
+                                      const std::function<void(std::string_view)>& notify) {
   std::vector<Way> ways;
   ways.reserve(routes.size());
   for (const Route& route : routes) {
@@ -52,7 +52,7 @@ Result<UdpSendPort> UdpSendPort::open(const std::vector<Route>& routes, Realtime
       auto sink = openSink(route.to);
       if (!sink) return sink.error();
       way.sink = std::move(*sink);
-      if (Status ready = waitUntilReady(*way.sink, stop, told); !ready) return ready.error();
+      if (Status ready = waitUntilReady(*way.sink, stop, notify); !ready) return ready.error();
     } else {
       Result<UdpSender> sender = UdpSender::open(route.to, route.local_port);
       if (!sender) return sender.error();

@@ -23,7 +23,7 @@ class UdpSendPort final : public SendPort {
   /// is not there yet, as long as the route's endpoint does, and tells so.
   static Result<UdpSendPort> open(const std::vector<Route>& routes, Realtime realtime,
                                   std::function<bool()> stop, int wake = -1,
-                                  const std::function<void(std::string_view)>& told = {});
+                                  const std::function<void(std::string_view)>& notify = {});
 
   SteadyTime now() override;
   void sleepUntil(SteadyTime moment) override;

@@ -218,10 +218,11 @@ void CsvStream::flush(Nanoseconds time, Nanoseconds not_before) {
   made_at_ = time;
   const Nanoseconds played = options_.speed.realDuration(time - motion_->times.front());
   real_time_ = std::max({real_time_, played, not_before});
-  const WallTime said = options_.wall_now ? options_.wall_now() : WallTime(time);
+  const WallTime wall_time = options_.wall_now ? options_.wall_now() : WallTime(time);
   // Packet text has no times before the epoch. Keeping a datagram cannot fail.
-  const bool is_said = said.time_since_epoch().count() >= 0;
-  static_cast<void>(source_->flush(real_time_, is_said ? std::optional(said) : std::nullopt));
+  const bool has_wall_time = wall_time.time_since_epoch().count() >= 0;
+  static_cast<void>(
+      source_->flush(real_time_, has_wall_time ? std::optional(wall_time) : std::nullopt));
 }
 
 }  // namespace rocinante

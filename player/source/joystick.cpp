@@ -86,7 +86,7 @@ class SendNow {
       signer.emplace(std::move(*key), wallNow);
     }
     Result<UdpSendPort> port = UdpSendPort::open({{options.to, 0, false}}, options.realtime,
-                                                 surroundings.stop, -1, surroundings.told);
+                                                 surroundings.stop, -1, surroundings.notify);
     if (!port) return port.error();
     return SendNow(std::move(*port), std::move(signer));
   }
@@ -163,7 +163,7 @@ Result<PlayReport> sendJoystick(const JoystickSourceOptions& joystick, const Sou
   Result<JoystickSpeaker> speaker = JoystickSpeaker::open(
       *map, settings, [&out](std::span<std::byte> datagram) { return out->send(datagram); });
   if (!speaker) return speaker.error();
-  surroundings.told("sending " + report.source + " to " + report.to);
+  surroundings.notify("sending " + report.source + " to " + report.to);
 
   JoystickDrive drive(std::move(*map));
   Status events;
@@ -173,7 +173,7 @@ Result<PlayReport> sendJoystick(const JoystickSourceOptions& joystick, const Sou
     over = !events || input->ended();
     // A file's joints stay where its last event leaves them.
     const Nanoseconds moment = input->ended() ? input->moment() : now;
-    if (Status said = speaker->say(drive, moment, wallNow()); !said) return said.error();
+    if (Status sent = speaker->say(drive, moment, wallNow()); !sent) return sent.error();
     const Nanoseconds pause = drive.moves() ? kCycle : kIdle;
     const Nanoseconds next = std::min({now + pause, speaker->due(), input->nextMoment()});
     if (!over) waitFor(input->descriptor(), std::max(next - out->now(), Nanoseconds(0)));

@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-bool LogChoice::wants(std::string_view source) const {
+bool LogChoice::includes(std::string_view source) const {
   return sources.empty() || anyPatternMatches(sources, source);
 }
 

@@ -17,7 +17,7 @@ struct LogChoice {
   std::vector<std::string> devices;  ///< patterns (statementLines); empty: every statement
   std::map<std::string, std::string, std::less<>> names;  ///< a SOURCE of the log: its new name
 
-  bool wants(std::string_view source) const;
+  bool includes(std::string_view source) const;
   /// The name that `source` is sent under.
   std::string_view nameOf(std::string_view source) const;
 };

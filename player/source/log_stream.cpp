@@ -24,7 +24,7 @@ constexpr std::size_t kLongestNumbersBytes = 41;
 Result<LogStream> LogStream::open(MultiLogReader& log, SessionState before, Options options) {
   LogStream stream(log, std::move(before), std::move(options));
   for (const std::string& source : log.sources()) {
-    if (!stream.options_.choice.wants(source)) continue;
+    if (!stream.options_.choice.includes(source)) continue;
     const auto speaker = stream.speakers_.of(source, stream.options_.choice.nameOf(source));
     if (!speaker) return speaker.error();
   }
@@ -101,7 +101,7 @@ Status LogStream::sendHead() {
   head_read_ = false;
   if (head_->channel->encoding != decoder_->encoding()) return {};
   const Packet* packet = decoder_->decode(head_->payload);
-  if (packet == nullptr || !options_.choice.wants(packet->header.source)) return {};
+  if (packet == nullptr || !options_.choice.includes(packet->header.source)) return {};
   const bool is_applied = state_.apply(head_->log_time, *packet) == Applied::yes;
   // They would accumulate; they are in the packet's own lines.
   state_.takeEvents();
@@ -154,7 +154,7 @@ Status LogStream::beginTurn() {
     if (speaker.sequence > 0) sources.insert(source);
   }
   const LogTime now = options_.span.from + shift_;
-  if (const Status said = restateThese(sources, now); !said) return said;
+  if (const Status sent = restateThese(sources, now); !sent) return sent;
   speakers_.spread(now);
   return log_->seek(TapePosition::at(options_.span.from), MultiLogReader::Which::folded);
 }
@@ -185,7 +185,7 @@ Status LogStream::restateThese(const std::set<std::string, std::less<>>& sources
     const Packet* packet = restated_decoder_->decode(bytesOf(text));
     if (packet == nullptr || !sources.contains(packet->header.source)) continue;
     const std::string source(packet->header.source);
-    if (!options_.choice.wants(source)) continue;
+    if (!options_.choice.includes(source)) continue;
     const auto speaker = speakers_.of(source, options_.choice.nameOf(source));
     if (!speaker) return speaker.error();
     std::string& id = ids[source];
@@ -196,7 +196,7 @@ Status LogStream::restateThese(const std::set<std::string, std::less<>>& sources
     header.part->id = id;
     speakers_.restated(**speaker, moment);
     const auto lines = statementLines(text, *packet, options_.choice.devices);
-    if (const Status said = say(**speaker, header, lines, moment); !said) return said;
+    if (const Status sent = say(**speaker, header, lines, moment); !sent) return sent;
   }
   return {};
 }

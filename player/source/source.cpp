@@ -37,8 +37,8 @@ Result<PlayReport> send(DatagramStream& stream, const std::string& names, SendPl
   const LogTime end = endOf(plan.first, options.duration);
   plan.last = std::min(plan.last, end);
   CutStream cut(stream, end);
-  plan.told = surroundings.told;
-  plan.began = [&] { surroundings.told("sending " + names + " to " + options.to.text()); };
+  plan.notify = surroundings.notify;
+  plan.began = [&] { surroundings.notify("sending " + names + " to " + options.to.text()); };
   if (options.key.empty()) return sendPlan(cut, plan, surroundings.stop);
   Result<SigningKey> key = SigningKey::read(options.key);
   if (!key) return key.error();
@@ -80,7 +80,7 @@ Result<ChannelChoice> channelsOf(const LogSourceOptions& options) {
   const std::vector<std::string_view> known(sources.begin(), sources.end());
   for (const auto& [name, new_name] : options.choice.names) {
     if (const Status is_name = checkUtf8Name("--as", new_name); !is_name) return is_name.error();
-    if (sources.contains(name) && options.choice.wants(name)) continue;
+    if (sources.contains(name) && options.choice.includes(name)) continue;
     return Error{ErrorKind::bad_argument,
                  "--as names no source that is sent: " + whatThereIs(name, known), name};
   }
@@ -96,7 +96,7 @@ Result<ChannelChoice> channelsOf(const LogSourceOptions& options) {
   if (options.choice.sources.empty()) return choice;
   for (const LogChannel& channel : log->channels(0)) {
     const auto source = channel.metadata.find("source");
-    if (source == channel.metadata.end() || !options.choice.wants(source->second)) continue;
+    if (source == channel.metadata.end() || !options.choice.includes(source->second)) continue;
     choice.only.emplace_back(profile::capturedTopic(channel.topic));
   }
   return choice;
@@ -110,8 +110,8 @@ Result<PlayReport> sendCsv(const CsvSourceOptions& csv, const SourceOptions& opt
   if (!text) return text.error();
   const Result<CsvMotion> motion = readCsvMotion(*text, csv.csv.string(), csv.device, csv.columns);
   if (!motion) return motion.error();
-  if (surroundings.told && !motion->left_out.empty()) {
-    surroundings.told(accountSentence(motion->left_out));
+  if (surroundings.notify && !motion->left_out.empty()) {
+    surroundings.notify(accountSentence(motion->left_out));
   }
 
   CsvStream::Options how;

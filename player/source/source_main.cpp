@@ -215,7 +215,7 @@ Status readOptions(Arguments& arguments, bool loop_given) {
 Result<PlayReport> send(Arguments& arguments) {
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
-  surroundings.told = [&arguments](std::string_view line) {
+  surroundings.notify = [&arguments](std::string_view line) {
     if (!arguments.quiet) cli::tell(plainText(line) + "\n");
   };
   if (!arguments.log.log.empty()) {

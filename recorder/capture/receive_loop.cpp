@@ -134,8 +134,8 @@ Status ReceiveLoop::askForDrops() {
 }
 
 void ReceiveLoop::maintain(Listener& listener) {
-  if (const auto said = listener.source->maintain(); said && callbacks_.note)
-    callbacks_.note(*said);
+  if (const auto news = listener.source->maintain(); news && callbacks_.note)
+    callbacks_.note(*news);
   if (clock_.now() - listener.rate_since >= kRateSpan) measureRate(listener);
 }
 

@@ -89,14 +89,14 @@ class Control {
   std::string waitForEnd() {
     const SteadyTime start = reception_.start();
     EndRule rule(options_, reception_.loop().isLive(), start);
-    for (SteadyTime told = start;; std::this_thread::sleep_for(kControlSleep)) {
+    for (SteadyTime reported_at = start;; std::this_thread::sleep_for(kControlSleep)) {
       passOn();
       const SteadyTime now = steadyClockNow();
       const Writing::Progress written = writing_.progress();
       std::string reason = rule.reason(now, events_.stop_requested(), reception_.over(), written);
       if (!reason.empty()) return reason;
-      if (now - told < kProgressPeriod) continue;
-      told = now;
+      if (now - reported_at < kProgressPeriod) continue;
+      reported_at = now;
       events_.progress(progressOf(written, now - start));
     }
   }

@@ -89,10 +89,10 @@ RecordEvents eventsFor(const RecordArguments& arguments, const RecordOptions& op
   const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
   if (!on_terminal && !status_period) return events;
   events.progress = [=, status = RecordStatus(),
-                     told = Nanoseconds(0)](const RecordProgress& now) mutable {
+                     reported_at = Nanoseconds(0)](const RecordProgress& now) mutable {
     const std::string text = status.text(now);
-    if (status_period && now.elapsed - told >= *status_period) {
-      told = now.elapsed;
+    if (status_period && now.elapsed - reported_at >= *status_period) {
+      reported_at = now.elapsed;
       clearStatusLine();
       cli::tell(text + "\n");
     }

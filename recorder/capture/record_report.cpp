@@ -177,14 +177,14 @@ std::string inputText(const RecordSummary& summary) {
 /// The latest progress up to `elapsed`, or else the first.
 const RecordProgress& RecordStatus::before(Nanoseconds elapsed) const {
   const auto later = std::ranges::find_if(
-      told_, [&](const RecordProgress& each) { return each.elapsed > elapsed; });
-  return later == told_.begin() ? *later : *std::prev(later);
+      reported_, [&](const RecordProgress& each) { return each.elapsed > elapsed; });
+  return later == reported_.begin() ? *later : *std::prev(later);
 }
 
 std::string RecordStatus::text(const RecordProgress& now) {
-  if (told_.empty()) told_.emplace_back();
+  if (reported_.empty()) reported_.emplace_back();
   const RecordProgress& second_ago = before(now.elapsed - seconds(1));
-  const RecordProgress& long_ago = told_.front();
+  const RecordProgress& long_ago = reported_.front();
   const double rate = perSecond(now.packets, second_ago.packets, now.elapsed - second_ago.elapsed);
   const double disk_rate =
       perSecond(now.log_bytes, long_ago.log_bytes, now.elapsed - long_ago.elapsed);
@@ -200,8 +200,8 @@ std::string RecordStatus::text(const RecordProgress& now) {
       text += ", for " + roughly(static_cast<double>(*now.disk_free_bytes) / disk_rate);
     }
   }
-  told_.push_back(now);
-  while (now.elapsed - told_.front().elapsed > kDiskSpan) told_.pop_front();
+  reported_.push_back(now);
+  while (now.elapsed - reported_.front().elapsed > kDiskSpan) reported_.pop_front();
   return text;
 }
 

@@ -17,7 +17,7 @@ class RecordStatus {
  private:
   const RecordProgress& before(Nanoseconds elapsed) const;
 
-  std::deque<RecordProgress> told_;  ///< over the last ten seconds
+  std::deque<RecordProgress> reported_;  ///< over the last ten seconds
 };
 
 /// The summary of a recording. Texts end without a newline.

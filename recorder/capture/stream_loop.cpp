@@ -6,7 +6,7 @@ namespace rocinante {
 
 Result<bool> StreamLoop::pass() {
   source_.confirm(saved_.load());
-  if (const auto said = source_.maintain()) notes_.say(*said);
+  if (const auto news = source_.maintain()) notes_.say(*news);
   const Result<bool> moved = CaptureFileLoop::pass();
   if (moved && *moved) noteGone();
   return moved;

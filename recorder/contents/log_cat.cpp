@@ -107,7 +107,7 @@ Result<std::uint64_t> catLog(LogReader& reader, const CatOptions& options, bool 
     }
     if (at_end) break;
     if (!wanted[(*message)->channel->id]) continue;
-    if (devices && !((*message)->channel->folded() && devices->wants(**message))) continue;
+    if (devices && !((*message)->channel->folded() && devices->includes(**message))) continue;
     if (Status printed = print(**message); !printed) return printed.error();
   }
   if (Status written = out(piece); !written) return written.error();

@@ -25,14 +25,14 @@ class UntoldDamage {
 
   void tell(const std::function<void(const DamageSpan&)>& damaged) {
     for (const DamageSpan& span : log_.damage()) {
-      const bool is_new = told_.emplace(span.from, span.cause).second;
+      const bool is_new = reported_.emplace(span.from, span.cause).second;
       if (is_new && damaged) damaged(span);
     }
   }
 
  private:
   const LogReader& log_;
-  std::set<std::pair<std::uint64_t, std::string>> told_;
+  std::set<std::pair<std::uint64_t, std::string>> reported_;
 };
 
 }  // namespace

@@ -43,20 +43,20 @@ Json jsonOf(const Item<PoseValue>& item) {
 
 /// A value of its kind's own type; the unit is null where none was said.
 Json jsonOf(const SignalName& name, const Item<SignalValue>& item) {
-  const SignalValue& said = item.value;
+  const SignalValue& stated = item.value;
   Json out = {{"name", name.name}, {"link", orNull(name.link)}};
-  switch (said.kind) {
+  switch (stated.kind) {
     case SignalKind::number:
-      out["value"] = said.number;
+      out["value"] = stated.number;
       break;
     case SignalKind::boolean:
-      out["value"] = said.number != 0;
+      out["value"] = stated.number != 0;
       break;
     case SignalKind::text:
-      out["value"] = said.text;
+      out["value"] = stated.text;
       break;
   }
-  out["unit"] = orNull(said.unit);
+  out["unit"] = orNull(stated.unit);
   out["owner"] = item.owner;
   return out;
 }
@@ -68,19 +68,19 @@ Json jsonOf(const std::string& name, const DeviceState& device) {
     out[several] = Json::array();
   }
   const ByKind add{
-      [&](const PresenceItem& said) { out["presence"] = jsonOf(said.item); },
-      [&](const PoseItem& said) { out["pose"] = jsonOf(said.item); },
-      [&](const PositionsItem& said) {
-        out["joints"] = {{"values", said.item.value}, {"owner", said.owner()}};
+      [&](const PresenceItem& stated) { out["presence"] = jsonOf(stated.item); },
+      [&](const PoseItem& stated) { out["pose"] = jsonOf(stated.item); },
+      [&](const PositionsItem& stated) {
+        out["joints"] = {{"values", stated.item.value}, {"owner", stated.owner()}};
       },
-      [&](const JointItem& said) {
+      [&](const JointItem& stated) {
         out["named_joints"].push_back(
-            {{"name", said.joint}, {"value", said.item.value}, {"owner", said.owner()}});
+            {{"name", stated.joint}, {"value", stated.item.value}, {"owner", stated.owner()}});
       },
-      [&](const OrderItem& said) {
-        out["orders"].push_back({{"joints", said.item.value}, {"owner", said.owner()}});
+      [&](const OrderItem& stated) {
+        out["orders"].push_back({{"joints", stated.item.value}, {"owner", stated.owner()}});
       },
-      [&](const SignalItem& said) { out["signals"].push_back(jsonOf(said.name, said.item)); },
+      [&](const SignalItem& stated) { out["signals"].push_back(jsonOf(stated.name, stated.item)); },
   };
   eachItemOf(name, device, add);
   return out;

@@ -21,7 +21,7 @@ std::array<std::uint64_t, 2> digestOf(const LogMessage& message, bool with_topic
 
 }  // namespace
 
-bool MessageMatch::wants(std::size_t side, const LogChannel& channel) const {
+bool MessageMatch::compares(std::size_t side, const LogChannel& channel) const {
   if (!chosen_) return channel.captured();
   const std::vector<bool>& chosen = (*chosen_)[side];
   return channel.id < chosen.size() && chosen[channel.id];
@@ -37,7 +37,7 @@ Status MessageMatch::fill(std::size_t number, std::size_t items) {
       side.at_end = true;
       break;
     }
-    if (!wants(number, *(*message)->channel)) continue;
+    if (!compares(number, *(*message)->channel)) continue;
     const ByteView payload = (*message)->payload;
     MatchItem item;
     item.digest = digestOf(**message, !chosen_, scratch);

@@ -56,7 +56,7 @@ class MessageMatch {
     bool at_end = false;
   };
 
-  bool wants(std::size_t side, const LogChannel& channel) const;
+  bool compares(std::size_t side, const LogChannel& channel) const;
   Status fill(std::size_t side, std::size_t items);
   Status resynchronise();
 

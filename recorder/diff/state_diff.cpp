@@ -25,14 +25,14 @@ class Fold {
     return message_->log_time;
   }
 
-  /// Folds every message of this moment; `told` collects their payloads, in order.
-  Status fold(LogTime moment, Bytes& told) {
-    told.clear();
+  /// Folds every message of this moment; `encoded` collects their payloads, in order.
+  Status fold(LogTime moment, Bytes& encoded) {
+    encoded.clear();
     while (message_ && message_->log_time == moment) {
       const auto digest = xxh3(message_->payload);
-      told.insert(told.end(), digest.begin(), digest.end());
+      encoded.insert(encoded.end(), digest.begin(), digest.end());
       const auto encoding = xxh3(bytesOf(message_->channel->encoding));
-      told.insert(told.end(), encoding.begin(), encoding.end());
+      encoded.insert(encoded.end(), encoding.begin(), encoding.end());
       folder_.fold(state_, *message_);
       if (Status advanced = advance(); !advanced) return advanced;
     }

@@ -164,8 +164,8 @@ void ChunkRules::index(const mcap::Record& record) {
   const auto first = std::ranges::lower_bound(entries_, index.channel_id, {}, &Entry::channel);
   const auto last = std::ranges::upper_bound(entries_, index.channel_id, {}, &Entry::channel);
   const bool same = std::equal(index.records.begin(), index.records.end(), first, last,
-                               [](const auto& said, const Entry& is) {
-                                 return said.first == is.time && said.second == is.offset;
+                               [](const auto& stated, const Entry& is) {
+                                 return stated.first == is.time && stated.second == is.offset;
                                });
   if (same) return;
   report_.add("index-entries", record.offset,

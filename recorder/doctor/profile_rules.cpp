@@ -214,14 +214,14 @@ void ProfileRules::fold(const Known& known, const mcap::Message& message, std::u
 
 void ProfileRules::keyframe(const mcap::Message& message, std::uint64_t offset) {
   const LogTime time = timeOf(message.log_time);
-  Result<SessionState> told = keyframe_reader_.read(message.data, time);
-  if (!told) {
-    report_.add("keyframe-content", offset, told.error().text());
+  Result<SessionState> keyframe = keyframe_reader_.read(message.data, time);
+  if (!keyframe) {
+    report_.add("keyframe-content", offset, keyframe.error().text());
     return;
   }
   if (!last_folded_time_ || !fold_known_) {
     // The keyframe opens a piece, or follows unreadable data: continue from its state.
-    state_ = std::move(*told);
+    state_ = std::move(*keyframe);
     fold_known_ = true;
     return;
   }
@@ -239,14 +239,14 @@ void ProfileRules::keyframe(const mcap::Message& message, std::uint64_t offset) 
     report_.add("keyframe-place", offset, "a keyframe is inside an unfinished restatement");
     return;
   }
-  if (state_.sameAs(*told)) return;
+  if (state_.sameAs(*keyframe)) return;
   report_.add(
       "keyframe-state", offset,
       report_.broke("keyframe-state")
           ? std::string("a keyframe is not the fold of the messages before it")
           : fmt::format("a keyframe is not the fold of the messages before it: the fold has "
                         "\"{}\"",
-                        firstDifference(state_.identityText(), told->identityText())));
+                        firstDifference(state_.identityText(), keyframe->identityText())));
 }
 
 void ProfileRules::own(const Known& known, const mcap::Message& message, std::uint64_t offset) {

@@ -17,11 +17,11 @@ constexpr const char* kOption = "--derive";
 
 /// As the table's columns have them: without a model joints are numbered from 1.
 PositionalNames tableNames(const Cell* cell) {
-  return [cell](std::string_view device, const DeviceState& said) {
+  return [cell](std::string_view device, const DeviceState& device_state) {
     std::vector<std::string> names;
-    if (cell != nullptr) names = positionalNames(*cell)(device, said);
-    for (std::size_t i = 0; names.size() == i && said.joints && i < said.joints->value.size();
-         ++i) {
+    if (cell != nullptr) names = positionalNames(*cell)(device, device_state);
+    for (std::size_t i = 0;
+         names.size() == i && device_state.joints && i < device_state.joints->value.size(); ++i) {
       names.push_back(std::to_string(i + 1));
     }
     return names;

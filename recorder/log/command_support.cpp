@@ -107,10 +107,10 @@ Result<CopyReport> runCopy(const CopyArguments& arguments, const std::string& do
 }
 
 Result<cli::Exit> tellCopy(const CopyArguments& arguments, const CopyReport& report) {
-  const Status told =
+  const Status printed =
       toStandardOutput(arguments.json ? copyReportJson(arguments.output, report)
                                       : copyReportText(arguments.output, report.counts));
-  if (!told) return told.error();
+  if (!printed) return printed.error();
   return tellGaps(report);
 }
 

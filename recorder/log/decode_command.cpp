@@ -26,14 +26,14 @@ Result<cli::Exit> runDecode(const DecodeArguments& arguments) {
                                               return whole.copy;
                                             });
   if (!report) return report.error();
-  const Result<cli::Exit> told = tellCopy(arguments.copy, *report);
-  if (!told) return told;
+  const Result<cli::Exit> summarized = tellCopy(arguments.copy, *report);
+  if (!summarized) return summarized;
   if (!arguments.copy.json) {
-    if (Status said = toStandardOutput(decode::accountText(whole.account)); !said)
-      return said.error();
+    if (Status printed = toStandardOutput(decode::accountText(whole.account)); !printed)
+      return printed.error();
   }
   // Nothing decoded is not what anybody asked for.
-  return report->counts.decoded == 0 ? cli::Exit::no : *told;
+  return report->counts.decoded == 0 ? cli::Exit::no : *summarized;
 }
 
 }  // namespace

@@ -270,7 +270,7 @@ Result<cli::Exit> runExport(ExportArguments arguments) {
                                                          : exportToMcap(arguments, range, *output);
   if (!account) return output->named(account.error());
   if (Status named = output->commit(); !named) return named.error();
-  if (Status told = tellExport(arguments, *account); !told) return told.error();
+  if (Status printed = tellExport(arguments, *account); !printed) return printed.error();
   for (const std::string& sentence : account->notes) cli::warn(sentence);
   for (const std::string& sentence : account->gaps) cli::warn(sentence);
   if (!account->left_out.empty()) cli::warn(accountSentence(account->left_out));

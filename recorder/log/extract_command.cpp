@@ -101,7 +101,8 @@ Result<cli::Exit> runExtract(const ExtractArguments& arguments) {
   const auto log = LogReader::open(arguments.log);
   if (!log.ok()) return log.error();
   if (arguments.list) {
-    if (Status said = toStandardOutput(listText(*log, arguments.json)); !said) return said.error();
+    if (Status printed = toStandardOutput(listText(*log, arguments.json)); !printed)
+      return printed.error();
     return cli::Exit::done;
   }
   return arguments.all || arguments.cell ? extractFolder(*log, arguments)

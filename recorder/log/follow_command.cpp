@@ -29,7 +29,7 @@ std::string truncated_farewell;
 /// A log is read in place: where another program truncates it meanwhile, the system sends SIGBUS.
 /// That ends as LogReader::refresh() does, which finds it at any other time.
 void endTruncated(int) {
-  [[maybe_unused]] const ssize_t told =
+  [[maybe_unused]] const ssize_t written =
       ::write(STDERR_FILENO, truncated_farewell.data(), truncated_farewell.size());
   ::_exit(static_cast<int>(cli::Exit::could_not_run));
 }

@@ -190,10 +190,10 @@ Result<cli::Exit> runImport(const ImportArguments& arguments) {
   const cli::StopDeadline deadline(kStopped);
   const Result<ros::ImportReport> report = import(arguments, *make);
   if (!report) return report.error();
-  const Status told =
+  const Status printed =
       toStandardOutput(arguments.copy.json ? importReportJson(arguments.copy.output, *report)
                                            : importReportText(arguments.copy.output, *report));
-  if (!told) return told.error();
+  if (!printed) return printed.error();
   for (const std::string& warning : ros::importWarnings(*report)) cli::warn(warning);
   const std::string account = accountOf(arguments.copy.output);
   if (!account.empty()) cli::warn(account);

@@ -18,9 +18,9 @@ struct MarkOptions {
 Result<cli::Exit> runMark(const MarkOptions& options) {
   const Result<MarkMade> made = markLog(options.log, options.time, options.text);
   if (!made) return made.error();
-  const Status told = toStandardOutput(fmt::format(
+  const Status printed = toStandardOutput(fmt::format(
       "{} s  {}\n", secondsText(made->mark.time - made->origin, 3), plainText(made->mark.text)));
-  if (!told) return told.error();
+  if (!printed) return printed.error();
   return cli::Exit::done;
 }
 

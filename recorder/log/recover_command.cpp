@@ -19,10 +19,10 @@ Result<cli::Exit> runRecover(const RecoverArguments& arguments) {
               [&](const MakeOptions& make) { return recoverLog(arguments.log, make); });
   if (!report) return report.error();
   const std::string& output = arguments.copy.output;
-  const Status told =
+  const Status printed =
       toStandardOutput(arguments.copy.json ? recoverReportJson(output, *report)
                                            : copyReportText(output, report->counts));
-  if (!told) return told.error();
+  if (!printed) return printed.error();
   bool lossy = false;
   for (const CopyGap& gap : report->gaps) {
     if (!gap.costs) continue;

@@ -60,7 +60,7 @@ Result<cli::Exit> runSplit(SplitArguments& arguments) {
       text += copyReportText(piece.path.string(), piece.counts);
     }
   }
-  if (Status told = toStandardOutput(text); !told) return told.error();
+  if (Status printed = toStandardOutput(text); !printed) return printed.error();
   return tellGaps(report->whole);
 }
 

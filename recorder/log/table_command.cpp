@@ -196,7 +196,7 @@ Result<cli::Exit> runTable(TableArguments arguments) {
     for (std::string& sentence : (*clearances)->gaps()) gaps.push_back(std::move(sentence));
   }
   for (std::string& sentence : session->damage()) gaps.push_back(std::move(sentence));
-  if (Status told = tellTable(arguments, *report, gaps); !told) return told.error();
+  if (Status printed = tellTable(arguments, *report, gaps); !printed) return printed.error();
   for (const std::string& sentence : table.remarks()) cli::warn(sentence);
   for (const std::string& sentence : gaps) cli::warn(sentence);
   if (!report->left_out.empty()) cli::warn(accountSentence(report->left_out));

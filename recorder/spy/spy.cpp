@@ -96,10 +96,10 @@ void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime ar
   const MadePacket* const made =
       decoders_ ? decoders_->decode(endpoint, datagram, arrived) : nullptr;
   if (made != nullptr) stream_.addOctets(arrived, encoding, true);
-  const ByteView said = made != nullptr ? bytesOf(made->text) : datagram.payload;
+  const ByteView packet_text = made != nullptr ? bytesOf(made->text) : datagram.payload;
   const std::string address = sender != nullptr ? sender->seen.address : senderText(datagram);
-  const StreamJudge::Judged judged =
-      stream_.add(arrived, made != nullptr ? "rk1" : encoding, made == nullptr, said, address);
+  const StreamJudge::Judged judged = stream_.add(arrived, made != nullptr ? "rk1" : encoding,
+                                                 made == nullptr, packet_text, address);
   if (sender != nullptr) {
     SpySender& seen = sender->seen;
     const std::size_t bytes = datagram.payload.size();
@@ -115,7 +115,7 @@ void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime ar
   }
   constexpr FaultAt kNotAPacket{PacketFault::not_a_packet, 1, 1};
   const bool is_undecoded = judged.packet == nullptr && judged.faults.empty();
-  readFaults(is_undecoded ? std::span(&kNotAPacket, 1) : judged.faults, said, address);
+  readFaults(is_undecoded ? std::span(&kNotAPacket, 1) : judged.faults, packet_text, address);
   if (judged.packet != nullptr) readPacket(judged, address);
 }
 
@@ -160,8 +160,8 @@ void Spy::readPacket(const StreamJudge::Judged& judged, const std::string& sende
 }
 
 void Spy::readEvents(LogTime arrived) {
-  for (const rocinante::Event& said : stream_.takeEvents()) {
-    const std::pair key(said.source, said.text);
+  for (const rocinante::Event& event : stream_.takeEvents()) {
+    const std::pair key(event.source, event.text);
     auto found = events_.find(key);
     if (found == events_.end() && events_.size() < kEvents) {
       found = events_.emplace(key, Event{}).first;

@@ -140,7 +140,7 @@ Result<SpyReport> watch(const Sources& sources, const Decoders& decoders,
   std::optional<Screen> screen;
   // The screen would cover it.
   for (const auto& each : sources) {
-    if (const auto said = each->maintain()) cli::warn(*said);
+    if (const auto news = each->maintain()) cli::warn(*news);
   }
   if (live) {
     screen.emplace();
@@ -160,8 +160,8 @@ Result<SpyReport> watch(const Sources& sources, const Decoders& decoders,
       screen->show(spy.report(wallNow()));
     }
     for (std::size_t i = 0; i < sources.size(); ++i) {
-      const auto said = sources[i]->maintain();
-      if (said && !screen) cli::warn(*said);
+      const auto news = sources[i]->maintain();
+      if (news && !screen) cli::warn(*news);
       waiting[i] = {sources[i]->fileDescriptor(), POLLIN, 0};
     }
     ::poll(waiting.data(), waiting.size(), 50);

@@ -187,7 +187,7 @@ void subscribe(UdpReceiver& listener, const SocketAddress& relay) {
 double relayLoop(const RelayProgramOptions& options, const std::atomic<bool>& stop) {
   SendSurroundings surroundings;
   surroundings.stop = [&] { return stop.load(); };
-  surroundings.told = [](std::string_view) {};
+  surroundings.notify = [](std::string_view) {};
   const double before = cpuOfThread();
   const auto report = relayUntilStopped(options, surroundings);
   if (!report) {

@@ -214,10 +214,11 @@ std::string modelInfoText(const ModelInfo& info) {
   }
   addDevices(out, info);
   // One table per model, even if thousands of devices share it.
-  std::vector<const Model*> told;
+  std::vector<const Model*> described;
   for (const InfoDevice& device : info.devices) {
-    if (device.joints.empty() || std::ranges::find(told, device.model) != told.end()) continue;
-    told.push_back(device.model);
+    if (device.joints.empty() || std::ranges::find(described, device.model) != described.end())
+      continue;
+    described.push_back(device.model);
     if (info.severalDevices()) {
       out += fmt::format("\n  {}, as {} has it:\n", plainText(device.device->model),
                          plainText(device.device->name));

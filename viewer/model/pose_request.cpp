@@ -81,8 +81,8 @@ Result<SessionState> sessionState(const Cell& cell, const PoseRequest& request,
 Result<SessionState> posedState(const Cell& cell, const PoseRequest& request, StateDamage* damage) {
   Result<SessionState> state = sessionState(cell, request, damage);
   if (!state) return state.error();
-  const bool says = request.joints || !request.named.empty() || request.base;
-  if (!says && request.device.empty()) return state;
+  const bool is_stated = request.joints || !request.named.empty() || request.base;
+  if (!is_stated && request.device.empty()) return state;
   const Result<Posed> posed = posedDevice(cell, request.device);
   if (!posed) return posed.error();
 

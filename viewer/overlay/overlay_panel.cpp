@@ -32,9 +32,9 @@ std::string valueText(JointType type, std::size_t component, double value) {
 }
 
 void addJoints(const PosedDevice& device, const SessionState& state, std::vector<PanelRow>& rows) {
-  const auto said = state.devices().find(device.name);
+  const auto found = state.devices().find(device.name);
   const JointVector joints =
-      jointsOf(*device.model, said == state.devices().end() ? nullptr : &said->second);
+      jointsOf(*device.model, found == state.devices().end() ? nullptr : &found->second);
   for (const std::size_t joint : device.model->movableJoints()) {
     const Joint& one = device.model->joints[joint];
     std::string text;

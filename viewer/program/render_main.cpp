@@ -133,11 +133,11 @@ void addLooks(cli::CommandLine app, Looks& looks) {
   for (const StyleKey& key : styleKeys()) {
     const std::string name = "--" + std::string(key.key);
     const std::string means = std::string(key.means) + (key.repeats ? "; repeatable" : "");
-    std::vector<std::string>& said = looks[std::string(key.key)];
+    std::vector<std::string>& values = looks[std::string(key.key)];
     // A switch takes a value only with `=`: the next word may be the cell.
     const cli::Option option = key.values.starts_with("on|")
-                                   ? app.addFlag(name + "{on}", said, means)
-                                   : app.addOption(name, said, means).oneEach();
+                                   ? app.addFlag(name + "{on}", values, means)
+                                   : app.addOption(name, values, means).oneEach();
     option.valueText(std::string(key.values)).group("Looks");
   }
 }

@@ -96,7 +96,8 @@ void Feed::run() {
     std::uint64_t dropped = 0;
     int wait_ms = kPollMs;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
-      if (const auto said = sources_[i]->maintain(); said && options_.told) options_.told(*said);
+      if (const auto news = sources_[i]->maintain(); news && options_.notify)
+        options_.notify(*news);
       polls[i] = {sources_[i]->fileDescriptor(), POLLIN, 0};
       if (polls[i].fd < 0) wait_ms = kAskMs;
       dropped += sources_[i]->dropped();

@@ -23,7 +23,7 @@ class Feed {
     std::vector<Endpoint> endpoints;
     std::shared_ptr<TrustJudge> trust;                   ///< null: nothing need be signed
     std::shared_ptr<const decode::DecoderSet> decoders;  ///< null: packet text alone
-    std::function<void(std::string_view)> told;          ///< from the thread: news of a source
+    std::function<void(std::string_view)> notify;        ///< from the thread: news of a source
   };
   /// Datagrams one behind the other.
   struct Batch {

@@ -35,8 +35,8 @@ std::string tokenOf(lws* wsi) {
       ::lws_get_urlarg_by_name(wsi, "token=", text.data(), static_cast<int>(text.size()));
   if (asked != nullptr) return asked;
   constexpr std::string_view kBearer = "Bearer ";
-  const std::string said = headerOf(wsi, WSI_TOKEN_HTTP_AUTHORIZATION);
-  return said.starts_with(kBearer) ? said.substr(kBearer.size()) : std::string();
+  const std::string header = headerOf(wsi, WSI_TOKEN_HTTP_AUTHORIZATION);
+  return header.starts_with(kBearer) ? header.substr(kBearer.size()) : std::string();
 }
 
 }  // namespace

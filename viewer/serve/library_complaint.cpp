@@ -14,11 +14,11 @@ std::mutex complaint_mutex;
 std::string complaint;
 
 void noteComplaint(int, const char* line) {
-  std::string_view said(line);
-  while (said.ends_with('\n')) said.remove_suffix(1);
-  const std::size_t from = said.find(": ");  // behind the function's name
+  std::string_view message(line);
+  while (message.ends_with('\n')) message.remove_suffix(1);
+  const std::size_t from = message.find(": ");  // behind the function's name
   const std::lock_guard lock(complaint_mutex);
-  complaint = plainText(from == std::string_view::npos ? said : said.substr(from + 2));
+  complaint = plainText(from == std::string_view::npos ? message : message.substr(from + 2));
 }
 
 }  // namespace

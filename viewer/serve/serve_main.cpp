@@ -145,7 +145,7 @@ Result<cli::Exit> run(Arguments& arguments) {
   arguments.request.parallel = cli::workerThreads();
   ServeSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
-  surroundings.told = [&arguments](std::string_view line) {
+  surroundings.notify = [&arguments](std::string_view line) {
     if (!arguments.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
   };
   const auto report = serveUntilStopped(arguments.request, surroundings);

@@ -74,7 +74,7 @@ Result<Cell> loadServedCell(const ServeRequest& request, const ServeSurroundings
   auto cell = loadCellOrLog(request.cell, options);
   if (!cell) return cell;
   for (const Finding& fault : cell->faults) {
-    surroundings.told(fault.text + (fault.file.empty() ? "" : " (" + fault.file + ")"));
+    surroundings.notify(fault.text + (fault.file.empty() ? "" : " (" + fault.file + ")"));
   }
   return cell;
 }
@@ -98,7 +98,7 @@ Result<std::unique_ptr<LiveSession>> listen(const ServeRequest& request, const C
                                             WebServer& server) {
   Feed::Options options;
   options.endpoints = request.live;
-  options.told = surroundings.told;
+  options.notify = surroundings.notify;
   auto trust = TrustJudge::open(request.trust);
   if (!trust) return trust.error();
   options.trust = std::move(*trust);
@@ -137,16 +137,16 @@ Result<ServeReport> serveUntilStopped(const ServeRequest& request,
     content.log_bytes = log.size();
     const auto account = logAccount(request.log, &*cell);
     const std::string note = account ? account->note() : std::string();
-    if (!note.empty()) surroundings.told(note);
+    if (!note.empty()) surroundings.notify(note);
   }
   auto page = pageFor(request, *cell);
   // Foxglove clients of a live session need no page; whoever named a viewer wants one.
   const bool is_dispensable = request.log.empty() && request.viewer.empty();
   if (!page && (!is_dispensable || page.error().kind != ErrorKind::not_found)) return page.error();
-  if (!page) surroundings.told("no page, Foxglove clients alone: " + page.error().what);
+  if (!page) surroundings.notify("no page, Foxglove clients alone: " + page.error().what);
   content.page = page ? std::move(*page) : pageWithoutViewer();
   WebServer::Options web = request.web;
-  web.told = surroundings.told;
+  web.notify = surroundings.notify;
   auto server = WebServer::open(std::move(web), std::move(content));
   if (!server) return server.error();
   std::unique_ptr<LiveSession> live;
@@ -159,7 +159,7 @@ Result<ServeReport> serveUntilStopped(const ServeRequest& request,
       shown += (shown.empty() ? "live from " : ", ") + each;
     }
   }
-  surroundings.told(
+  surroundings.notify(
       fmt::format("serving {} at {}", shown, addressText(request, (*server)->port())));
   if (Status ran = (*server)->run(live.get(), surroundings.stop); !ran) return ran.error();
   ServeReport report;

@@ -34,7 +34,7 @@ struct ServeReport {
 
 /// Says lines while it runs; asked whether to stop.
 struct ServeSurroundings {
-  std::function<void(std::string_view)> told;  ///< also from another thread
+  std::function<void(std::string_view)> notify;  ///< also from another thread
   std::function<bool()> stop;
 };
 

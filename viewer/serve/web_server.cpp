@@ -214,7 +214,8 @@ bool LwsServer::mayConnect(int socket) {
   const auto peer = SocketAddress::parse(host.data(), 0);
   if (peer && rules_.allows(withoutMapping(*peer))) return true;
   ++counts_.refused;
-  if (options_.told) options_.told(std::string(host.data()) + " is not in --allow: not answered");
+  if (options_.notify)
+    options_.notify(std::string(host.data()) + " is not in --allow: not answered");
   return false;
 }
 

@@ -34,13 +34,13 @@ class WebServer {
 
   struct Options {
     SocketAddress listen;
-    std::vector<std::string> origins;            ///< further ones (AccessRules)
-    std::string token;                           ///< empty: none is asked for
-    AddressFilter allow;                         ///< of clients
-    std::filesystem::path certificate, key;      ///< PEM; empty: without TLS
-    std::size_t clients = 64;                    ///< sockets, at most
-    std::uint64_t client_bytes = 4'000'000;      ///< that wait for one client
-    std::function<void(std::string_view)> told;  ///< lines for whoever runs the server
+    std::vector<std::string> origins;              ///< further ones (AccessRules)
+    std::string token;                             ///< empty: none is asked for
+    AddressFilter allow;                           ///< of clients
+    std::filesystem::path certificate, key;        ///< PEM; empty: without TLS
+    std::size_t clients = 64;                      ///< sockets, at most
+    std::uint64_t client_bytes = 4'000'000;        ///< that wait for one client
+    std::function<void(std::string_view)> notify;  ///< lines for whoever runs the server
   };
   struct Counts {
     std::uint64_t clients = 0;  ///< that have opened a socket

@@ -37,7 +37,7 @@ std::vector<JointRow> jointRows(const Model& model, const DeviceState* state,
       row.mimics = joint.mimic.has_value();
       row.continuous = joint.type == JointType::continuous;
       if (!row.mimics) row.owner = ownerOf(state, row.name, positional);
-      row.said =
+      row.is_stated =
           row.mimics || positional || (state != nullptr && state->named_joints.contains(row.name));
       if (joint.limits && valueCount(joint.type) == 1 && joint.type != JointType::continuous) {
         row.lower = joint.limits->lower;

@@ -14,7 +14,7 @@ struct JointRow {
   std::string name;  ///< of the value: Model::findJointValue, unless it mimics
   double value = 0;
   ValueKind kind = ValueKind::length;
-  bool said = false;  ///< false: at the model's default
+  bool is_stated = false;  ///< false: at the model's default
   bool mimics = false;
   bool continuous = false;             ///< turns without end
   std::string owner;                   ///< the SOURCE that said it; empty: none did

@@ -38,9 +38,9 @@ std::vector<std::vector<LimitLevel>> limitLevels(const PosedScene& scene,
     if (scene.devices[d].model == nullptr) continue;
     const Model& model = *scene.devices[d].model;
     levels[d].assign(model.links.size(), LimitLevel::inside);
-    const auto said = state.devices().find(scene.devices[d].name);
+    const auto found = state.devices().find(scene.devices[d].name);
     const JointVector joints =
-        jointsOf(model, said == state.devices().end() ? nullptr : &said->second);
+        jointsOf(model, found == state.devices().end() ? nullptr : &found->second);
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
       const Joint& joint = model.joints[j];
       const bool bounded = joint.type == JointType::revolute || joint.type == JointType::prismatic;

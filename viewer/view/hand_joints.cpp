@@ -112,12 +112,12 @@ JointStatements::JointStatements(JointsByDevice joints) : joints_(std::move(join
   }
 }
 
-SessionState withHand(const SessionState& said, LogTime moment, const HandJoints& hand) {
+SessionState withHand(const SessionState& received, LogTime moment, const HandJoints& hand) {
   const JointStatements statements(hand.devices());
   Packet packet;
   packet.header.source = kHandSource;
   packet.statements = statements.all();
-  SessionState state = said;
+  SessionState state = received;
   state.apply(moment, packet);
   return state;
 }

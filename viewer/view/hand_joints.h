@@ -63,10 +63,10 @@ class HandJoints {
   JointsByDevice devices_;
 };
 
-/// `said` with the values folded over it, as one more packet by kHandSource at `moment`, which is
-/// not before the last one folded. So mimic joints follow, and the picture is that of a source
+/// `received` with the values folded over it, as one more packet by kHandSource at `moment`, which
+/// is not before the last one folded. So mimic joints follow, and the picture is that of a source
 /// saying the same.
-SessionState withHand(const SessionState& said, LogTime moment, const HandJoints& hand);
+SessionState withHand(const SessionState& received, LogTime moment, const HandJoints& hand);
 
 /// Sets the values of "[DEVICE=]VALUES", the text of `--joints`: all joints of the device in its
 /// model's order, radians and metres. DEVICE as in a PATH; it may be missing when only one device

@@ -125,9 +125,9 @@ void TrailFinder::need(const std::string& device, const SessionState& state) {
       const auto ghost = source.ghost_of.find(name);
       if (ghost != source.ghost_of.end()) open.push_back(ghost->second);
     }
-    const auto said = state.devices().find(name);
-    if (said != state.devices().end() && said->second.pose) {
-      open.push_back(said->second.pose->value.carrier.first);
+    const auto found = state.devices().find(name);
+    if (found != state.devices().end() && found->second.pose) {
+      open.push_back(found->second.pose->value.carrier.first);
     }
   }
 }

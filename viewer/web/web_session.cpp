@@ -32,7 +32,7 @@ Json jointJson(const JointRow& row) {
   json["kind"] = row.kind == ValueKind::angle    ? "angle"
                  : row.kind == ValueKind::length ? "length"
                                                  : "number";
-  json["said"] = row.said;
+  json["said"] = row.is_stated;
   json["outside"] = row.outside();
   return json;
 }
@@ -200,8 +200,8 @@ Result<std::string> WebSession::devicesJson(std::int64_t ns) {
     one["name"] = device.name;
     one["visible"] = device.visible;
     one["joints"] = Json::array();
-    const DeviceState* const said = (*state)->findDevice(device.name);
-    for (const JointRow& row : jointRows(*device.model, said, "")) {
+    const DeviceState* const device_state = (*state)->findDevice(device.name);
+    for (const JointRow& row : jointRows(*device.model, device_state, "")) {
       one["joints"].push_back(jointJson(row));
     }
     if (selected_ && selected_->path.first == device.name && !selected_->path.second.empty()) {
@@ -211,7 +211,7 @@ Result<std::string> WebSession::devicesJson(std::int64_t ns) {
         one["link"] = {{"name", selected_->path.second}, {"place", {place.x, place.y, place.z}}};
       }
     }
-    if (said != nullptr) addSignalsOf(one, device.name, said->signals);
+    if (device_state != nullptr) addSignalsOf(one, device.name, device_state->signals);
     json.push_back(std::move(one));
   }
   // What the cell has not is listed by what it says.
@@ -223,8 +223,8 @@ Result<std::string> WebSession::devicesJson(std::int64_t ns) {
     addSignalsOf(one, name, signals);
     json.push_back(std::move(one));
   };
-  for (const auto& [name, said] : (*state)->devices()) {
-    if (scene.findDevice(name) == nullptr) addBare(name, said.signals);
+  for (const auto& [name, device_state] : (*state)->devices()) {
+    if (scene.findDevice(name) == nullptr) addBare(name, device_state.signals);
   }
   if (bare > kMostBare) json.push_back(Json{{"more", bare - kMostBare}});
   addBare({}, (*state)->signals());

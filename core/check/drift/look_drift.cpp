@@ -170,8 +170,8 @@ void LookDrift::compareLinks(const Link& was, const Link& is, DriftList& drift) 
   }
   const std::size_t shared = std::min(was.visuals.size(), is.visuals.size());
   for (std::size_t i = 0; i < shared; ++i) {
-    const bool told = comparePointColors(was.visuals[i], is.visuals[i], name, drift);
-    compareMaterials(was.visuals[i], is.visuals[i], name, told, drift);
+    const bool is_reported = comparePointColors(was.visuals[i], is.visuals[i], name, drift);
+    compareMaterials(was.visuals[i], is.visuals[i], name, is_reported, drift);
   }
 }
 

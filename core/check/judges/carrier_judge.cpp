@@ -16,12 +16,13 @@ constexpr std::size_t kMaxLoops = 200;
 }  // namespace
 
 std::string_view CarrierJudge::carrierOf(std::string_view device, const SessionState& state) const {
-  const DeviceState* const said = state.findDevice(device);
-  if (said != nullptr && said->presence && said->presence->value.presence == Presence::removed) {
+  const DeviceState* const device_state = state.findDevice(device);
+  if (device_state != nullptr && device_state->presence &&
+      device_state->presence->value.presence == Presence::removed) {
     return {};
   }
-  if (said != nullptr && said->pose) {
-    const Path& carrier = said->pose->value.carrier;
+  if (device_state != nullptr && device_state->pose) {
+    const Path& carrier = device_state->pose->value.carrier;
     return carrier.is_layer ? std::string_view() : carrier.first;
   }
   const CellDevice* const of_cell = cell_.findDevice(device);

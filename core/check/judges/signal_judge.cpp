@@ -286,9 +286,9 @@ void SignalJudge::forget(std::string_view device) {
 void SignalJudge::reportOne(const Key& key, const Signal& signal,
                             const std::vector<std::string>& sources, Findings& findings) const {
   const std::string name = nameOf(key.device, key.link, key.name);
-  const std::string said = signal.expected != nullptr && !signal.expected->label.empty()
-                               ? name + " (" + signal.expected->label + ")"
-                               : name;
+  const std::string title = signal.expected != nullptr && !signal.expected->label.empty()
+                                ? name + " (" + signal.expected->label + ")"
+                                : name;
   const auto add = [&](const Tally& tally, const char* rule, std::string text) {
     if (tally.count > 0) findings.push_back(tally.finding(rule, name, std::move(text)));
   };
@@ -298,45 +298,45 @@ void SignalJudge::reportOne(const Key& key, const Signal& signal,
     findings.back().worst = statedValue(worst.figure);
   };
   add(signal.kinds, "signal.kind",
-      fmt::format("{} is first a {} and then a {}", said, signal.first_kind, signal.other_kind));
+      fmt::format("{} is first a {} and then a {}", title, signal.first_kind, signal.other_kind));
   const bool is_unjudged = signal.expected != nullptr && !signal.expected->unit.empty() &&
                            (signal.expected->range || signal.expected->jump);
   add(signal.units, "signal.unit",
-      fmt::format("{} is in {}, and in {}{}", said, signal.first_unit, signal.other_unit,
+      fmt::format("{} is in {}, and in {}{}", title, signal.first_unit, signal.other_unit,
                   is_unjudged ? "; the numbers in another unit are not judged" : ""));
-  signal.two_writers.report(name, said + " is", sources, findings);
+  signal.two_writers.report(name, title + " is", sources, findings);
   if (signal.expected == nullptr) return;
   const CellSignal& expected = *signal.expected;
   add(signal.not_numbers, "signal.kind",
       fmt::format("{} is {}, where the cell expects a number; range, jump and stuck_s do not judge "
                   "it",
-                  said, quoted(signal.not_number)));
+                  title, quoted(signal.not_number)));
   const std::string& unit = expected.unit.empty() ? signal.unit : expected.unit;
   addWorst(signal.range, "signal.range", [&] {
-    return fmt::format("{} is {}, where the cell expects {}", said,
+    return fmt::format("{} is {}, where the cell expects {}", title,
                        withUnit(signal.range.value, unit), rangeText(*expected.range, unit));
   });
   addWorst(signal.jump, "signal.jump", [&] {
-    return fmt::format("{} changes by {} from one value to the next; {} are expected at most", said,
-                       withUnit(signal.jump.value, unit), withUnit(*expected.jump, unit));
+    return fmt::format("{} changes by {} from one value to the next; {} are expected at most",
+                       title, withUnit(signal.jump.value, unit), withUnit(*expected.jump, unit));
   });
   addWorst(signal.stuck, "signal.stuck", [&] {
     return fmt::format(
         "{} repeats one value for {:.3g} s while {} moves; {:.3g} s are expected at "
         "most",
-        said, signal.stuck.value, plainText(key.device), *expected.stuck_s);
+        title, signal.stuck.value, plainText(key.device), *expected.stuck_s);
   });
   addWorst(signal.rate, "signal.rate", [&] {
-    return fmt::format("{} is stated {:.3g} times a second, where the cell expects {}", said,
+    return fmt::format("{} is stated {:.3g} times a second, where the cell expects {}", title,
                        signal.rate.value, rangeText(*expected.rate_hz, ""));
   });
   for (const auto& [value, tally] : signal.values) {
     add(tally, "signal.unknown-value",
-        fmt::format("{} is {}, which the cell does not expect", said, quoted(value.second)));
+        fmt::format("{} is {}, which the cell does not expect", title, quoted(value.second)));
   }
   for (const auto& [change, tally] : signal.transitions) {
     add(tally, "signal.transition",
-        fmt::format("{} goes from {} to {}, which the cell does not expect", said,
+        fmt::format("{} goes from {} to {}, which the cell does not expect", title,
                     quoted(change.first), quoted(change.second)));
   }
 }

@@ -61,7 +61,7 @@ void StaticItems::take(const Statement& statement, std::string_view signal, LogT
   const std::size_t key = keyOf(statement, signal);
   const auto known = items_.find(key);
   if (known != items_.end()) {
-    known->second.said = time;
+    known->second.stated_at = time;
   } else if (items_.size() < kMaxItems) {
     items_.emplace(key, Item{isDrawing(statement.kind) ? 0 : deviceOf(statement), time});
   } else {
@@ -77,8 +77,9 @@ void StaticItems::forget(const Statement& statement) {
 
 std::optional<LogTime> StaticItems::oldest() const {
   if (items_.empty() || is_full_) return std::nullopt;
-  return std::ranges::min_element(items_, {}, [](const auto& each) { return each.second.said; })
-      ->second.said;
+  return std::ranges::min_element(items_, {},
+                                  [](const auto& each) { return each.second.stated_at; })
+      ->second.stated_at;
 }
 
 }  // namespace rocinante

@@ -27,7 +27,7 @@ class StaticItems {
   static constexpr std::size_t kMaxItems = 256;
   struct Item {
     std::size_t device = 0;
-    LogTime said{};
+    LogTime stated_at{};
   };
 
   void take(const Statement& statement, std::string_view signal, LogTime time);

@@ -263,8 +263,8 @@ class FoxgloveFormat final : public SessionFormat {
   bool wantsAllSignals() const override { return signal_messages_ == SignalMessages::whole; }
 
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
-                 std::span<const SaidSignal> said, bool wants_all) override {
-    return signals_.write(out, time, owner, said, wants_all || wantsAllSignals());
+                 std::span<const SaidSignal> signals, bool wants_all) override {
+    return signals_.write(out, time, owner, signals, wants_all || wantsAllSignals());
   }
 
   void addLeftOut(Account& account) const override { account.add(signals_.leftOut()); }

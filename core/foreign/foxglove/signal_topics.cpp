@@ -33,11 +33,11 @@ void SignalTopics::know(const KnownSignals& known) {
 }
 
 Status SignalTopics::write(MessageSink& out, LogTime time, const SignalOwner& owner,
-                           std::span<const SaidSignal> said, bool wants_all) {
+                           std::span<const SaidSignal> signals, bool wants_all) {
   const auto found = topics_.find(owner);
   if (found == topics_.end()) return {};
   Topic& topic = found->second;
-  const std::string message = topic.json.message(said, !wants_all);
+  const std::string message = topic.json.message(signals, !wants_all);
   if (!wants_all && message == "{}") return {};
   if (!topic.schema) {
     const std::string text = topic.json.schema();

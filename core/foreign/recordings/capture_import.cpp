@@ -117,8 +117,8 @@ class CapturePump {
         break;
       }
       for (const ReceivedDatagram& datagram : *batch) keep(datagram);
-      if (options.progress && read_ / kProgressDatagrams != told_) {
-        told_ = read_ / kProgressDatagrams;
+      if (options.progress && read_ / kProgressDatagrams != reported_) {
+        reported_ = read_ / kProgressDatagrams;
         // How long the file is, the capture library does not say.
         if (Status goes_on = options.progress(0); !goes_on) return goes_on;
       }
@@ -149,7 +149,7 @@ class CapturePump {
   HandOver queue_{kBlocks};
   CaptureWriter writer_;
   CaptureBlocks blocks_{queue_};
-  std::uint64_t read_ = 0, told_ = 0, truncated_ = 0;
+  std::uint64_t read_ = 0, reported_ = 0, truncated_ = 0;
   std::string cut_;
 };
 

@@ -283,20 +283,22 @@ class JsonLines final : public LineRecording {
 
  protected:
   std::optional<Row> rowOf(std::string_view line) override {
-    JsonRow said(times_);
-    const bool fits = parseRow(line, times_, said);
-    if (!said.time) return std::nullopt;
-    if (!fits || !said.finish(device_)) return Row{*said.time, {}, std::move(said.fault)};
-    for (const JsonRow::LeftOutKey& each : said.left_out) {
+    JsonRow json_row(times_);
+    const bool fits = parseRow(line, times_, json_row);
+    if (!json_row.time) return std::nullopt;
+    if (!fits || !json_row.finish(device_))
+      return Row{*json_row.time, {}, std::move(json_row.fault)};
+    for (const JsonRow::LeftOutKey& each : json_row.left_out) {
       rows().leaveOut(each.name, each.reason, Severity::note);
     }
-    rows().setNames(said.names);
-    const bool is_joint_beyond = std::ranges::any_of(said.words, [&](const auto& word) {
+    rows().setNames(json_row.names);
+    const bool is_joint_beyond = std::ranges::any_of(json_row.words, [&](const auto& word) {
       return word.value.kind == SignalKind::number && !rows().isSignal(word.place);
     });
-    if (is_joint_beyond) return Row{*said.time, {}, kBeyond};
-    const RowTranslation::Outcome outcome = rows().translate(*said.time, said.numbers, said.words);
-    return Row{*said.time, outcome.packet, outcome.malformed ? kPartOfPoseAlone : ""};
+    if (is_joint_beyond) return Row{*json_row.time, {}, kBeyond};
+    const RowTranslation::Outcome outcome =
+        rows().translate(*json_row.time, json_row.numbers, json_row.words);
+    return Row{*json_row.time, outcome.packet, outcome.malformed ? kPartOfPoseAlone : ""};
   }
 
  private:

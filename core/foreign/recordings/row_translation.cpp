@@ -42,7 +42,7 @@ void RowTranslation::setNames(std::span<const std::string> names) {
 
 void RowTranslation::makePlans() {
   plans_.clear();
-  said_.clear();
+  seen_.clear();
   unused_.clear();
   signals_.clear();
   signal_at_.assign(names_.size(), kNoSignal);
@@ -181,7 +181,7 @@ std::string RowTranslation::deviceOfPlain(std::string_view topic) const {
 /// Why not; empty: it is said.
 std::string_view RowTranslation::placeSignal(NamedSignal signal, std::size_t place) {
   if (!isName(signal.name.name)) return kNoName;
-  if (!said_.emplace("signal", signalNameText(signal.device, signal.name)).second) return kTwice;
+  if (!seen_.emplace("signal", signalNameText(signal.device, signal.name)).second) return kTwice;
   signal_at_[place] = signals_.size();
   signals_.push_back(std::move(signal));
   return {};
@@ -233,7 +233,7 @@ void RowTranslation::addJoint(const std::string& device, const std::string& join
     unused_.push_back({place, kNoName, Severity::warning});
     return;
   }
-  if (!said_.emplace(device, joint).second) {
+  if (!seen_.emplace(device, joint).second) {
     unused_.push_back({place, kTwice, Severity::warning});
     return;
   }
@@ -268,34 +268,34 @@ void RowTranslation::addPose(const std::string& device, std::size_t part, std::s
 }
 
 void RowTranslation::sayJoints(const DevicePlan& plan, std::span<const double> row) {
-  said_names_.clear();
-  said_numbers_.clear();
+  stated_names_.clear();
+  stated_numbers_.clear();
   for (std::size_t i = 0; i < plan.places.size(); ++i) {
     const double number = row[plan.places[i]];
     if (!std::isfinite(number)) continue;
-    said_names_.push_back(plan.joints[i]);
-    said_numbers_.push_back(number);
+    stated_names_.push_back(plan.joints[i]);
+    stated_numbers_.push_back(number);
   }
-  if (said_names_.empty()) return;
+  if (stated_names_.empty()) return;
   Statement statement;
   statement.kind = StatementKind::joint;
   statement.name = plan.device;
-  statement.names = said_names_;
-  statement.numbers = said_numbers_;
+  statement.names = stated_names_;
+  statement.numbers = stated_numbers_;
   packet_.add(statement);
 }
 
 bool RowTranslation::sayPose(const DevicePlan& plan, std::span<const double> row) {
-  said_numbers_.clear();
+  stated_numbers_.clear();
   for (const std::size_t place : plan.places) {
-    if (std::isfinite(row[place])) said_numbers_.push_back(row[place]);
+    if (std::isfinite(row[place])) stated_numbers_.push_back(row[place]);
   }
-  if (said_numbers_.empty()) return true;
-  if (said_numbers_.size() < plan.places.size()) return false;
+  if (stated_numbers_.empty()) return true;
+  if (stated_numbers_.size() < plan.places.size()) return false;
   Statement statement;
   statement.kind = StatementKind::pose;
   statement.name = plan.device;
-  statement.numbers = said_numbers_;
+  statement.numbers = stated_numbers_;
   packet_.add(statement);
   return true;
 }
@@ -304,31 +304,31 @@ bool RowTranslation::sayPose(const DevicePlan& plan, std::span<const double> row
 void RowTranslation::saySignals(std::span<const double> row, std::span<const Word> words) {
   const NamedSignal* last = nullptr;
   const auto flush = [&] {
-    if (said_names_.empty()) return;
+    if (stated_names_.empty()) return;
     Statement statement;
     statement.kind = StatementKind::signals;
     statement.path = {last->device, last->name.link};
-    statement.names = said_names_;
-    statement.numbers = said_numbers_;
-    statement.signal_kinds = said_kinds_;
+    statement.names = stated_names_;
+    statement.numbers = stated_numbers_;
+    statement.signal_kinds = stated_kinds_;
     packet_.add(statement);
-    said_names_.clear();
-    said_numbers_.clear();
-    said_kinds_.clear();
+    stated_names_.clear();
+    stated_numbers_.clear();
+    stated_kinds_.clear();
   };
   const auto say = [&](const NamedSignal& signal, SignalKind kind, double number) {
     const bool is_neighbour = last != nullptr && last->device == signal.device &&
                               last->name.link == signal.name.link &&
-                              said_names_.size() < limits::kSignalValues;
+                              stated_names_.size() < limits::kSignalValues;
     if (!is_neighbour) flush();
     last = &signal;
-    said_names_.push_back(signal.name.name);
-    said_numbers_.push_back(number);
-    said_kinds_.push_back(kind);
+    stated_names_.push_back(signal.name.name);
+    stated_numbers_.push_back(number);
+    stated_kinds_.push_back(kind);
   };
-  said_names_.clear();
-  said_numbers_.clear();
-  said_kinds_.clear();
+  stated_names_.clear();
+  stated_numbers_.clear();
+  stated_kinds_.clear();
   // A word may make a signal of its name.
   for (const Word& word : words) signalOfWord(word.place);
   for (std::size_t place = 0; place < row.size(); ++place) {

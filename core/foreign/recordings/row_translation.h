@@ -87,10 +87,10 @@ class RowTranslation {
 
   std::string topic_, source_;
   PacketTextWriter packet_;
-  std::vector<std::string_view> said_names_;
-  std::vector<double> said_numbers_;
+  std::vector<std::string_view> stated_names_;
+  std::vector<double> stated_numbers_;
   std::set<std::string, std::less<>> with_joints_;  ///< devices of which some name is a joint
-  std::vector<SignalKind> said_kinds_;
+  std::vector<SignalKind> stated_kinds_;
   const ros::DeviceFinder* devices_ = nullptr;
   const ros::DeviceFinder nobody_{nullptr, {}};
   std::vector<std::string> names_;
@@ -99,7 +99,7 @@ class RowTranslation {
   std::vector<NamedSignal> signals_;
   std::vector<std::size_t> signal_at_;  ///< by place, into `signals_`
   std::vector<std::size_t> word_at_;    ///< the same, of names whose numbers are no signal
-  std::set<std::pair<std::string, std::string>> said_;  ///< devices and joints of the plans
+  std::set<std::pair<std::string, std::string>> seen_;  ///< devices and joints of the plans
   std::string kind_;
   std::set<std::string, std::less<>> named_;  ///< in the account
   Account account_;

@@ -190,12 +190,12 @@ class Import {
       outlet.decoded_channel = *decoded;
     }
     outlet.place = report_.topics.size();
-    ImportedTopic& told = report_.topics.emplace_back();
-    told.name = name;
-    told.type = topic.type;
-    told.encoding = topic.encoding;
-    told.described = !described_.empty() && topic.name == described_;
-    told.translated = outlet.decoded || outlet.translation.has_value();
+    ImportedTopic& reported = report_.topics.emplace_back();
+    reported.name = name;
+    reported.type = topic.type;
+    reported.encoding = topic.encoding;
+    reported.described = !described_.empty() && topic.name == described_;
+    reported.translated = outlet.decoded || outlet.translation.has_value();
     known = outlet;
     return &*known;
   }
@@ -219,15 +219,15 @@ class Import {
     report_.start = std::min(report_.start, message.log_time);
     report_.end = std::max(report_.end, message.log_time);
     ++report_.messages;
-    ImportedTopic& told = report_.topics[out.place];
-    ++told.messages;
+    ImportedTopic& reported = report_.topics[out.place];
+    ++reported.messages;
     const Made made = packetOf(message, out);
     if (made.malformed) {
-      if (told.malformed++ == 0) told.fault = made.fault;
+      if (reported.malformed++ == 0) reported.fault = made.fault;
       ++report_.malformed;
     }
     if (made.text.empty()) return {};
-    ++told.packets;
+    ++reported.packets;
     ++report_.packets;
     if (made.packet == nullptr) {
       return session_.write(out.decoded_channel, message.sequence, message.log_time,
@@ -288,9 +288,9 @@ class Import {
       for (std::size_t i = 0; i < input.outlets.size(); ++i) {
         const std::optional<Outlet>& outlet = input.outlets[i];
         if (!outlet) continue;
-        TranslationNotes& told = report_.topics[outlet->place].notes;
-        if (outlet->decoded) told = input.bag->notesOf(i);
-        if (outlet->translation) told = translator_.notes(*outlet->translation);
+        TranslationNotes& reported = report_.topics[outlet->place].notes;
+        if (outlet->decoded) reported = input.bag->notesOf(i);
+        if (outlet->translation) reported = translator_.notes(*outlet->translation);
       }
     }
     report_.notes.insert(report_.notes.begin(), notes.begin(), notes.end());

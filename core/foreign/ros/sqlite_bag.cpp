@@ -240,9 +240,9 @@ class SqliteBag final : public BagReader {
     return message;
   }
 
-  void tellOnce(bool& told, const char* sentence) {
-    if (!told) damage_.push_back(std::string(sentence) + " (" + name_ + ")");
-    told = true;
+  void tellOnce(bool& is_reported, const char* sentence) {
+    if (!is_reported) damage_.push_back(std::string(sentence) + " (" + name_ + ")");
+    is_reported = true;
   }
 
   Database database_;

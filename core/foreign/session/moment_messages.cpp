@@ -186,7 +186,7 @@ Status MomentMessages::signals(MessageSink& out, LogTime time, const SessionStat
     each = signals_said_.erase(each);
   }
   said_count_ = 0;
-  for (const auto& [owner, said] : signals_said_) said_count_ += said.by_name.size();
+  for (const auto& [owner, known] : signals_said_) said_count_ += known.by_name.size();
   return written;
 }
 
@@ -195,9 +195,9 @@ bool MomentMessages::areNoticed(const SessionState& state) const {
   // many, nothing has gone.
   std::size_t count = said_count_;
   for (const auto& [owner, names] : noticed_) {
-    const auto said = signals_said_.find(owner);
+    const auto known = signals_said_.find(owner);
     for (const std::string& name : names) {
-      if (said != signals_said_.end() && said->second.by_name.contains(name)) continue;
+      if (known != signals_said_.end() && known->second.by_name.contains(name)) continue;
       if (state.findSignal(owner.first, {owner.second, name}) != nullptr) ++count;
     }
   }
@@ -212,12 +212,12 @@ Status MomentMessages::noticedSignals(MessageSink& out, LogTime time, const Sess
     for (const std::string& name : names) {
       const Item<SignalValue>* const item = state.findSignal(owner.first, {owner.second, name});
       if (item == nullptr) continue;
-      SignalsSaid& said = signals_said_[owner];
-      is_first |= said.by_name.empty();
-      said.newest = std::max(said.newest, item->said.packet);
-      const std::size_t before = said.by_name.size();
-      const bool is_new = said.take(name, *item, false);
-      said_count_ += said.by_name.size() - before;
+      SignalsSaid& known = signals_said_[owner];
+      is_first |= known.by_name.empty();
+      known.newest = std::max(known.newest, item->stated.packet);
+      const std::size_t before = known.by_name.size();
+      const bool is_new = known.take(name, *item, false);
+      said_count_ += known.by_name.size() - before;
       if (is_new) news.push_back({name, &item->value, true, isInJoints(owner, name)});
     }
     if (news.empty()) continue;
@@ -232,9 +232,9 @@ bool MomentMessages::SignalsSaid::take(const std::string& name, const Item<Signa
                                        bool counts_anew) {
   const auto [kept, is_unknown] = by_name.try_emplace(name, item);
   Item<SignalValue>& before = kept->second;
-  const bool is_said = !counts_anew && item.said.packet > before.said.packet;
+  const bool is_said = !counts_anew && item.stated.packet > before.stated.packet;
   const bool is_new = is_unknown || is_said || item.value != before.value;
-  before.said = item.said;
+  before.stated = item.stated;
   if (is_new) before.value = item.value;
   return is_new;
 }
@@ -251,27 +251,27 @@ Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::stri
   for (auto first = signals.begin(); first != signals.end();) {
     const SignalOwner owner{device, first->first.link};
     const std::string& link = owner.second;
-    SignalsSaid& said = signals_said_[owner];
+    SignalsSaid& known = signals_said_[owner];
     std::uint64_t newest = 0;
     auto last = first;
     for (; last != signals.end() && last->first.link == link; ++last) {
-      newest = std::max(newest, last->second.said.packet);
+      newest = std::max(newest, last->second.stated.packet);
     }
     // A state that was read from a keyframe counts packets anew.
-    const bool counts_anew = newest < said.newest;
-    said.newest = newest;
+    const bool counts_anew = newest < known.newest;
+    known.newest = newest;
     bool is_due = false;
-    bool wants_all = said.by_name.empty();
+    bool wants_all = known.by_name.empty();
     all.clear();
     for (; first != last; ++first) {
       const auto& [name, item] = *first;
-      const bool is_new = said.take(name.name, item, counts_anew);
+      const bool is_new = known.take(name.name, item, counts_anew);
       is_due |= is_new;
       all.push_back({name.name, &item.value, is_new, isInJoints(owner, name.name)});
     }
-    if (said.by_name.size() != all.size()) {
+    if (known.by_name.size() != all.size()) {
       is_due = wants_all = true;
-      std::erase_if(said.by_name, [&](const auto& each) {
+      std::erase_if(known.by_name, [&](const auto& each) {
         return !signals.contains(SignalNameView(link, each.first));
       });
     }

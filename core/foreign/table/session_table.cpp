@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 7> kPoseColumns = {":x",  ":y",  ":z", ":
 /// When one of them was stated last, in packets.
 std::uint64_t lastOf(const Signals& signals) {
   std::uint64_t last = 0;
-  for (const auto& [name, item] : signals) last = std::max(last, item.said.packet);
+  for (const auto& [name, item] : signals) last = std::max(last, item.stated.packet);
   return last;
 }
 
@@ -59,10 +59,10 @@ void SessionTable::noticeAll(const SessionState& state) {
   if (patterns_.empty()) noticeSignals({}, state.signals(), of_none_);
 }
 
-void SessionTable::noticeSignals(const std::string& device, const Signals& said,
+void SessionTable::noticeSignals(const std::string& device, const Signals& signals,
                                  SignalColumns& columns) {
   if (!with_signals_) return;
-  for (const auto& [name, item] : said) {
+  for (const auto& [name, item] : signals) {
     const bool is_text = item.value.kind == SignalKind::text;
     SignalColumns& known = is_text ? texts_[device] : columns;
     known.try_emplace(name);
@@ -78,10 +78,10 @@ void SessionTable::layOutSignals(const std::string& device, SignalColumns& colum
 }
 
 template <class Columns, class Visit>
-void SessionTable::eachSignal(Columns& columns, const Signals& said, Visit visit) {
+void SessionTable::eachSignal(Columns& columns, const Signals& signals, Visit visit) {
   // Both are sorted by name: one pass, without searching.
   auto column = columns.begin();
-  for (const auto& [name, item] : said) {
+  for (const auto& [name, item] : signals) {
     while (column != columns.end() && SignalOrder()(column->first, name)) ++column;
     if (column == columns.end()) break;
     const bool is_number = item.value.kind != SignalKind::text;
@@ -89,9 +89,9 @@ void SessionTable::eachSignal(Columns& columns, const Signals& said, Visit visit
   }
 }
 
-void SessionTable::fillSignals(const SignalColumns& columns, const Signals& said,
+void SessionTable::fillSignals(const SignalColumns& columns, const Signals& signals,
                                std::span<double> row) {
-  eachSignal(columns, said, [row](const SignalColumn& column, const SignalValue& value) {
+  eachSignal(columns, signals, [row](const SignalColumn& column, const SignalValue& value) {
     row[column.place] = value.number;
   });
 }

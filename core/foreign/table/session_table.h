@@ -96,12 +96,13 @@ class SessionTable {
   void noticeDevice(const std::string& name, const DeviceState& state);
   const Model* modelOf(const std::string& name, const DeviceState& state) const;
   void addJoint(Device& device, std::string_view joint);
-  void noticeSignals(const std::string& device, const Signals& said, SignalColumns& columns);
+  void noticeSignals(const std::string& device, const Signals& signals, SignalColumns& columns);
   void layOutSignals(const std::string& device, SignalColumns& columns);
   /// Calls visit(column, value) for each number and boolean that has a column.
   template <class Columns, class Visit>
-  static void eachSignal(Columns& columns, const Signals& said, Visit visit);
-  static void fillSignals(const SignalColumns& columns, const Signals& said, std::span<double> row);
+  static void eachSignal(Columns& columns, const Signals& signals, Visit visit);
+  static void fillSignals(const SignalColumns& columns, const Signals& signals,
+                          std::span<double> row);
   void fillJoints(const Device& device, const DeviceState& state, std::span<double> row) const;
   void fillPose(const std::string& name, const SessionState& state, const PoseValue& pose,
                 std::span<double> row);

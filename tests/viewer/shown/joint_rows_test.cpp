@@ -40,7 +40,7 @@ TEST(JointRows, ShowWhatIsDrawnBeforeAnythingWasSaid) {
   const auto rows = jointRows(machine(), nullptr, "");
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0].name, "lift");
-  EXPECT_FALSE(rows[0].said);
+  EXPECT_FALSE(rows[0].is_stated);
   EXPECT_TRUE(rows[3].mimics);
   EXPECT_DOUBLE_EQ(*rows[1].part(), 0.5);
   EXPECT_FALSE(rows[2].part().has_value());
@@ -52,7 +52,7 @@ TEST(JointRows, TellWhereAValueLiesBetweenItsLimits) {
   DeviceState state;
   state.joints = Item<std::vector<double>>{{0.5, 1.5, 9}, "me", {}};
   const auto rows = jointRows(machine(), &state, "");
-  EXPECT_TRUE(rows[0].said);
+  EXPECT_TRUE(rows[0].is_stated);
   EXPECT_DOUBLE_EQ(*rows[0].part(), 0.25);
   EXPECT_FALSE(rows[0].outside());
   EXPECT_DOUBLE_EQ(*rows[1].part(), 1.25);
@@ -71,7 +71,7 @@ TEST(JointRows, AWrongCountOfValuesIsAsNothingSaid) {
   DeviceState state;
   state.joints = Item<std::vector<double>>{{0.5}, "me", {}};
   const auto rows = jointRows(machine(), &state, "");
-  EXPECT_FALSE(rows[0].said);
+  EXPECT_FALSE(rows[0].is_stated);
   EXPECT_EQ(rows[0].value, 0);
 }
 

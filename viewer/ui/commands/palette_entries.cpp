@@ -32,8 +32,8 @@ void addEntries(const Command& command, const ViewModel& model,
   const std::string means(command.means);
   if (command.leastWords() == 0) {
     const auto plain = std::ranges::find(command.shortcuts, std::string_view(), &Shortcut::words);
-    const bool told = plain != command.shortcuts.end() && !plain->means.empty();
-    entries.push_back({told ? std::string(plain->means) : means, name, keyOf(command, "")});
+    const bool has_text = plain != command.shortcuts.end() && !plain->means.empty();
+    entries.push_back({has_text ? std::string(plain->means) : means, name, keyOf(command, "")});
   }
   for (const Shortcut& shortcut : command.shortcuts) {
     if (shortcut.words.empty() || shortcut.means.empty()) continue;

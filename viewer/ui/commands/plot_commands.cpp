@@ -74,9 +74,9 @@ Status checkKey(const SeriesKey& key, ViewModel& model) {
     const Status there = checkLink(model.cell(), model.state(), key);
     return there ? Status() : badWord(there.error().what);
   }
-  const auto said = model.state().devices().find(key.name);
+  const auto known = model.state().devices().find(key.name);
   const PosedDevice* const device = model.scene().findDevice(key.name);
-  if (device == nullptr && said == model.state().devices().end()) {
+  if (device == nullptr && known == model.state().devices().end()) {
     // Perhaps it is not there yet.
     const auto picture = pictureOfAll(model);
     if (picture != nullptr && std::ranges::count(*picture->stated, key) > 0) return {};

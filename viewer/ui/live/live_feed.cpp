@@ -147,11 +147,11 @@ void LiveFeed::Impl::take(std::uint32_t endpoint, const ReceivedDatagram& datagr
   // The fold's time must not decrease from one source to the next.
   figures.time = std::max(figures.time, from.last);
   const Packet* packet = decoder.decode(datagram.payload);
-  ByteView said = datagram.payload;
+  ByteView packet_text = datagram.payload;
   if (packet == nullptr && octets) {
     if (const MadePacket* const made = octets->decode(endpoint, datagram, from.last)) {
       packet = made->packet;
-      said = bytesOf(made->text);
+      packet_text = bytesOf(made->text);
     }
   }
   if (packet == nullptr) {
@@ -162,7 +162,7 @@ void LiveFeed::Impl::take(std::uint32_t endpoint, const ReceivedDatagram& datagr
     return;
   }
   state.apply(figures.time, *packet);
-  whole = whole || !inbox->changes.add(figures.time, said, state);
+  whole = whole || !inbox->changes.add(figures.time, packet_text, state);
 }
 
 /// Tells the keeper what was lost, and up to when everything was received.
@@ -204,8 +204,8 @@ void LiveFeed::Impl::run() {
   while (!stop.load(std::memory_order_relaxed)) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
       // A group is joined again when its interface returns; the descriptor may then change.
-      if (auto said = sources[i]->maintain()) {
-        figures.news = *std::move(said);
+      if (auto note = sources[i]->maintain()) {
+        figures.news = *std::move(note);
         news = true;
       }
       polls[i] = {sources[i]->fileDescriptor(), POLLIN, 0};
@@ -226,14 +226,14 @@ void LiveFeed::Impl::run() {
     }
     figures.rate_hz = meter.perSecond();
     figures.dropped = 0;
-    const UntrustedCounts told = std::exchange(figures.untrusted, UntrustedCounts{});
+    const UntrustedCounts reported = std::exchange(figures.untrusted, UntrustedCounts{});
     for (const auto& source : sources) {
       figures.dropped += source->dropped();
       if (const auto untrusted = source->counts().untrusted) figures.untrusted += *untrusted;
     }
     if (keeper) tellKeeper();
     figures.taken = now;
-    news = news || figures.untrusted != told || count > 0 || figures.rate_hz != told_rate;
+    news = news || figures.untrusted != reported || count > 0 || figures.rate_hz != told_rate;
     if (news && handOver()) {
       told_rate = figures.rate_hz;
       news = false;

@@ -51,8 +51,8 @@ Result<Publisher> Publisher::into(std::unique_ptr<DatagramSink> sink,
 void Publisher::look(const CameraView& view) {
   if (looks_ == view) return;
   looks_ = view;
-  const Source::View said{view.eye, view.target, view.fov_deg, view.up, view.ortho_height_m};
-  sending_.said(sending_.source().setView(name(), said), "the viewpoint");
+  const Source::View answer{view.eye, view.target, view.fov_deg, view.up, view.ortho_height_m};
+  sending_.noteAnswer(sending_.source().setView(name(), answer), "the viewpoint");
 }
 
 void Publisher::point(const std::optional<Vec3>& at) {
@@ -60,12 +60,13 @@ void Publisher::point(const std::optional<Vec3>& at) {
   points_ = at;
   Source& source = sending_.source();
   if (!at) {
-    sending_.said(source.erase(kPointer), "the pointer");
-    sending_.said(source.erase(kPointerName), "the pointer");
+    sending_.noteAnswer(source.erase(kPointer), "the pointer");
+    sending_.noteAnswer(source.erase(kPointerName), "the pointer");
     return;
   }
-  sending_.said(source.drawPoints(kPointer, rgba_, std::array{*at}, kPointerPx), "the pointer");
-  sending_.said(source.drawLabel(kPointerName, *at, name()), "the pointer");
+  sending_.noteAnswer(source.drawPoints(kPointer, rgba_, std::array{*at}, kPointerPx),
+                      "the pointer");
+  sending_.noteAnswer(source.drawLabel(kPointerName, *at, name()), "the pointer");
 }
 
 void Publisher::addCorner(const Vec3& at, bool begins) {
@@ -83,7 +84,7 @@ void Publisher::addCorner(const Vec3& at, bool begins) {
     if (drawn.drawing.kind == StatementKind::line) line = &drawn;
   }
   line->drawing.parts = {numbersOf(corners_)};
-  sending_.said(sending_.source().drawLine(line->id, rgba_, corners_, kLinePx), "the line");
+  sending_.noteAnswer(sending_.source().drawLine(line->id, rgba_, corners_, kLinePx), "the line");
 }
 
 void Publisher::addLabel(const CarriedPoint& at, const std::string& text) {
@@ -92,20 +93,21 @@ void Publisher::addLabel(const CarriedPoint& at, const std::string& text) {
   label.drawing.text = text;
   label.drawing.parts = {numbersOf(std::array{at.at})};
   label.drawing.carrier = Path{false, at.device, at.link};
-  const SourceResult said =
+  const SourceResult answer =
       sending_.source().drawLabel(label.id, at.at, text, {at.device, at.link, false});
-  sending_.said(said, "the label");
-  if (said == SourceResult::done) drawn_.push_back(std::move(label));
+  sending_.noteAnswer(answer, "the label");
+  if (answer == SourceResult::done) drawn_.push_back(std::move(label));
 }
 
 void Publisher::eraseDrawn() {
-  for (const Drawn& drawn : drawn_) sending_.said(sending_.source().erase(drawn.id), drawn.id);
+  for (const Drawn& drawn : drawn_)
+    sending_.noteAnswer(sending_.source().erase(drawn.id), drawn.id);
   drawn_.clear();
   corners_.clear();
 }
 
 void Publisher::say(const std::string& text) {
-  sending_.said(sending_.source().event(text), "the event");
+  sending_.noteAnswer(sending_.source().event(text), "the event");
 }
 
 void Publisher::leave(SteadyTime now, WallTime wall) { sending_.withdraw(now, wall); }

@@ -52,7 +52,7 @@ Result<SendingSource> SendingSource::into(std::unique_ptr<DatagramSink> sink,
                        run);
 }
 
-void SendingSource::said(SourceResult answer, std::string_view what) {
+void SendingSource::noteAnswer(SourceResult answer, std::string_view what) {
   if (answer == SourceResult::done) {
     changed_ = true;
   } else {

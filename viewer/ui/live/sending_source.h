@@ -35,7 +35,7 @@ class SendingSource {
   Source& source() { return source_; }
   /// Takes the answer to what was said about `what`: it is sent when it is due, or told by
   /// trouble().
-  void said(SourceResult answer, std::string_view what);
+  void noteAnswer(SourceResult answer, std::string_view what);
   /// Sends what is due at `now`; `wall` becomes TIME. To be called at least ten times a second.
   void tick(SteadyTime now, WallTime wall);
   /// Sends what changed, due or not.

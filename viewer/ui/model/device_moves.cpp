@@ -107,8 +107,8 @@ const SessionState* DeviceMoves::over(const SessionState& shown, const Cell& cel
   numbers.reserve(poses_.size());
   for (const auto& [name, pose] : poses_) {
     const CellDevice* const device = cell.findDevice(name);
-    const DeviceState* const said = shown.findDevice(name);
-    if (device == nullptr || (said != nullptr && said->pose)) continue;
+    const DeviceState* const device_state = shown.findDevice(name);
+    if (device == nullptr || (device_state != nullptr && device_state->pose)) continue;
     const Quat& turn = pose.orientation;
     numbers.push_back(
         {pose.position.x, pose.position.y, pose.position.z, turn.x, turn.y, turn.z, turn.w});

@@ -69,8 +69,9 @@ std::string whyNoSession(const Cell& cell, const SessionState& last) {
   if (!cell.bare_model.empty()) return {};  // any device fits
   const std::vector<Misfit> found = mismatchedDevices(cell, poseScene(cell, last), last);
   const bool fits = std::ranges::any_of(last.devices(), [&](const auto& named) {
-    const DeviceState& said = named.second;
-    const bool is_moved = said.pose || said.joints || !said.named_joints.empty();
+    const DeviceState& device_state = named.second;
+    const bool is_moved =
+        device_state.pose || device_state.joints || !device_state.named_joints.empty();
     return is_moved && std::ranges::find(found, named.first, &Misfit::device) == found.end();
   });
   if (fits || found.empty()) return {};

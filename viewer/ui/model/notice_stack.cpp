@@ -4,13 +4,13 @@
 
 namespace rocinante {
 
-std::vector<std::size_t> NoticeStack::order(std::span<const NoticeKey> said) {
+std::vector<std::size_t> NoticeStack::order(std::span<const NoticeKey> notices) {
   ++orders_;
   std::map<std::string, std::uint64_t> since;
   std::map<std::string, bool> dismissed;
   std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    const NoticeKey& one = said[i];
+  for (std::size_t i = 0; i < notices.size(); ++i) {
+    const NoticeKey& one = notices[i];
     const auto known = since_.find(one.key);
     since.emplace(one.key, known == since_.end() ? orders_ : known->second);
     if (!one.stays && dismissed_.contains(one.key)) {
@@ -22,8 +22,8 @@ std::vector<std::size_t> NoticeStack::order(std::span<const NoticeKey> said) {
   since_ = std::move(since);
   dismissed_ = std::move(dismissed);
   std::ranges::stable_sort(shown, [&](std::size_t a, std::size_t b) {
-    if (said[a].stays != said[b].stays) return said[a].stays;
-    return !said[a].stays && since_.at(said[a].key) > since_.at(said[b].key);
+    if (notices[a].stays != notices[b].stays) return notices[a].stays;
+    return !notices[a].stays && since_.at(notices[a].key) > since_.at(notices[b].key);
   });
   return shown;
 }

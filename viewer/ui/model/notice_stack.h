@@ -20,10 +20,10 @@ struct NoticeKey {
 /// Remembers since when each notice is said, and which were dismissed. Plain values.
 class NoticeStack {
  public:
-  /// Places in `said` of what is shown: what stays in its order, then the newest first; of those
+  /// Places in `notices` of what is shown: what stays in its order, then the newest first; of those
   /// that began together the first is the newest. What was dismissed is left out until it was not
   /// said in between.
-  std::vector<std::size_t> order(std::span<const NoticeKey> said);
+  std::vector<std::size_t> order(std::span<const NoticeKey> notices);
   /// Away with it, as long as it is said on.
   void dismiss(const std::string& key) { dismissed_[key] = true; }
   /// The same for all that the last order() was given, but for what stays.

@@ -27,7 +27,7 @@ bool mentions(const Statement& statement, const SaidItem& item) {
 /// The owner and the packet's mark of a value, if one was said.
 template <class T>
 std::optional<std::uint64_t> markOf(const std::optional<Item<T>>& item) {
-  return item ? std::optional(item->said.packet) : std::nullopt;
+  return item ? std::optional(item->stated.packet) : std::nullopt;
 }
 
 std::optional<std::uint64_t> markOf(const SessionState& state, const SaidItem& item) {
@@ -35,12 +35,12 @@ std::optional<std::uint64_t> markOf(const SessionState& state, const SaidItem& i
   if (device == nullptr) return std::nullopt;
   if (!item.value_name.empty()) {
     const auto named = device->named_joints.find(item.value_name);
-    if (named != device->named_joints.end()) return named->second.said.packet;
+    if (named != device->named_joints.end()) return named->second.stated.packet;
     return markOf(device->joints);
   }
   auto last = std::max(markOf(device->pose), markOf(device->joints));
   for (const auto& [name, value] : device->named_joints) {
-    last = std::max(last, std::optional(value.said.packet));
+    last = std::max(last, std::optional(value.stated.packet));
   }
   return last;
 }

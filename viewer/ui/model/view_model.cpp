@@ -234,8 +234,9 @@ Result<Pose> ViewModel::movablePose(const std::string& device) const {
   const PosedDevice* const posed = scene_.findDevice(device);
   if (cell_->findDevice(device) == nullptr) return refused("the cell has no such device");
   if (posed == nullptr) return refused("there is no such device now");
-  const DeviceState* const said = received_->findDevice(device);
-  if (said != nullptr && said->pose) return refused("packets say where the device is");
+  const DeviceState* const device_state = received_->findDevice(device);
+  if (device_state != nullptr && device_state->pose)
+    return refused("packets say where the device is");
   // The scene has it there only from the next update on.
   const Pose* const moved = moves.find(device);
   return moved == nullptr ? posed->pose : *moved;
@@ -359,9 +360,9 @@ bool ViewModel::showOnly(const std::string& path) {
 }
 
 bool ViewModel::layerVisibleByDefault(const CellLayer& layer) const {
-  const auto said = state_->visibility().find(Path{true, "layer", layer.name});
-  if (said == state_->visibility().end()) return layer.visible;
-  switch (said->second.value.kind) {
+  const auto found = state_->visibility().find(Path{true, "layer", layer.name});
+  if (found == state_->visibility().end()) return layer.visible;
+  switch (found->second.value.kind) {
     case Visibility::Kind::shown:
       return true;
     case Visibility::Kind::hidden:

@@ -47,8 +47,8 @@ void drawFound(const ViewModel& model, const PacketBehind& packet, bool& shows_b
   ImGui::TextWrapped("%s", head.c_str());
   std::string tip = packet.topic;
   if (packet.source_time) {
-    const LogTime said{Nanoseconds(*packet.source_time)};
-    tip += fmt::format("\nTIME is {} s before it came", secondsText(packet.time - said, 6));
+    const LogTime sent_at{Nanoseconds(*packet.source_time)};
+    tip += fmt::format("\nTIME is {} s before it came", secondsText(packet.time - sent_at, 6));
   }
   explain(plainText(tip).c_str());
   const Nanoseconds age = model.shownTime() - packet.time;

@@ -34,7 +34,7 @@ std::vector<HandRow> handRows(const ViewModel& model, const PosedDevice& device,
   for (std::size_t i = 0; i < now.size(); ++i) {
     HandRow one{now[i], false, before[i].value};
     one.row.owner = before[i].owner;
-    one.row.said = before[i].said;
+    one.row.is_stated = before[i].is_stated;
     if (const auto set = model.hand.joints().find(device.name, one.row.name)) {
       one.by_hand = true;
       one.row.value = *set;
@@ -76,7 +76,7 @@ std::string rowTip(const HandRow& one, const Units& units, bool settable) {
     tip += "\nfollows another joint";
   } else if (!row.owner.empty()) {
     tip += "\nmoved by " + row.owner;
-  } else if (!row.said) {
+  } else if (!row.is_stated) {
     tip += "\nnothing said: the model's own place";
   }
   if (row.lower && row.upper) {
@@ -255,7 +255,7 @@ void drawRow(ViewModel& model, const PosedDevice& device, const HandRow& one,
     drawPlotButton(model, {SeriesKey::Kind::joint, device.name, row.name});
     ImGui::SameLine(0, px(kPlotButtonGap));
   }
-  const ImGuiCol ink = row.said || one.by_hand ? ImGuiCol_Text : ImGuiCol_TextDisabled;
+  const ImGuiCol ink = row.is_stated || one.by_hand ? ImGuiCol_Text : ImGuiCol_TextDisabled;
   drawDraggable(model, "name", name, ink, {{SeriesKey::Kind::joint, device.name, row.name}});
   if (ImGui::IsItemClicked() && model.viewer.packet.wanted)
     model.viewer.packet.value_name = row.name;

@@ -78,15 +78,15 @@ void drawPublished(Publishing& publishing) {
   const bool entered = ImGui::InputTextWithHint("##said", "a text for others", text.data(),
                                                 text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
-  const bool says = ImGui::SmallButton("say") || entered;
+  const bool sends = ImGui::SmallButton("say") || entered;
   explain("as an event (Enter)");
   ImGui::SameLine();
   const bool labels = ImGui::SmallButton("label");
   explain("as a label, where the next click is");
   if (text[0] == 0) return;
-  if (says) publishing.say(text.data());
+  if (sends) publishing.say(text.data());
   if (labels) publishing.beginLabel(text.data());
-  if (says || labels) text[0] = 0;
+  if (sends || labels) text[0] = 0;
 }
 
 }  // namespace

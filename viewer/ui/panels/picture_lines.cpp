@@ -195,11 +195,11 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
   addSaid("kept", model.keepingTrouble(), true);
   addSaid("complaint", model.viewer.panels.complaint, true);
   if (!hasPoseFields(model)) addSaid("pose", model.viewer.panels.pose_fields.trouble, true);
-  bool told = false;
+  bool hinted = false;
   for (const bool errors : {true, false}) {
     for (const PictureNote& note : model.viewer.panels.notes) {
       if (note.is_error != errors) continue;
-      const char* const hint = std::exchange(told, true) ? "" : "Esc dismisses it";
+      const char* const hint = std::exchange(hinted, true) ? "" : "Esc dismisses it";
       add(keyOf(note), note.text, hint, errors ? PanelColor::fault : PanelColor::hint);
     }
   }

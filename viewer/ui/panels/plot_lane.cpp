@@ -92,8 +92,8 @@ std::string signalUnit(const ViewModel& model, const SeriesKey& key) {
   if (!isOfSignals(key)) return {};
   std::optional<std::string> unit;
   for (const SeriesKey& stated : statedOf(key)) {
-    const auto* const said = model.state().findSignal(stated.name, {stated.link, stated.part});
-    const std::string its = said == nullptr ? std::string() : said->value.unit;
+    const auto* const item = model.state().findSignal(stated.name, {stated.link, stated.part});
+    const std::string its = item == nullptr ? std::string() : item->value.unit;
     if (unit && *unit != its) return {};
     unit = its;
   }
@@ -210,18 +210,18 @@ std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plo
     if (!pose || !part) return std::nullopt;
     return plotted.value.shown(poseNumbers(*pose)[*part]);
   }
-  const DeviceState* const said =
+  const DeviceState* const device_state =
       series.isOfDevice() ? model.state().findDevice(series.name) : nullptr;
-  if (said == nullptr) return std::nullopt;
+  if (device_state == nullptr) return std::nullopt;
   if (series.kind == SeriesKey::Kind::pose) {
     const auto part = posePart(series.part);
-    if (!said->pose || !part) return std::nullopt;
-    return plotted.value.shown(poseNumbers(said->pose->value.pose)[*part]);
+    if (!device_state->pose || !part) return std::nullopt;
+    return plotted.value.shown(poseNumbers(device_state->pose->value.pose)[*part]);
   }
   const PosedDevice* const device = model.scene().findDevice(series.name);
   const auto names = device != nullptr && device->model != nullptr ? positionalNames(*device->model)
                                                                    : std::vector<std::string>();
-  const auto stated = jointSaid(*said, series.part, names);
+  const auto stated = jointSaid(*device_state, series.part, names);
   if (!stated) return std::nullopt;
   return plotted.value.shown(*stated);
 }

@@ -268,13 +268,14 @@ void drawPaths(ViewModel& model, const TimeAxis& axis, const PathRoom& room, Log
     list->AddText(ImVec2(left + px(14), y),
                   panelColor(is_over ? PanelColor::text : PanelColor::dim_text),
                   cutInMiddle(name, right - left - px(14), drawnWidth).c_str());
-    const auto& said = mouse ? at_mouse : now;
+    const auto& shown_values = mouse ? at_mouse : now;
     const auto text = [](const PathValue& of, double stated) {
       const std::string number = plotText(of.value.shown(stated), of.value.unit, of.scale);
       return of.signal_unit.empty() ? number : number + " " + of.unit();
     };
-    const std::string values =
-        said ? text(path.y, said->second) + " over " + text(path.x, said->first) : "-";
+    const std::string values = shown_values ? text(path.y, shown_values->second) + " over " +
+                                                  text(path.x, shown_values->first)
+                                            : "-";
     list->AddText(ImVec2(left + px(14), y + plotRowHeight()),
                   panelColor(is_over ? PanelColor::text : PanelColor::dim_text),
                   cutInMiddle(values, right - left - px(14), drawnWidth).c_str());

@@ -133,15 +133,15 @@ void drawLayers(ViewModel& model) {
     const CellLayer& layer = model.cell().layers[i];
     ImGui::PushID(layer.name.c_str());
     // What its box alone does not say.
-    const bool says = shown[i] == ShownPart::some || shown[i] == ShownPart::nothing;
-    const float word = says ? drawnWidth(nameOf(shown[i])) : 0;
+    const bool has_word = shown[i] == ShownPart::some || shown[i] == ShownPart::nothing;
+    const float word = has_word ? drawnWidth(nameOf(shown[i])) : 0;
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - word;
     const float room = ImGui::GetContentRegionAvail().x - word - ImGui::GetFrameHeight() - px(16);
     const std::string name = cutInMiddle(layer.name, room, drawnWidth);
     drawVisibility(model, "layer/" + encodeName(layer.name), shown[i],
                    model.layerVisibleByDefault(layer), (name + "###visible").c_str(),
                    name == layer.name ? std::string() : layer.name);
-    if (says) {
+    if (has_word) {
       ImGui::SameLine();
       ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right));
       ImGui::TextDisabled("%s", nameOf(shown[i]));
@@ -328,13 +328,13 @@ std::vector<std::size_t> listedEvents(const ViewModel& model) {
 void drawEventRow(const ViewModel& model, const Event& event, TimelineCursor& cursor,
                   SteadyTime now) {
   const std::string seconds = fmt::format("{:9.3f}", secondsOf(event.time - model.origin()));
-  const std::string said = event.source + (event.source.empty() ? "" : ": ") + event.text;
+  const std::string words = event.source + (event.source.empty() ? "" : ": ") + event.text;
   const bool by_day = showsClock(model);
-  const std::string line = (by_day ? clockText(event.time) : seconds) + "  " + said;
+  const std::string line = (by_day ? clockText(event.time) : seconds) + "  " + words;
   const bool here = event.time == cursor.position(now);
   if (ImGui::Selectable(line.c_str(), here)) cursor.seek(event.time, now);
   if (by_day) {
-    explain((seconds + " s, " + calendarText(event.time) + "\n" + said).c_str());
+    explain((seconds + " s, " + calendarText(event.time) + "\n" + words).c_str());
   } else {
     explain(line.c_str());
   }
