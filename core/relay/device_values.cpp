@@ -37,7 +37,7 @@ std::vector<std::string> orderOfValues(const DeviceState& device, const std::str
   return sorted == names ? own->second.value : names;
 }
 
-std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& sent_orders) const {
+std::vector<std::string> DeviceValues::texts(bool restating, SentOrders& sent_orders) const {
   std::vector<std::string> texts(1);
   const auto add = [&](const ItemKey* before, const ItemKey& key, std::string text) {
     if (!texts.back().empty() && texts.back().size() + text.size() > kMostBytes) {
@@ -81,7 +81,7 @@ std::vector<std::string> DeviceValues::texts(bool restating, ToldOrders& sent_or
 /// All named joints of the owner under an order, which is sent first unless it is known; empty when
 /// those in `keys_` are as short by name.
 std::string DeviceValues::byOrder(const ItemKey& first, bool restating,
-                                  ToldOrders& sent_orders) const {
+                                  SentOrders& sent_orders) const {
   const DeviceState& device = *state_.findDevice(first.name);
   const std::string& owner = *ownerOf(state_, first);
   const std::vector<std::string> names = orderOfValues(device, owner, style_);

@@ -13,7 +13,7 @@ namespace rocinante {
 
 /// The orders that a listener of one output knows if it lost nothing, by device and SOURCE: their
 /// TAGs.
-using ToldOrders = std::map<std::pair<std::string, std::string>, std::uint32_t>;
+using SentOrders = std::map<std::pair<std::string, std::string>, std::uint32_t>;
 
 /// The values of a device that one SOURCE owns go out together, so that no listener shows a pose
 /// that the device never had.
@@ -29,10 +29,10 @@ class DeviceValues {
 
   /// Statements, each with its LF: one text, or several beyond kMostBytes. `sent_orders` is what
   /// the listeners know, and becomes what they know then.
-  std::vector<std::string> texts(bool restating, ToldOrders& sent_orders) const;
+  std::vector<std::string> texts(bool restating, SentOrders& sent_orders) const;
 
  private:
-  std::string byOrder(const ItemKey& first, bool restating, ToldOrders& sent_orders) const;
+  std::string byOrder(const ItemKey& first, bool restating, SentOrders& sent_orders) const;
 
   const SessionState& state_;
   std::span<const ItemKey> keys_;

@@ -187,7 +187,7 @@ void FilteredOutput::forgetOrders(std::string_view device) {
 }
 
 bool FilteredOutput::saysOrder(const SessionState& state,
-                               const ToldOrders::key_type& device_and_source) const {
+                               const SentOrders::key_type& device_and_source) const {
   const auto& [name, source] = device_and_source;
   const DeviceState* const device = state.findDevice(name);
   return device != nullptr &&

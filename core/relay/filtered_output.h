@@ -96,7 +96,7 @@ class FilteredOutput {
   void sendReady(const Step& step, RelayDraft& draft);
   void sendUnit(const Step& step, RelayDraft& draft);
   void forgetOrders(std::string_view device);
-  bool saysOrder(const SessionState& state, const ToldOrders::key_type& device_and_source) const;
+  bool saysOrder(const SessionState& state, const SentOrders::key_type& device_and_source) const;
   void sendPaced(const Step& step);
   void sendRestating(const Step& step);
   void repeatErases(const Step& step);
@@ -119,7 +119,7 @@ class FilteredOutput {
   bool forgets_nothing_ = false;  ///< its restatements are too long to have part=
   int live_datagrams_ = 0;        ///< since the last one of a restatement
   std::vector<RepeatedErase> erases_;
-  ToldOrders sent_orders_;
+  SentOrders sent_orders_;
 };
 
 }  // namespace rocinante

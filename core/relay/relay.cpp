@@ -213,7 +213,7 @@ void Relay::beginRestatements(LogTime now) {
 void Relay::sendGreeting(OutputId id, Output& output, LogTime now) {
   while (!output.greeting->ended()) {
     if (!output.pace.allows(now)) return;
-    ToldOrders by_name;  // a greeting names its joints
+    SentOrders by_name;  // a greeting names its joints
     std::vector<RelayDraft> drafts = output.greeting->next(state_, nullptr, by_name);
     for (const RelayDraft& draft : drafts) {
       written_.push_back(output.header->datagramOf(draft, state_, through_, true));

@@ -47,7 +47,7 @@ Restating::Restating(const SessionState& state, Options options) : options_(std:
     if (passes) plans[source.first];
   }
   const auto plan = [&](const std::string& owner, std::vector<ItemKey> keys) {
-    ToldOrders ignored;
+    SentOrders ignored;
     std::size_t bytes = 0;
     for (const std::string& text : DeviceValues(state, keys, options_.style).texts(true, ignored)) {
       bytes += text.size();
@@ -115,7 +115,7 @@ Restating::Restating(const SessionState& state, Options options) : options_(std:
 }
 
 std::vector<RelayDraft> Restating::next(const SessionState& state, std::vector<ItemKey>* restated,
-                                        ToldOrders& sent_orders) {
+                                        SentOrders& sent_orders) {
   const Part& part = parts_[next_++];
   std::vector<RelayDraft> drafts(1);
   drafts[0].source = part.source;

@@ -71,7 +71,7 @@ class Restating {
   /// restated items to `restated`, if it is not null, and their orders to `sent_orders`. Must not
   /// have ended.
   std::vector<RelayDraft> next(const SessionState& state, std::vector<ItemKey>* restated,
-                               ToldOrders& sent_orders);
+                               SentOrders& sent_orders);
 
  private:
   struct Part {

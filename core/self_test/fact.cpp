@@ -24,7 +24,7 @@ FactJson jsonOf(std::span<const SelfTestFact> facts) {
   for (const SelfTestFact& fact : facts) {
     json.push_back({{"name", fact.name},
                     {"state", nameOf(fact.state)},
-                    {"says", fact.says},
+                    {"says", fact.found},
                     {"advice", fact.advice}});
   }
   return json;
@@ -43,7 +43,7 @@ std::string factsText(std::span<const SelfTestFact> facts) {
   for (const SelfTestFact& fact : facts) {
     const std::string advice = fact.advice.empty() ? "" : "; " + fact.advice;
     text += fmt::format("{:<8} {:<15} {}\n", nameOf(fact.state), fact.name,
-                        plainText(fact.says + advice));
+                        plainText(fact.found + advice));
     ++counts[static_cast<std::size_t>(fact.state)];
   }
   return text + fmt::format("{} ok, {} limited, {} missing\n", counts[0], counts[1], counts[2]);

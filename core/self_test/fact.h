@@ -20,7 +20,7 @@ struct SelfTestFact {
 
   std::string name;  ///< stable: "receive_buffer"
   State state = State::missing;
-  std::string says;    ///< what was found
+  std::string found;   ///< what was found
   std::string advice;  ///< what to do; empty when it is ok
   bool operator==(const SelfTestFact&) const = default;
 };

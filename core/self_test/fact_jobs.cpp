@@ -125,9 +125,9 @@ FactJob jobOfProgram(std::vector<std::string> names, const std::filesystem::path
               ::execl(program.c_str(), program.c_str(), "--only", only.c_str(), nullptr);
               ::_exit(127);  // as a shell when it cannot run a program
             }
-            const std::string says = program.filename().string() + " is not installed here";
+            const std::string found = program.filename().string() + " is not installed here";
             for (const std::string& name : names) {
-              facts.push_back({name, SelfTestFact::State::missing, says, advice});
+              facts.push_back({name, SelfTestFact::State::missing, found, advice});
             }
             return facts;
           }};

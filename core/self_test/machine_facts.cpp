@@ -206,7 +206,7 @@ SelfTestFact filesFact(const Path&) {
   std::string name = (folder / ".rocinante-self-test-XXXXXX").string();
   const int file = ::mkostemp(name.data(), O_CLOEXEC);
   if (file < 0) {
-    fact.says = fmt::format("{}: {}", folder.string(), std::strerror(errno));
+    fact.found = fmt::format("{}: {}", folder.string(), std::strerror(errno));
     fact.advice = "work in a folder that you may write to, or name one with -o";
     return fact;
   }
@@ -219,7 +219,7 @@ SelfTestFact filesFact(const Path&) {
   const bool known = ::fstatvfs(file, &volume) == 0;
   ::close(file);
   const std::uint64_t free_bytes = known ? volume.f_bavail * volume.f_frsize : 0;
-  fact.says = fmt::format(
+  fact.found = fmt::format(
       "{}: locks {}, room {}, {} free", folder.string(), has_locks ? "work" : "do not work",
       has_room ? "is allocated ahead" : std::strerror(room_error), sizeText(free_bytes));
   if (room_error == ENOSPC || room_error == EDQUOT) {

@@ -5,8 +5,8 @@
 
 namespace rocinante {
 
-std::optional<double> jointSaid(const DeviceState& device_state, std::string_view name,
-                                const std::vector<std::string>& names) {
+std::optional<double> jointStated(const DeviceState& device_state, std::string_view name,
+                                  const std::vector<std::string>& names) {
   if (const auto named = device_state.named_joints.find(name);
       named != device_state.named_joints.end()) {
     return named->second.value;
@@ -27,13 +27,13 @@ std::optional<double> jointSaid(const DeviceState& device_state, std::string_vie
   return values[number - 1];
 }
 
-std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key) {
+std::optional<double> signalStated(const SessionState& state, const SeriesKey& key) {
   const Item<SignalValue>* const item = state.findSignal(key.name, {key.link, key.part});
   if (item == nullptr || item->value.kind == SignalKind::text) return std::nullopt;
   return item->value.number;
 }
 
-std::optional<std::string> stateSaid(const SessionState& state, const SeriesKey& key) {
+std::optional<std::string> stateStated(const SessionState& state, const SeriesKey& key) {
   const Item<SignalValue>* const item = state.findSignal(key.name, {key.link, key.part});
   if (item == nullptr || item->value.kind == SignalKind::number) return std::nullopt;
   if (item->value.kind == SignalKind::text) return item->value.text;

@@ -18,13 +18,13 @@ using PositionalNames = std::function<std::vector<std::string>(std::string_view 
 
 /// The values of `joints` that a device's state gives to a name, as pictures show them: named ones
 /// first, positional ones when there are as many as `names`, or by "1", "2" without names.
-std::optional<double> jointSaid(const DeviceState& device_state, std::string_view name,
-                                const std::vector<std::string>& names);
+std::optional<double> jointStated(const DeviceState& device_state, std::string_view name,
+                                  const std::vector<std::string>& names);
 
 /// The number of a signal, a boolean as 1 or 0; empty for a text, and when it is not stated.
-std::optional<double> signalSaid(const SessionState& state, const SeriesKey& key);
+std::optional<double> signalStated(const SessionState& state, const SeriesKey& key);
 
 /// The text of a signal that is a boolean or a text; empty for a number, and when it is not stated.
-std::optional<std::string> stateSaid(const SessionState& state, const SeriesKey& key);
+std::optional<std::string> stateStated(const SessionState& state, const SeriesKey& key);
 
 }  // namespace rocinante

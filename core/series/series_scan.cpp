@@ -290,7 +290,7 @@ void SeriesScan::takeEverything(Device& device, LogTime time) {
     }
   }
   for (const auto& [name, id] : device.joints) {
-    if (const auto value = jointSaid(*device_state, name, device.names)) {
+    if (const auto value = jointStated(*device_state, name, device.names)) {
       store_.record(id, time, *value);
     } else {
       store_.end(id, time);

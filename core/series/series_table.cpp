@@ -85,7 +85,7 @@ class Rows {
  private:
   std::optional<double> valueOf(const SessionState& state, std::size_t column) {
     const SeriesKey& key = table_.keys[column];
-    if (key.kind == SeriesKey::Kind::signal) return signalSaid(state, key);
+    if (key.kind == SeriesKey::Kind::signal) return signalStated(state, key);
     if (key.kind == SeriesKey::Kind::link) {
       const auto part = posePart(key.part);
       if (!links_ || !part || !links_->poses()[link_[column]]) return std::nullopt;
@@ -101,7 +101,7 @@ class Rows {
     auto& names = names_[column];
     if (!names)
       names = table_.names ? table_.names(key.name, *device_state) : std::vector<std::string>();
-    return jointSaid(*device_state, key.part, *names);
+    return jointStated(*device_state, key.part, *names);
   }
 
   const SeriesTable& table_;

@@ -34,7 +34,7 @@ struct VideoFile::Impl {
   std::optional<ChildProcess> child;  ///< its input is ours
 
   /// ffmpeg's last message, on one line.
-  std::string said() const {
+  std::string errorText() const {
     std::string text = child->said(kMaxSaid);
     // Replace the temporary file's name in the message.
     const std::string beside = part->beside().string();
@@ -49,7 +49,7 @@ struct VideoFile::Impl {
     child->closeStream();
     const ChildProcess::End end = child->wait();
     if (end.ok()) return {};
-    const std::string why = said();
+    const std::string why = errorText();
     return videoError("ffmpeg failed (" + end.text() + ")" + (why.empty() ? "" : ": " + why), path);
   }
 };

@@ -263,7 +263,7 @@ class FoxgloveFormat final : public SessionFormat {
   bool wantsAllSignals() const override { return signal_messages_ == SignalMessages::whole; }
 
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
-                 std::span<const SaidSignal> signals, bool wants_all) override {
+                 std::span<const StatedSignal> signals, bool wants_all) override {
     return signals_.write(out, time, owner, signals, wants_all || wantsAllSignals());
   }
 

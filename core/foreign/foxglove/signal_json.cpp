@@ -57,9 +57,9 @@ std::string SignalJson::schema() const {
   return schema.dump();
 }
 
-std::string SignalJson::message(std::span<const SaidSignal> signals, bool only_new) const {
+std::string SignalJson::message(std::span<const StatedSignal> signals, bool only_new) const {
   nlohmann::json message = nlohmann::json::object();
-  for (const SaidSignal& signal : signals) {
+  for (const StatedSignal& signal : signals) {
     if (only_new && !signal.is_new) continue;
     const auto field = fields_.find(signal.name);
     if (field == fields_.end()) continue;

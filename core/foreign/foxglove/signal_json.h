@@ -25,7 +25,7 @@ class SignalJson {
   std::string schema() const;
   /// One message. A signal that nothing states is missing; with `only_new` also those that are not
   /// new.
-  std::string message(std::span<const SaidSignal> signals, bool only_new = false) const;
+  std::string message(std::span<const StatedSignal> signals, bool only_new = false) const;
 
  private:
   struct Field {

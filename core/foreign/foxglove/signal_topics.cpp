@@ -33,7 +33,7 @@ void SignalTopics::know(const KnownSignals& known) {
 }
 
 Status SignalTopics::write(MessageSink& out, LogTime time, const SignalOwner& owner,
-                           std::span<const SaidSignal> signals, bool wants_all) {
+                           std::span<const StatedSignal> signals, bool wants_all) {
   const auto found = topics_.find(owner);
   if (found == topics_.end()) return {};
   Topic& topic = found->second;

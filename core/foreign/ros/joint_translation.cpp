@@ -147,8 +147,8 @@ class JointTranslation final : public TopicTranslation {
     for (const std::vector<double>& values : values_) most += values.size();
     numbers_.clear();
     numbers_.reserve(most);
-    said_names_.clear();
-    said_names_.reserve(most);
+    stated_names_.clear();
+    stated_names_.reserve(most);
     if (kinds_.size() < most) kinds_.assign(most, SignalKind::number);
     statements_.clear();
     all_finite_ = true;
@@ -174,7 +174,7 @@ class JointTranslation final : public TopicTranslation {
         continue;
       }
       numbers_.push_back(value + 0.0);  // -0 to 0, as it is written
-      said_names_.push_back(its.names[i]);
+      stated_names_.push_back(its.names[i]);
     }
     const std::size_t count = numbers_.size() - first;
     if (count == 0) return;
@@ -188,7 +188,7 @@ class JointTranslation final : public TopicTranslation {
       statement.name = plan.device;
     }
     statement.numbers = std::span(numbers_).subspan(first, count);
-    statement.names = std::span(said_names_).subspan(first, count);
+    statement.names = std::span(stated_names_).subspan(first, count);
     add(statement);
   }
 
@@ -202,7 +202,7 @@ class JointTranslation final : public TopicTranslation {
   std::array<std::uint64_t, kQuantities.size()> passive_{};  ///< values of these
   std::array<std::vector<double>, kQuantities.size()> values_;
   std::vector<double> numbers_;
-  std::vector<std::string_view> said_names_;
+  std::vector<std::string_view> stated_names_;
   std::vector<SignalKind> kinds_;  ///< all of them numbers
   bool all_finite_ = true;
   std::vector<Statement> statements_;

@@ -165,10 +165,10 @@ class Ros2Format final : public SessionFormat {
   }
 
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
-                 std::span<const SaidSignal> signals, bool /*wants_all*/) override {
+                 std::span<const StatedSignal> signals, bool /*wants_all*/) override {
     constexpr std::array<const char*, 3> kTypes = {"std_msgs/msg/Float64", "std_msgs/msg/Bool",
                                                    "std_msgs/msg/String"};
-    for (const SaidSignal& signal : signals) {
+    for (const StatedSignal& signal : signals) {
       if (!signal.is_new || signal.in_joints) continue;
       const SignalValue& value = *signal.value;
       CdrWriter writer(message_);

@@ -169,7 +169,7 @@ Status MomentMessages::signals(MessageSink& out, LogTime time, const SessionStat
     if (written && isWritten(device)) written = signalsOf(out, time, name, device.signals);
   }
   // What is gone is said once more, as nothing.
-  for (auto each = signals_said_.begin(); each != signals_said_.end() && written;) {
+  for (auto each = stated_signals_.begin(); each != stated_signals_.end() && written;) {
     const auto& [device, link] = each->first;
     const DeviceState* const of_device = device.empty() ? nullptr : state.findDevice(device);
     const bool is_gone = !device.empty() && of_device == nullptr;
@@ -183,21 +183,21 @@ Status MomentMessages::signals(MessageSink& out, LogTime time, const SessionStat
       continue;
     }
     written = format_.signals(out, time, each->first, {}, true);
-    each = signals_said_.erase(each);
+    each = stated_signals_.erase(each);
   }
-  said_count_ = 0;
-  for (const auto& [owner, known] : signals_said_) said_count_ += known.by_name.size();
+  stated_count_ = 0;
+  for (const auto& [owner, known] : stated_signals_) stated_count_ += known.by_name.size();
   return written;
 }
 
 bool MomentMessages::areNoticed(const SessionState& state) const {
   // What was said and what packets added since are all that the state can have: when they are as
   // many, nothing has gone.
-  std::size_t count = said_count_;
+  std::size_t count = stated_count_;
   for (const auto& [owner, names] : noticed_) {
-    const auto known = signals_said_.find(owner);
+    const auto known = stated_signals_.find(owner);
     for (const std::string& name : names) {
-      if (known != signals_said_.end() && known->second.by_name.contains(name)) continue;
+      if (known != stated_signals_.end() && known->second.by_name.contains(name)) continue;
       if (state.findSignal(owner.first, {owner.second, name}) != nullptr) ++count;
     }
   }
@@ -205,19 +205,19 @@ bool MomentMessages::areNoticed(const SessionState& state) const {
 }
 
 Status MomentMessages::noticedSignals(MessageSink& out, LogTime time, const SessionState& state) {
-  std::vector<SaidSignal> news;
+  std::vector<StatedSignal> news;
   for (const auto& [owner, names] : noticed_) {
     news.clear();
     bool is_first = false;
     for (const std::string& name : names) {
       const Item<SignalValue>* const item = state.findSignal(owner.first, {owner.second, name});
       if (item == nullptr) continue;
-      SignalsSaid& known = signals_said_[owner];
+      StatedSignals& known = stated_signals_[owner];
       is_first |= known.by_name.empty();
       known.newest = std::max(known.newest, item->stated.packet);
       const std::size_t before = known.by_name.size();
       const bool is_new = known.take(name, *item, false);
-      said_count_ += known.by_name.size() - before;
+      stated_count_ += known.by_name.size() - before;
       if (is_new) news.push_back({name, &item->value, true, isInJoints(owner, name)});
     }
     if (news.empty()) continue;
@@ -228,8 +228,8 @@ Status MomentMessages::noticedSignals(MessageSink& out, LogTime time, const Sess
   return {};
 }
 
-bool MomentMessages::SignalsSaid::take(const std::string& name, const Item<SignalValue>& item,
-                                       bool counts_anew) {
+bool MomentMessages::StatedSignals::take(const std::string& name, const Item<SignalValue>& item,
+                                         bool counts_anew) {
   const auto [kept, is_unknown] = by_name.try_emplace(name, item);
   Item<SignalValue>& before = kept->second;
   const bool is_said = !counts_anew && item.stated.packet > before.stated.packet;
@@ -247,11 +247,11 @@ bool MomentMessages::isInJoints(const SignalOwner& owner, std::string_view name)
 
 Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::string& device,
                                  const Signals& signals) {
-  std::vector<SaidSignal> all;
+  std::vector<StatedSignal> all;
   for (auto first = signals.begin(); first != signals.end();) {
     const SignalOwner owner{device, first->first.link};
     const std::string& link = owner.second;
-    SignalsSaid& known = signals_said_[owner];
+    StatedSignals& known = stated_signals_[owner];
     std::uint64_t newest = 0;
     auto last = first;
     for (; last != signals.end() && last->first.link == link; ++last) {

@@ -43,7 +43,7 @@ class MomentMessages {
     std::set<std::string, std::less<>> in_joints;  ///< signals that joints have
   };
   /// The signals of an owner as they were written last.
-  struct SignalsSaid {
+  struct StatedSignals {
     std::uint64_t newest = 0;  ///< packet
     std::map<std::string, Item<SignalValue>, std::less<>> by_name;
 
@@ -77,8 +77,8 @@ class MomentMessages {
   std::optional<ScenePoseCache> poses_;
   std::map<std::string, Known, std::less<>> known_;
   std::map<std::string, const Model*, std::less<>> models_;
-  std::map<SignalOwner, SignalsSaid> signals_said_;
-  std::size_t said_count_ = 0;  ///< signals in signals_said_
+  std::map<SignalOwner, StatedSignals> stated_signals_;
+  std::size_t stated_count_ = 0;  ///< signals in stated_signals_
   /// Of packets since the last moment.
   std::map<SignalOwner, std::set<std::string, std::less<>>> noticed_;
   std::size_t noticed_count_ = 0;  ///< names in noticed_, at most limits::kSignals

@@ -21,7 +21,7 @@ namespace rocinante {
 enum class EventLevel : std::uint8_t { info, warning, error };
 
 /// A signal at a moment; borrowed for the call.
-struct SaidSignal {
+struct StatedSignal {
   std::string_view name;
   const SignalValue* value = nullptr;
   bool is_new = false;     ///< said since the last call
@@ -58,7 +58,7 @@ class SessionFormat {
   /// `wants_all`: all of the owner, as a message of the new ones alone would mislead, since they
   /// are the first or another one has gone. Else the new ones at least, and others only by chance
   /// (all with wantsAllSignals()).
-  virtual Status signals(MessageSink&, LogTime, const SignalOwner&, std::span<const SaidSignal>,
+  virtual Status signals(MessageSink&, LogTime, const SignalOwner&, std::span<const StatedSignal>,
                          bool /*wants_all*/) {
     return {};
   }

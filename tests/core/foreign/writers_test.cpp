@@ -161,8 +161,8 @@ TEST(SignalJson, APointInANameNests) {
             R"("type":"object"})");
   const SignalValue one = number(1), tiny = number(1e-12);
   const SignalValue yes{SignalKind::boolean, 1, {}, {}}, text{SignalKind::text, 0, "a \"b\"", {}};
-  const std::vector<SaidSignal> said = {{"a", &one},     {"a.b", &tiny}, {"j1.velocity", &one},
-                                        {"mode", &text}, {"on", &yes},   {"unknown", &one}};
+  const std::vector<StatedSignal> said = {{"a", &one},     {"a.b", &tiny}, {"j1.velocity", &one},
+                                          {"mode", &text}, {"on", &yes},   {"unknown", &one}};
   EXPECT_EQ(json.message(said),
             R"({"a":1.0,"a.b":1e-12,"j1":{"velocity":1.0},"mode":"a \"b\"","on":true})");
   EXPECT_EQ(json.message({}), "{}");
@@ -184,7 +184,7 @@ TEST(Ros2Signals, HaveATopicOfOneTypeEach) {
   NotingSink sink;
   const SignalValue one = number(1);
   const SignalValue yes{SignalKind::boolean, 1, {}, {}}, text{SignalKind::text, 0, "a", {}};
-  const auto say = [&](const SignalOwner& owner, const SaidSignal& said) {
+  const auto say = [&](const SignalOwner& owner, const StatedSignal& said) {
     ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1), false).ok());
   };
   say({"arm", "tool0"}, {"a b", &one, true});
@@ -224,7 +224,7 @@ TEST(Ros2Signals, HaveATopicForEachUnitAndTheirNamesBesideIt) {
   NamingSink sink;
   for (const char* unit : {"kg", "g", "kg"}) {
     const SignalValue value{SignalKind::number, 1, {}, unit};
-    const SaidSignal said{"a b", &value, true};
+    const StatedSignal said{"a b", &value, true};
     ASSERT_TRUE(
         format->signals(sink, LogTime{}, {"arm", "tool0"}, std::span(&said, 1), false).ok());
   }
@@ -243,7 +243,7 @@ TEST(Ros2Signals, SayWhyTheirTopicHasANumber) {
   const auto format = makeRos2Format();
   NotingSink sink;
   const auto say = [&](std::string_view name, const SignalValue& value) {
-    const SaidSignal said{name, &value, true};
+    const StatedSignal said{name, &value, true};
     ASSERT_TRUE(format->signals(sink, LogTime{}, {"arm", ""}, std::span(&said, 1), false).ok());
   };
   say("load", {SignalKind::number, 1, {}, "kg"});
@@ -283,7 +283,7 @@ TEST(Ros2Signals, BeyondTheChannelsOfAFileNoTopicIsKept) {
   constexpr std::size_t kMore = ExportedMcap::kMostChannels + 1'000;
   for (std::size_t i = 0; i < kMore; ++i) {
     const SignalValue value{SignalKind::number, 1, {}, "u" + std::to_string(i)};
-    const SaidSignal said{"load", &value, true};
+    const StatedSignal said{"load", &value, true};
     ASSERT_TRUE(format->signals(sink, LogTime{}, {"arm", ""}, std::span(&said, 1), false).ok());
   }
   EXPECT_EQ(sink.topics.size(), ExportedMcap::kMostChannels + 1)
@@ -332,7 +332,7 @@ TEST(Ros2Signals, OfOwnersThatAreWrittenAlikeHaveTopicsOfTheirOwn) {
   NotingSink sink;
   const SignalValue one = number(1);
   for (const auto& [owner, name] : kAlike) {
-    const SaidSignal said{name, &one, true};
+    const StatedSignal said{name, &one, true};
     ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1), false).ok());
   }
   const std::string rest = " std_msgs/msg/Float64 000000000000F03F";
@@ -361,7 +361,7 @@ TEST(FoxgloveSignals, OfOwnersThatAreWrittenAlikeHaveTopicsOfTheirOwn) {
   EXPECT_TRUE(format->knowSignals(known));
   TextSink sink;
   const SignalValue one = number(1);
-  const SaidSignal said{"x", &one, true};
+  const StatedSignal said{"x", &one, true};
   for (const SignalOwner& owner : {SignalOwner("a", "b"), SignalOwner("a/b", "")}) {
     ASSERT_TRUE(format->signals(sink, LogTime{}, owner, std::span(&said, 1), false).ok());
   }
@@ -382,10 +382,10 @@ TEST(FoxgloveSignals, AMessageHasWhatIsNewOrAll) {
   EXPECT_TRUE(format->knowSignals(known));
   TextSink sink;
   const SignalValue one = number(1);
-  const auto say = [&](const std::vector<SaidSignal>& said, bool wants_all) {
+  const auto say = [&](const std::vector<StatedSignal>& said, bool wants_all) {
     ASSERT_TRUE(format->signals(sink, LogTime{}, {"arm", ""}, said, wants_all).ok());
   };
-  const SaidSignal former{"a", &one, false}, recent{"b", &one, true}, unknown{"c", &one, true};
+  const StatedSignal former{"a", &one, false}, recent{"b", &one, true}, unknown{"c", &one, true};
   say({former, recent}, true);
   say({former, recent}, false);
   say({former, unknown}, false);  // nothing to say

@@ -51,15 +51,15 @@ TEST(FactJobs, OneThatNeverAnswersIsEndedAndTheOthersStand) {
                                std::chrono::milliseconds(1500));
   ASSERT_EQ(facts.size(), 2U);
   EXPECT_EQ(facts[0].state, State::missing);
-  EXPECT_THAT(facts[0].says, testing::HasSubstr("no answer within"));
-  EXPECT_EQ(facts[1].state, State::ok) << facts[1].says;
+  EXPECT_THAT(facts[0].found, testing::HasSubstr("no answer within"));
+  EXPECT_EQ(facts[1].state, State::ok) << facts[1].found;
 }
 
 TEST(FactJobs, OneThatAnsweredAndDoesNotEndIsEndedToo) {
   const FactJob job = shell({"stuck"}, "exec >&- 2>&-; sleep 600");
   const auto facts = findFacts({job}, std::chrono::milliseconds(300));
   ASSERT_EQ(facts.size(), 1U);
-  EXPECT_THAT(facts[0].says, testing::HasSubstr("no answer within"));
+  EXPECT_THAT(facts[0].found, testing::HasSubstr("no answer within"));
 }
 
 TEST(FactJobs, ACrashCostsItsOwnFactsAndIsNamed) {
@@ -70,7 +70,7 @@ TEST(FactJobs, ACrashCostsItsOwnFactsAndIsNamed) {
                                       }),
                                 answering("well")},
                                kLong);
-  EXPECT_THAT(facts[0].says, testing::HasSubstr("signal 11"));
+  EXPECT_THAT(facts[0].found, testing::HasSubstr("signal 11"));
   EXPECT_FALSE(facts[0].advice.empty());
   EXPECT_EQ(facts[1].state, State::ok);
 }
@@ -79,8 +79,8 @@ TEST(FactJobs, AProgramThatCannotStartSaysWhy) {
   const FactJob job = shell({"context", "key"}, "echo 'libX.so.1: cannot open' >&2; exit 127");
   const auto facts = findFacts({job}, kLong);
   ASSERT_EQ(facts.size(), 2U);
-  EXPECT_THAT(facts[0].says, testing::HasSubstr("it ended with exit 127"));
-  EXPECT_THAT(facts[0].says, testing::HasSubstr("libX.so.1: cannot open"));
+  EXPECT_THAT(facts[0].found, testing::HasSubstr("it ended with exit 127"));
+  EXPECT_THAT(facts[0].found, testing::HasSubstr("libX.so.1: cannot open"));
   EXPECT_EQ(facts[1].state, State::missing);
 }
 
@@ -107,7 +107,7 @@ TEST(FactJobs, AnAnswerWithoutOneOfItsFactsIsSeen) {
   const auto facts = findFacts({job}, kLong);
   EXPECT_EQ(facts[0].state, State::ok);
   EXPECT_EQ(facts[1].state, State::missing);
-  EXPECT_EQ(facts[1].says, "no answer");
+  EXPECT_EQ(facts[1].found, "no answer");
 }
 
 }  // namespace

@@ -45,12 +45,12 @@ TEST(SelfTestFact, AReceiveBufferIsJudgedByWhatWasAskedFor) {
   // The default: 212992, counted twice; a datagram of 100 bytes takes 832.
   const SelfTestFact less = judgeReceiveBuffer(425'984, 67'108'864);
   EXPECT_EQ(less.state, State::limited);
-  EXPECT_THAT(less.says, testing::HasSubstr("50 ms of 10240 datagrams/s of 100 bytes"));
+  EXPECT_THAT(less.found, testing::HasSubstr("50 ms of 10240 datagrams/s of 100 bytes"));
   EXPECT_THAT(less.advice, testing::HasSubstr("net.core.rmem_max=33554432"));
 }
 
 TEST(SelfTestFact, AClockThatNothingSetsIsLimited) {
-  EXPECT_EQ(judgeClock(true, 12'345).says, "synchronised, wrong by 12.3 ms at most");
+  EXPECT_EQ(judgeClock(true, 12'345).found, "synchronised, wrong by 12.3 ms at most");
   EXPECT_EQ(judgeClock(false, 16'000'000).state, State::limited);
 }
 

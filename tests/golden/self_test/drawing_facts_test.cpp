@@ -24,13 +24,13 @@ TEST(SelfTestFrame, OfAKnownRendererMustBeItsOwn) {
   other.rgba[0] ^= 1;
   const SelfTestFact fact = judgeTestFrame(other, std::string(known.key));
   EXPECT_EQ(fact.state, State::missing);
-  EXPECT_THAT(fact.says, testing::HasSubstr(std::string(known.sha256)));
+  EXPECT_THAT(fact.found, testing::HasSubstr(std::string(known.sha256)));
 }
 
 TEST(SelfTestFrame, OfAnUnknownRendererMayBeAKnownOne) {
   const SelfTestFact fact = judgeTestFrame(reference(), "llvmpipe-mesa99.0");
   EXPECT_EQ(fact.state, State::ok);
-  EXPECT_THAT(fact.says, testing::HasSubstr("draws the same frame as Debian 12"));
+  EXPECT_THAT(fact.found, testing::HasSubstr("draws the same frame as Debian 12"));
 }
 
 TEST(SelfTestFrame, OfAnUnknownRendererIsRoundingOrIsNot) {
@@ -38,7 +38,7 @@ TEST(SelfTestFrame, OfAnUnknownRendererIsRoundingOrIsNot) {
   rounded.rgba[40] ^= 1;
   const SelfTestFact rounding = judgeTestFrame(rounded, "llvmpipe-mesa99.0");
   EXPECT_EQ(rounding.state, State::limited);
-  EXPECT_THAT(rounding.says, testing::HasSubstr("1 differ from Debian 12, by at most 1 of 255"));
+  EXPECT_THAT(rounding.found, testing::HasSubstr("1 differ from Debian 12, by at most 1 of 255"));
   EXPECT_THAT(rounding.advice, testing::HasSubstr("within rounding"));
 
   Picture changed = reference();

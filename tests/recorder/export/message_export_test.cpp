@@ -56,10 +56,10 @@ class NotingFormat final : public SessionFormat {
     return has_signals;
   }
   Status signals(MessageSink&, LogTime time, const SignalOwner& owner,
-                 std::span<const SaidSignal> said, bool wants_all) override {
+                 std::span<const StatedSignal> said, bool wants_all) override {
     if (!has_signals) return {};
     std::string line = (wants_all ? "all signals " : "signals ") + ownerText(owner);
-    for (const SaidSignal& each : said) {
+    for (const StatedSignal& each : said) {
       line += " " + std::string(each.name) + (each.is_new ? "!" : "");
       if (each.in_joints) line += "*";
     }

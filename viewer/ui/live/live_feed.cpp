@@ -88,7 +88,7 @@ struct LiveFeed::Impl {
   std::thread thread;
   std::unique_ptr<Decoder> window_decoder = makeDecoder("rk1");
 
-  // Of the network's thread.
+  // Only the network thread touches these.
   SessionState state;
   LiveFigures figures;
   std::unique_ptr<Inbox> inbox = std::make_unique<Inbox>();  ///< being filled
@@ -181,7 +181,7 @@ void LiveFeed::Impl::tellKeeper() {
   keeper->pass(drained_until);
 }
 
-/// Fails when the window has not taken the last inbox.
+/// Fails when the window has not taken the last one.
 bool LiveFeed::Impl::handOver() {
   if (ready.load(std::memory_order_acquire) != nullptr) return false;
   inbox->figures = figures;

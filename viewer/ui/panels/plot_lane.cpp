@@ -201,7 +201,7 @@ std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plo
   const SeriesKey& series = plotted.value.series;
   if (series.kind == SeriesKey::Kind::signal) {
     if (plotted.only_unit && *plotted.only_unit != signalUnit(model, series)) return std::nullopt;
-    return signalSaid(model.state(), series);
+    return signalStated(model.state(), series);
   }
   if (series.kind == SeriesKey::Kind::link) {
     const auto pose =
@@ -221,7 +221,7 @@ std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plo
   const PosedDevice* const device = model.scene().findDevice(series.name);
   const auto names = device != nullptr && device->model != nullptr ? positionalNames(*device->model)
                                                                    : std::vector<std::string>();
-  const auto stated = jointSaid(*device_state, series.part, names);
+  const auto stated = jointStated(*device_state, series.part, names);
   if (!stated) return std::nullopt;
   return plotted.value.shown(*stated);
 }

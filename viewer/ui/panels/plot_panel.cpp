@@ -38,7 +38,7 @@ std::string legendValue(const ViewModel& model, const PlotLane& lane, const Plot
       const std::string* const there = stateAt(plotted, *picture, axis, *cursors.mouse_x);
       return there == nullptr ? "-" : plainText(*there);
     }
-    return plainText(stateSaid(model.state(), plotted.value.series).value_or("-"));
+    return plainText(stateStated(model.state(), plotted.value.series).value_or("-"));
   }
   const auto there = cursors.mouse_x && picture != nullptr
                          ? valueAt(plotted, *picture, axis, *cursors.mouse_x)
