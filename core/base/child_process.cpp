@@ -125,14 +125,14 @@ std::optional<ChildProcess::End> ChildProcess::look(bool wait) {
   return end_;
 }
 
-std::uint64_t ChildProcess::saidBytes() const {
+std::uint64_t ChildProcess::errorBytes() const {
   return error_output_ < 0
              ? 0
              : static_cast<std::uint64_t>(std::max<off_t>(0, ::lseek(error_output_, 0, SEEK_END)));
 }
 
-std::string ChildProcess::said(std::size_t most_bytes) const {
-  const std::uint64_t size = saidBytes();
+std::string ChildProcess::errorOutput(std::size_t most_bytes) const {
+  const std::uint64_t size = errorBytes();
   std::string text(std::min<std::uint64_t>(most_bytes, size), '\0');
   const ssize_t got =
       ::pread(error_output_, text.data(), text.size(), static_cast<off_t>(size - text.size()));

@@ -57,9 +57,9 @@ class ChildProcess {
   std::optional<End> poll() { return look(false); }
   End wait() { return *look(true); }
   /// The end of what it wrote to its standard error, at most so much, without trailing blanks.
-  std::string said(std::size_t most_bytes = 65536) const;
+  std::string errorOutput(std::size_t most_bytes = 65536) const;
   /// How much that is so far, in memory of ours.
-  std::uint64_t saidBytes() const;
+  std::uint64_t errorBytes() const;
 
   /// Our end of what Options::ours names, closed with this: a pipe to read its output from, or a
   /// socket to send() its input to, which needs no SIGPIPE. -1: none, or closed.

@@ -27,13 +27,13 @@ Result<ChildOutput> childOutput(const std::vector<std::string>& words, std::uint
       open = got > 0;
       if (open) output.out.append(part.data(), static_cast<std::size_t>(got));
     }
-    if (output.out.size() > most_bytes || child->saidBytes() > most_bytes) {
+    if (output.out.size() > most_bytes || child->errorBytes() > most_bytes) {
       return Error{ErrorKind::refused, "printed more output than is accepted", words.front()};
     }
   }
   const ChildProcess::End end = child->wait();
   output.exit_code = end.by_signal ? 128 + end.code : end.code;
-  output.err = child->said(most_bytes);
+  output.err = child->errorOutput(most_bytes);
   return output;
 }
 

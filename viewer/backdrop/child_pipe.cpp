@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLookEvery_ms = 100;
 constexpr int kLongestSilence_ms = 30'000;
-constexpr std::size_t kMaxSaid = 1000;
+constexpr std::size_t kMaxErrorBytes = 1000;
 
 }  // namespace
 
@@ -50,7 +50,7 @@ Status ChildPipe::ended() {
   child_.closeStream();
   const ChildProcess::End end = child_.wait();
   if (end.ok()) return {};
-  const std::string why = onOneLine(child_.said(kMaxSaid));
+  const std::string why = onOneLine(child_.errorOutput(kMaxErrorBytes));
   return Error{ErrorKind::refused, why.empty() ? end.text() : end.text() + ": " + why, {}};
 }
 

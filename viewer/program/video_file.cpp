@@ -18,7 +18,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMaxSaid = 2000;
+constexpr std::size_t kMaxErrorBytes = 2000;
 
 Error videoError(std::string what, const std::filesystem::path& path) {
   return {ErrorKind::refused, std::move(what), path.string()};
@@ -35,7 +35,7 @@ struct VideoFile::Impl {
 
   /// ffmpeg's last message, on one line.
   std::string errorText() const {
-    std::string text = child->said(kMaxSaid);
+    std::string text = child->errorOutput(kMaxErrorBytes);
     // Replace the temporary file's name in the message.
     const std::string beside = part->beside().string();
     for (std::size_t at = 0; (at = text.find(beside, at)) != std::string::npos;) {

@@ -68,9 +68,9 @@ TEST(ChildProcess, MayWriteWithoutAReader) {
   EXPECT_FALSE(end.ok());
   EXPECT_EQ(end.text(), "exit 3");
   EXPECT_EQ(child->poll()->code, 3) << "known ever after";
-  EXPECT_TRUE(child->said().ends_with("\nlast")) << child->said(100);
-  EXPECT_EQ(child->said().size(), 65535U) << "its end, without the line feed";
-  EXPECT_EQ(onOneLine(child->said(10)), "es..; last");
+  EXPECT_TRUE(child->errorOutput().ends_with("\nlast")) << child->errorOutput(100);
+  EXPECT_EQ(child->errorOutput().size(), 65535U) << "its end, without the line feed";
+  EXPECT_EQ(onOneLine(child->errorOutput(10)), "es..; last");
 }
 
 TEST(ChildProcess, IsEndedWithItsOwner) {
@@ -100,7 +100,7 @@ TEST(ChildProcess, HasOneStreamOfItsOwnerIfWanted) {
   EXPECT_EQ(::read(moved.stream(), out.data(), out.size()), 4);
   EXPECT_EQ(::read(moved.stream(), out.data(), out.size()), 0);
   EXPECT_TRUE(moved.wait().ok());
-  EXPECT_EQ(moved.said(), "err");
+  EXPECT_EQ(moved.errorOutput(), "err");
 
   auto listens = ChildProcess::start({"sh", "-c", "cat >&2"}, {.ours = ChildProcess::Ours::input});
   ASSERT_TRUE(listens.ok()) << listens.error().text();
@@ -108,7 +108,7 @@ TEST(ChildProcess, HasOneStreamOfItsOwnerIfWanted) {
   listens->closeStream();
   EXPECT_EQ(listens->stream(), -1);
   EXPECT_TRUE(listens->wait().ok());
-  EXPECT_EQ(listens->said(), "in");
+  EXPECT_EQ(listens->errorOutput(), "in");
 }
 
 }  // namespace

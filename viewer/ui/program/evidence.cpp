@@ -108,8 +108,8 @@ Result<EvidenceMade> EvidenceRun::made(const ChildProcess::End& end) const {
   if (end.ok()) return EvidenceMade{output_, {}};
   // With exit 1 the picture exists, and the first message says what may be wrong with it.
   const bool is_doubt = !end.by_signal && end.code == 1;
-  const std::string said = process_.said();
-  std::string why = is_doubt ? firstSentence(said, name_) : lastSentence(said, name_);
+  const std::string message = process_.errorOutput();
+  std::string why = is_doubt ? firstSentence(message, name_) : lastSentence(message, name_);
   if (why.empty()) why = name_ + " failed without a message";
   if (is_doubt) return EvidenceMade{output_, std::move(why)};
   return Error{ErrorKind::refused, std::move(why), {}};

@@ -42,10 +42,10 @@ void LeftSessions::leave(std::unique_ptr<ViewContent> content, ViewContent& next
   model.hand.stopDriving();
   model.publishing.end(std::chrono::steady_clock::now(), std::chrono::system_clock::now());
   if (!model.isLive()) return;
-  std::string& told = next.model->viewer.panels.open.ended;
+  std::string& ended = next.model->viewer.panels.open.ended;
   const bool is_heard = hasHeard(model);
   if (leaving == Leaving::ends || (leaving == Leaving::ends_unheard && !is_heard)) {
-    told = endedText(content->request, model);
+    ended = endedText(content->request, model);
     return;
   }
   if (leaving == Leaving::goes_along) {
@@ -56,8 +56,8 @@ void LeftSessions::leave(std::unique_ptr<ViewContent> content, ViewContent& next
   }
   if (!is_heard) return;
   if (leaving == Leaving::ends_unheard) {
-    told = plainText(endpointsText(content->request)) +
-           " was heard just now and goes on behind this: `live` shows it";
+    ended = plainText(endpointsText(content->request)) +
+            " was heard just now and goes on behind this: `live` shows it";
   }
   model.viewer.hover = {};  // its texture is the window's
   model.viewer.was_shown = true;

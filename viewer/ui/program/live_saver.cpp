@@ -19,9 +19,9 @@ fs::path logProgram() {
   return fs::exists(beside, ignored) ? beside : fs::path("rocinante-log");
 }
 
-/// The last line that the program said, without its name.
+/// The last line that the program message, without its name.
 std::string lastLine(const ChildProcess& process) {
-  std::string text = process.said();
+  std::string text = process.errorOutput();
   text.erase(0, text.rfind('\n') + 1);
   constexpr std::string_view kName = "rocinante-log: ";
   if (text.starts_with(kName)) text.erase(0, kName.size());
@@ -100,14 +100,14 @@ std::optional<Result<LiveSaver::Saved>> LiveSaver::look(LiveKeeper& keeper) {
   }
   const auto ended = process_->poll();
   if (!ended) return std::nullopt;
-  const std::string said = lastLine(*process_);
+  const std::string message = lastLine(*process_);
   process_.reset();
   if (ended->by_signal || ended->code > 1) {
     return end(keeper, Error{ErrorKind::refused,
-                             said.empty() ? "rocinante-log failed without a message" : said,
+                             message.empty() ? "rocinante-log failed without a message" : message,
                              {}});
   }
-  if (ended->code == 1) doubt_ = said;
+  if (ended->code == 1) doubt_ = message;
   if (step_ == Step::merging) {
     if (Status begun = attach(merged_); !begun) return end(keeper, begun.error());
     return std::nullopt;

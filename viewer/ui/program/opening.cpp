@@ -47,8 +47,8 @@ bool areAlike(const ViewModel& shown, const ViewModel& next) {
   const bool recorded =
       shown.session() != nullptr && !shown.isLive() && next.session() != nullptr && !next.isLive();
   return recorded && !shown.cell().devices.empty() &&
-         std::ranges::equal(shown.cell().devices, next.cell().devices, {},
-                                        &CellDevice::name, &CellDevice::name);
+         std::ranges::equal(shown.cell().devices, next.cell().devices, {}, &CellDevice::name,
+                            &CellDevice::name);
 }
 
 /// What is wrong with the text of endpoints, if anything is.

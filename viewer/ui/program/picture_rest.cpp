@@ -2,7 +2,7 @@
 
 namespace rocinante {
 
-Result<PictureRest::News> PictureRest::step(SteadyTime now, bool is_empty, bool said) {
+Result<PictureRest::News> PictureRest::step(SteadyTime now, bool is_empty, bool is_announced) {
   stepped_ = now;
   if (warmsUp(is_empty)) {
     const bool more = warm_up_.advance(picture_, detail_);
@@ -11,7 +11,7 @@ Result<PictureRest::News> PictureRest::step(SteadyTime now, bool is_empty, bool 
   }
   if (detail_.fixed()) return News::none;
   const bool due = picture_.refinesAt(now);
-  if (due && !said) return News::begins;
+  if (due && !is_announced) return News::begins;
   const auto whole = picture_.refine(now);
   if (!whole.ok()) return whole.error();
   if (*whole) return News::whole;

@@ -21,8 +21,8 @@ class PictureRest {
     whole,   ///< the picture has everything now
     ends,    ///< it is given up
   };
-  /// Does one step, if there is one. `said`: that it begins.
-  Result<News> step(SteadyTime now, bool is_empty, bool said);
+  /// Does one step, if there is one. `is_announced`: that it begins.
+  Result<News> step(SteadyTime now, bool is_empty, bool is_announced);
   /// A step must not wait for a moment without a frame, since frame may follow frame, as of a live
   /// stream or a log that plays: what is shown would stay plain, and what stands still coarse.
   bool isOverdue(SteadyTime now, bool is_empty) const {

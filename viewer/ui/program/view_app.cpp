@@ -11,18 +11,18 @@
 #include "core/cli/program.h"
 #include "viewer/ui/panels/docks.h"
 #include "viewer/ui/panels/panels.h"
-#include "viewer/ui/program/backdrop_desk.h"
+#include "viewer/ui/program/backdrop_loader.h"
 #include "viewer/ui/program/detail_choice.h"
-#include "viewer/ui/program/evidence_desk.h"
+#include "viewer/ui/program/evidence_files.h"
 #include "viewer/ui/program/frame_tally.h"
 #include "viewer/ui/program/moment_preview.h"
 #include "viewer/ui/program/opening.h"
 #include "viewer/ui/program/panel_pace.h"
 #include "viewer/ui/program/picture_rest.h"
-#include "viewer/ui/program/publish_desk.h"
-#include "viewer/ui/program/request_desk.h"
+#include "viewer/ui/program/request_handler.h"
 #include "viewer/ui/program/script_runner.h"
 #include "viewer/ui/program/user_input.h"
+#include "viewer/ui/program/viewpoint_publisher.h"
 #include "viewer/ui/program/window_picture.h"
 #include "viewer/ui/window/frame_due.h"
 #include "viewer/ui/window/imgui_painter.h"
@@ -120,10 +120,10 @@ class ViewApp {
   WindowComposer composer_;
   DetailChoice detail_;
   PictureRest rest_{picture_, detail_};
-  EvidenceDesk evidence_;
-  RequestDesk requests_;
-  PublishDesk publish_;
-  BackdropDesk backdrop_;
+  EvidenceFiles evidence_;
+  RequestHandler requests_;
+  ViewpointPublisher publish_;
+  BackdropLoader backdrop_;
   ScriptRunner& script_;
   InputRecord& record_;
   FrameDue frame_due_;
@@ -179,7 +179,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   status.renderer = app->picture_.renderer().key().renderer;
   status.tells_times = !app->scripted() && !app->record_.active();
   model.viewer.panels.open.listens = status.tells_times;
-  // What nobody chose is the window's choice, where bits need not be the same each time.
+  // Looks that the user did not choose may vary from frame to frame.
   if (app->isPersonal() && options.profile == Profile::fast && content.request.styles.empty() &&
       !model.viewer.was_shown) {
     model.useLooksByDefault();
@@ -383,11 +383,11 @@ bool ViewApp::frameDue(bool changed) const {
   const SteadyTime at = now();
   return scripted() || changed || isStill() != status_.still ||
          (cursor != nullptr && cursor->playing() && !cursor->following()) ||
-         frame_due_.at(at, panelsChangeEvery(model_,
-                                             {opening_.busy(),
-                                              evidence_.active() || requests_.isSaving(),
-                                              ImGui::GetIO().WantTextInput},
-                                             at));
+         frame_due_.at(
+             at, panelsChangeEvery(model_,
+                                   {opening_.busy(), evidence_.active() || requests_.isSaving(),
+                                    ImGui::GetIO().WantTextInput},
+                                   at));
 }
 
 void ViewApp::waitForNews() {

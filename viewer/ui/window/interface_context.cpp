@@ -90,14 +90,14 @@ void InterfaceContext::tellKeys(const std::vector<KeyPress>& presses) {
   ImGuiIO& io = ImGui::GetIO();
   const auto is_down = [this](int key) { return glfwGetKey(window_->handle(), key) == GLFW_PRESS; };
   const bool control = is_down(GLFW_KEY_LEFT_CONTROL) || is_down(GLFW_KEY_RIGHT_CONTROL);
-  for (const int key : told_keys_) {
+  for (const int key : reported_keys_) {
     if (!tellKey(io, key, is_down(key))) tellShortcut(io, key, is_down(key), control);
   }
-  told_keys_.clear();
+  reported_keys_.clear();
   for (const KeyPress& press : presses) {
     if (tellKey(io, press.key, true) ||
         (press.control && tellShortcut(io, press.key, true, true))) {
-      told_keys_.push_back(press.key);
+      reported_keys_.push_back(press.key);
     }
   }
   // Dear ImGui's own callbacks say that a key is down while its press still waits for a frame.

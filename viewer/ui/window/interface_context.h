@@ -45,8 +45,8 @@ class InterfaceContext {
   void tellWindow(double width, double height, KeyTaker taker);
 
   Window* window_;
-  std::vector<int> told_keys_;     ///< of the last frame
-  std::vector<KeyPress> presses_;  ///< of this frame
+  std::vector<int> reported_keys_;  ///< of the last frame
+  std::vector<KeyPress> presses_;   ///< of this frame
   float scale_ = 0;
   bool light_ = false;
 };

@@ -12,9 +12,9 @@ namespace rocinante {
 
 /// Saves the window's live session, one file at a time, and reports what became of it. Main thread;
 /// borrows the request.
-class SaveDesk {
+class SaveFiles {
  public:
-  explicit SaveDesk(const ContentRequest& shown) : shown_(shown) {}
+  explicit SaveFiles(const ContentRequest& shown) : shown_(shown) {}
 
   /// Begins; without a file into a new one of the working folder. bad_argument when the session is
   /// not live or not kept, refused while another save runs.

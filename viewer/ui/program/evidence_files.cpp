@@ -1,4 +1,4 @@
-#include "viewer/ui/program/evidence_desk.h"
+#include "viewer/ui/program/evidence_files.h"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ void setSize(PictureTerms& terms, const std::optional<int>& width, const WindowS
 
 }  // namespace
 
-Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSize& size) const {
+Result<EvidenceRequest> EvidenceFiles::requestOf(ViewModel& model, const WindowSize& size) const {
   if (shown_.cell.empty()) {
     const std::string what = shown_.log.empty() ? "no cell is open" : "this log carries no cell";
     return Error{ErrorKind::bad_argument, what + ": a picture of it needs one", {}};
@@ -84,7 +84,7 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
   if (model.hand.drawn()) {
     if (model.session() != nullptr) {
       return Error{ErrorKind::bad_argument,
-                   "the picture has joints set by hand, which the log has not: reset them first",
+                   "joints are set by hand and not in the log; reset them first",
                    {}};
     }
     for (const auto& [name, values] : model.hand.joints().devices()) {
@@ -99,8 +99,8 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
   return request;
 }
 
-void EvidenceDesk::ask(ViewModel& model, const WindowSize& size, SteadyTime now,
-                       const fs::path& file) {
+void EvidenceFiles::ask(ViewModel& model, const WindowSize& size, SteadyTime now,
+                        const fs::path& file) {
   if (running_) return say("the last picture is still being drawn", true, now);
   auto request = requestOf(model, size);
   if (!request.ok()) return say(request.error().text(), true, now);
@@ -117,8 +117,8 @@ void EvidenceDesk::ask(ViewModel& model, const WindowSize& size, SteadyTime now,
   say("rocinante render draws the picture ...", false, now);
 }
 
-Status EvidenceDesk::begin(Result<EvidenceRun> run, const std::string& what, ViewModel& model,
-                           SteadyTime now, bool waits) {
+Status EvidenceFiles::begin(Result<EvidenceRun> run, const std::string& what, ViewModel& model,
+                            SteadyTime now, bool waits) {
   if (!run.ok()) return run.error();
   if (!waits) {
     running_.emplace(std::move(*run));
@@ -133,8 +133,8 @@ Status EvidenceDesk::begin(Result<EvidenceRun> run, const std::string& what, Vie
   return {};
 }
 
-Status EvidenceDesk::makeVideo(ViewModel& model, const WindowSize& size, const fs::path& file,
-                               SteadyTime now, bool waits) {
+Status EvidenceFiles::makeVideo(ViewModel& model, const WindowSize& size, const fs::path& file,
+                                SteadyTime now, bool waits) {
   if (running_) return Error{ErrorKind::refused, "the last picture is still being drawn", {}};
   const TimelineCursor* const cursor = model.cursor();
   if (cursor == nullptr || !cursor->hasPart()) {
@@ -152,8 +152,8 @@ Status EvidenceDesk::makeVideo(ViewModel& model, const WindowSize& size, const f
   return begin(EvidenceRun::start(*request), "video", model, now, waits);
 }
 
-Status EvidenceDesk::addCase(ViewModel& model, const WindowSize& size, const std::string& name,
-                             const fs::path& suite, SteadyTime now, bool waits) {
+Status EvidenceFiles::addCase(ViewModel& model, const WindowSize& size, const std::string& name,
+                              const fs::path& suite, SteadyTime now, bool waits) {
   if (running_) return Error{ErrorKind::refused, "the last picture is still being drawn", {}};
   if (model.isLive()) {
     return Error{ErrorKind::bad_argument, "save the live session first: a case is of a log", {}};
@@ -171,7 +171,7 @@ Status EvidenceDesk::addCase(ViewModel& model, const WindowSize& size, const std
       "case " + named, model, now, waits);
 }
 
-Status EvidenceDesk::make(ViewModel& model, const WindowSize& size, const fs::path& file) {
+Status EvidenceFiles::make(ViewModel& model, const WindowSize& size, const fs::path& file) {
   auto request = requestOf(model, size);
   if (!request.ok()) return request.error();
   request->output = file;
@@ -184,7 +184,7 @@ Status EvidenceDesk::make(ViewModel& model, const WindowSize& size, const fs::pa
   return {};
 }
 
-void EvidenceDesk::look(SteadyTime now) {
+void EvidenceFiles::look(SteadyTime now) {
   if (running_) {
     if (const auto ended = running_->poll()) {
       running_.reset();
@@ -204,7 +204,7 @@ void EvidenceDesk::look(SteadyTime now) {
   }
 }
 
-void EvidenceDesk::say(std::string text, bool fault, SteadyTime now) {
+void EvidenceFiles::say(std::string text, bool fault, SteadyTime now) {
   notice_ = std::move(text);
   notice_is_fault_ = fault;
   notice_until_ = now + kNoticeStays;

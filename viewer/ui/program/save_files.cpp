@@ -1,4 +1,4 @@
-#include "viewer/ui/program/save_desk.h"
+#include "viewer/ui/program/save_files.h"
 
 #include <chrono>
 #include <thread>
@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-SaveDesk::News newsOf(const LiveSaver::Saved& made) {
+SaveFiles::News newsOf(const LiveSaver::Saved& made) {
   std::string text = "saved: " + made.file.string();
   std::error_code fault;
   const std::uintmax_t bytes = std::filesystem::file_size(made.file, fault);
@@ -20,7 +20,7 @@ SaveDesk::News newsOf(const LiveSaver::Saved& made) {
 
 }  // namespace
 
-Status SaveDesk::ask(ViewModel& model, const std::filesystem::path& file) {
+Status SaveFiles::ask(ViewModel& model, const std::filesystem::path& file) {
   LiveKeeper* const keeper = model.isLive() ? model.feed().keeper() : nullptr;
   if (keeper == nullptr || model.live() == nullptr) {
     return Error{ErrorKind::bad_argument, "only a live session that is kept can be saved", {}};
@@ -32,7 +32,7 @@ Status SaveDesk::ask(ViewModel& model, const std::filesystem::path& file) {
   return saver_.start(*keeper, {shown_.cell, shown_.where, output, model.live()->time});
 }
 
-Result<SaveDesk::News> SaveDesk::make(ViewModel& model, const std::filesystem::path& file) {
+Result<SaveFiles::News> SaveFiles::make(ViewModel& model, const std::filesystem::path& file) {
   if (auto begun = ask(model, file); !begun) return begun.error();
   while (true) {
     if (const auto saved = saver_.look(*model.feed().keeper())) {
@@ -46,7 +46,7 @@ Result<SaveDesk::News> SaveDesk::make(ViewModel& model, const std::filesystem::p
   }
 }
 
-std::optional<SaveDesk::News> SaveDesk::look(ViewModel& model) {
+std::optional<SaveFiles::News> SaveFiles::look(ViewModel& model) {
   if (!saver_.active()) return std::nullopt;
   const auto saved = saver_.look(*model.feed().keeper());
   if (!saved) return std::nullopt;

@@ -1,10 +1,10 @@
-#include "viewer/ui/program/backdrop_desk.h"
+#include "viewer/ui/program/backdrop_loader.h"
 
 #include <utility>
 
 namespace rocinante {
 
-BackdropDesk::BackdropDesk(Backdrop* backdrop, void (*tell)()) : backdrop_(backdrop) {
+BackdropLoader::BackdropLoader(Backdrop* backdrop, void (*tell)()) : backdrop_(backdrop) {
   if (backdrop_ == nullptr) return;
   worker_.emplace(
       [backdrop, read = Read()](std::size_t number, const std::stop_token& stop) mutable {
@@ -20,7 +20,7 @@ BackdropDesk::BackdropDesk(Backdrop* backdrop, void (*tell)()) : backdrop_(backd
       tell, ThreadPriority::normal);
 }
 
-bool BackdropDesk::update(ViewModel& model, bool waits) {
+bool BackdropLoader::update(ViewModel& model, bool waits) {
   if (backdrop_ == nullptr || !model.backdrop) return false;
   BackdropChoice& choice = *model.backdrop;
   std::shared_ptr<const BackdropPicture> shown = choice.picture;
@@ -43,7 +43,7 @@ bool BackdropDesk::update(ViewModel& model, bool waits) {
   return changed;
 }
 
-std::string BackdropDesk::takeFault() {
+std::string BackdropLoader::takeFault() {
   const auto read = worker_ ? worker_->found() : nullptr;
   if (!read || read->faults == faults_told_) return {};
   faults_told_ = read->faults;

@@ -1,4 +1,4 @@
-#include "viewer/ui/program/publish_desk.h"
+#include "viewer/ui/program/viewpoint_publisher.h"
 
 #include <chrono>
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace rocinante {
 
-Status PublishDesk::tell(SteadyTime now) {
+Status ViewpointPublisher::tell(SteadyTime now) {
   Publishing& publishing = model_.publishing;
   if (publishing.active() == nullptr) return {};
   if (publishing.points()) {

@@ -7,10 +7,10 @@
 
 #include "viewer/ui/commands/viewer_requests.h"
 #include "viewer/ui/program/detail_choice.h"
-#include "viewer/ui/program/evidence_desk.h"
+#include "viewer/ui/program/evidence_files.h"
 #include "viewer/ui/program/moment_preview.h"
 #include "viewer/ui/program/opening.h"
-#include "viewer/ui/program/save_desk.h"
+#include "viewer/ui/program/save_files.h"
 #include "viewer/ui/program/window_picture.h"
 #include "viewer/ui/window/window.h"
 
@@ -18,7 +18,7 @@ namespace rocinante {
 
 /// Does what the panels, keys and scripts of a frame ask of the program, and tells the user what
 /// became of it. Main thread; borrows all parts.
-class RequestDesk {
+class RequestHandler {
  public:
   struct Parts {
     const ContentRequest& shown;
@@ -28,17 +28,17 @@ class RequestDesk {
     WindowPicture& picture;
     MomentPreview& preview;
     DetailChoice& detail;
-    EvidenceDesk& evidence;
+    EvidenceFiles& evidence;
   };
 
   /// Under a script a frame waits for the files that are made, and a fault ends it; a user reads
   /// it, and works on.
-  RequestDesk(const Parts& parts, bool scripted)
-      : my_(parts), scripted_(scripted), saving_(parts.shown) {}
+  RequestHandler(const Parts& parts, bool scripted)
+      : parts_(parts), scripted_(scripted), saving_(parts.shown) {}
 
   Status apply(const ViewerRequests& requests, const WindowSize& size, SteadyTime now);
   void openFiles(const std::vector<std::filesystem::path>& files, SteadyTime now) {
-    tellRefusal(my_.opening.open(files), now);
+    tellRefusal(parts_.opening.open(files), now);
   }
 
   /// The coming frame is to be written to files, for a user.
@@ -59,12 +59,12 @@ class RequestDesk {
   void tellRefusal(const Status& begun, SteadyTime now);
   void tellNews(SteadyTime now);
   void say(std::string text, bool is_fault, SteadyTime now) {
-    my_.evidence.say(std::move(text), is_fault, now);
+    parts_.evidence.say(std::move(text), is_fault, now);
   }
 
-  Parts my_;
+  Parts parts_;
   bool scripted_;
-  SaveDesk saving_;
+  SaveFiles saving_;
   std::vector<std::filesystem::path> screenshots_;
 };
 

@@ -8,9 +8,9 @@ namespace rocinante {
 
 /// Tells others, while the window publishes, where it looks from and where its mouse points. Main
 /// thread; borrows both.
-class PublishDesk {
+class ViewpointPublisher {
  public:
-  PublishDesk(ViewModel& model, WindowPicture& picture) : model_(model), picture_(picture) {}
+  ViewpointPublisher(ViewModel& model, WindowPicture& picture) : model_(model), picture_(picture) {}
 
   /// Sends what is due.
   Status tell(SteadyTime now);

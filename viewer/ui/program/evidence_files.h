@@ -18,9 +18,9 @@ struct WindowSize {
 
 /// Makes evidence pictures of the window's content, one at a time, and reports the results. Main
 /// thread; borrows the request.
-class EvidenceDesk {
+class EvidenceFiles {
  public:
-  EvidenceDesk(const ContentRequest& shown, int samples) : shown_(shown), samples_(samples) {}
+  EvidenceFiles(const ContentRequest& shown, int samples) : shown_(shown), samples_(samples) {}
 
   /// Starts a picture into `file`, or without one into a new file of the working folder; refuses a
   /// second one while the first is running.

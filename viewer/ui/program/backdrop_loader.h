@@ -12,10 +12,10 @@ namespace rocinante {
 
 /// Reads the backdrop of the shown moment in a thread of its own: a window does not wait for a
 /// decoder. Main thread; borrows the backdrop.
-class BackdropDesk {
+class BackdropLoader {
  public:
   /// Without a backdrop it does nothing. `tell` is called by the other thread when a picture came.
-  BackdropDesk(Backdrop* backdrop, void (*tell)());
+  BackdropLoader(Backdrop* backdrop, void (*tell)());
 
   /// Asks for the picture of the model's moment, and gives the model the last one that came; true
   /// when the model's changed. `waits`: until the asked one is there.
