@@ -84,7 +84,7 @@ Status watchOther(CommandWords words, const CommandStage& stage) {
   if (std::ranges::find(views, words[0]) == views.end()) {
     return badWord(
         fmt::format("nobody publishes a viewpoint `{}`; there {}", words[0],
-                    views.empty() ? "is none" : fmt::format("are: {}", fmt::join(views, ", "))));
+                    views.empty() ? "are none" : fmt::format("are: {}", fmt::join(views, ", "))));
   }
   model.useCamera(words[0]);
   return {};
