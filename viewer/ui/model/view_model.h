@@ -131,9 +131,9 @@ class ViewModel {
   /// The log as `rocinante check` judges it, in the background once study() has read the log; null
   /// before that, without a log, and while `findings_wanted` is false.
   const FindingsStudy* findings();
-  /// The distance of the selected device from the reference, or from the nearest other one, as it
-  /// was last measured in the background: null while `nearest_wanted` is false, without a selection
-  /// and before the first answer. It may be of an earlier moment.
+  /// The distance of the selected device or link from the reference, or from the nearest other
+  /// device, as it was last measured in the background: null while `nearest_wanted` is false,
+  /// without a selection and before the first answer. It may be of an earlier moment.
   const NearestFound* nearest() const { return nearest_found_ ? &*nearest_found_ : nullptr; }
 
   /// Listens at the usual endpoints for a moment, in the background; nothing while it does.

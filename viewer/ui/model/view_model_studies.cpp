@@ -75,8 +75,13 @@ bool ViewModel::isStudyBusy() const {
 }
 
 bool ViewModel::lookForNearest() {
-  NearestQuery wish{selected.device, viewer.reference.device};
-  if (wish.other == wish.device) wish.other.clear();
+  NearestQuery wish{selected.device, selected.link, viewer.reference.device, viewer.reference.link};
+  // A device is not measured against a part of itself, only a link against another.
+  const bool are_links = !wish.link.empty() && !wish.other_link.empty();
+  if (wish.other == wish.device && (!are_links || wish.link == wish.other_link)) {
+    wish.other.clear();
+    wish.other_link.clear();
+  }
   const bool wanted = viewer.nearest_wanted && !wish.device.empty();
   if (wanted) {
     if (!nearest_) nearest_ = std::make_unique<NearestStudy>(*cell_);

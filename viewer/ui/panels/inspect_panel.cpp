@@ -6,7 +6,6 @@
 #include "core/base/duration_text.h"
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
-#include "core/clearance/clearance_gauge.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
@@ -137,7 +136,7 @@ void drawNearest(ViewModel& model, const Selection& shown) {
     model.viewer.nearest_wanted = !model.viewer.nearest_wanted;
   }
   explain(
-      "how near this whole device is to that of the reference, or to the nearest other one\n"
+      "how near this device or link is to the reference, or to the nearest other device\n"
       "X, then a click on each of two links: the distance of the two points");
   if (!model.viewer.nearest_wanted) return;
   ImGui::SameLine();
@@ -147,9 +146,7 @@ void drawNearest(ViewModel& model, const Selection& shown) {
   } else if (found->other.empty()) {
     ImGui::TextDisabled("nothing to measure");
   } else {
-    const double mm = roundedClearance(found->distance_m) * 1e3;
-    const std::string how = mm > 0 ? fmt::format("{:.2f} mm from ", mm) : "touches ";
-    ImGui::TextWrapped("%s", (how + plainText(found->other)).c_str());
+    ImGui::TextWrapped("%s", nearestText(*found).c_str());
   }
 }
 

@@ -1,11 +1,38 @@
 #include "viewer/ui/study/nearest_study.h"
 
-#include <limits>
-#include <utility>
+#include <fmt/format.h>
 
+#include <limits>
+
+#include "core/base/plain_text.h"
 #include "core/clearance/clearance_gauge.h"
 
 namespace rocinante {
+namespace {
+
+std::string nameOf(const std::string& device, const std::string& link) {
+  return link.empty() ? device : device + "/" + link;
+}
+
+/// A pattern of that name alone, which might hold those of patterns, or begin as a layer's.
+std::string exactly(const std::string& name) {
+  std::string pattern;
+  for (const char byte : name) {
+    pattern += '\\';
+    pattern += byte;
+  }
+  return pattern;
+}
+
+}  // namespace
+
+std::string nearestText(const NearestFound& found) {
+  const double mm = roundedClearance(found.distance_m) * 1e3;
+  const std::string from = nameOf(found.other, found.wish.other_link);
+  const std::string how = (mm > 0 ? fmt::format("{:.2f} mm from ", mm) : "touches ") + from;
+  if (found.wish.link.empty()) return plainText(how);
+  return plainText(nameOf(found.wish.device, found.wish.link) + ": " + how);
+}
 
 /// Only the worker thread touches it.
 class NearestStudy::Gauge {
@@ -16,9 +43,8 @@ class NearestStudy::Gauge {
  private:
   void measureFor(const NearestQuery& wish);
 
-  Cell cell_;  // a copy whose clearances are the wish; models are shared
-  // Of the last wish. A device's own patterns would be read as patterns: `chosen` is exact.
-  NearestQuery measured_;
+  Cell cell_;              // a copy whose clearances are the wish; models are shared
+  NearestQuery measured_;  // the last wish
   std::optional<ClearanceGauge> gauge_;
 };
 
@@ -28,12 +54,11 @@ void NearestStudy::Gauge::measureFor(const NearestQuery& wish) {
   gauge_.reset();
   CellClearance apart;
   apart.name = "nearest";
-  apart.between = {wish.device, wish.other.empty() ? "*" : wish.other};
+  apart.between = {exactly(nameOf(wish.device, wish.link)),
+                   wish.other.empty() ? "*" : exactly(nameOf(wish.other, wish.other_link))};
+  apart.is_self = wish.other == wish.device;
   cell_.clearances = {apart};
-  gauge_.emplace(cell_, [wish](std::string_view a, std::string_view b) {
-    if (a != wish.device) std::swap(a, b);
-    return a == wish.device && a != b && (wish.other.empty() || b == wish.other);
-  });
+  gauge_.emplace(cell_);
 }
 
 NearestFound NearestStudy::Gauge::answer(const Question& asked) {

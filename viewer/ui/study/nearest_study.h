@@ -10,21 +10,29 @@
 
 namespace rocinante {
 
-/// Which distance is wanted: of a device from another one, or from the nearest other.
+/// Which distance is wanted: of a device or one of its links from another one, from a link of its
+/// own, or from the nearest other device.
 struct NearestQuery {
   std::string device;
-  std::string other;  ///< empty: the nearest
+  std::string link;        ///< empty: all of them
+  std::string other;       ///< empty: the nearest device
+  std::string other_link;  ///< empty: all of them
   bool operator==(const NearestQuery&) const = default;
 };
 
-/// The least distance of two devices at a moment.
+/// The least distance of what was asked for at a moment.
 struct NearestFound {
   NearestQuery wish;
   LogTime moment{};
-  std::string other;  ///< empty: there is no device with geometry to measure
+  std::string other;  ///< the device; empty: there is nothing with geometry to measure
   double distance_m = 0;
-  Vec3 on_device{}, on_other{};  ///< the nearest points, in the world
+  /// The nearest points, in the world; of two links of one device either way round.
+  Vec3 on_device{}, on_other{};
 };
+
+/// The distance for the user, with the names of the links that were measured. `other` is not empty.
+/// Pure.
+std::string nearestText(const NearestFound& found);
 
 /// Measures least distances as the judge of clearances does (ClearanceGauge), in a thread of its
 /// own with a low priority: a large cell takes it longer than a frame. Of what is asked meanwhile

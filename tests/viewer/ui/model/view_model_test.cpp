@@ -66,6 +66,23 @@ TEST_F(ViewedSession, ALayerFollowsThePacketsUntilThePersonChooses) {
   EXPECT_FALSE(model_->setVisible("layer/", true));
 }
 
+TEST_F(ViewedSession, TheDistanceIsOfTheChosenLinks) {
+  model_->study_waits = true;
+  model_->viewer.nearest_wanted = true;
+  const auto asked = [&](const Selection& selected, const Selection& reference) {
+    model_->selected = selected;
+    model_->viewer.reference = reference;
+    EXPECT_TRUE(model_->update(SteadyTime{}).ok());
+    return model_->nearest() != nullptr ? model_->nearest()->wish : NearestQuery();
+  };
+  EXPECT_EQ(asked({"arm", "hand"}, {}), (NearestQuery{"arm", "hand", "", ""}));
+  EXPECT_EQ(asked({"arm", "hand"}, {"leg", "foot"}), (NearestQuery{"arm", "hand", "leg", "foot"}));
+  EXPECT_EQ(asked({"arm", "hand"}, {"arm", "base"}), (NearestQuery{"arm", "hand", "arm", "base"}));
+  // There is no distance of a device from a part of itself.
+  EXPECT_EQ(asked({"arm", ""}, {"arm", "base"}), (NearestQuery{"arm", "", "", ""}));
+  EXPECT_EQ(asked({"arm", "hand"}, {"arm", "hand"}), (NearestQuery{"arm", "hand", "", ""}));
+}
+
 TEST_F(ViewedSession, EventsAreReachedForwardsAndBackwards) {
   const LogTime start = model_->cursor()->start();
   ASSERT_NE(model_->eventBeside(start, true), nullptr);
