@@ -32,6 +32,8 @@ struct PoseTyping {
 struct PoseFields {
   std::optional<PoseTyping> typing;
   std::string trouble;  ///< why the last number was not taken; a sentence, or empty
+  /// Where the mouse has rested, in pixels, since a number was typed.
+  std::optional<std::array<float, 2>> rests_at;
 };
 
 /// A length or an angle that is typed for a pose, in metres or radians; without a unit it is in

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -37,6 +38,11 @@ std::string fieldTip(const PoseTyping& typing, const Units& units) {
   return tip + "\nEnter, or leaving the field, sets it; Esc puts it back";
 }
 
+std::array<float, 2> mousePlace() {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  return {at.x, at.y};
+}
+
 /// `fixed`: why it cannot be changed; empty: it can.
 void drawPoseField(ViewModel& model, const Pose& pose, std::size_t field,
                    const std::string& fixed) {
@@ -59,8 +65,9 @@ void drawPoseField(ViewModel& model, const Pose& pose, std::size_t field,
                    ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackAlways,
                    openExactly, is_open ? nullptr : &shown.opened);
   ImGui::EndDisabled();
-  // It would lie over the fields below, and over what is wrong.
-  const bool has_tip = !fixed.empty() || (!fields.typing && fields.trouble.empty());
+  // It would lie over the fields below, of which the next may be wanted, and over what is wrong.
+  const bool has_tip =
+      !fixed.empty() || (!fields.typing && fields.trouble.empty() && !fields.rests_at);
   if (has_tip && !ImGui::IsItemActive() &&
       ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
     ImGui::SetTooltip("%s", fixed.empty() ? fieldTip(shown, units).c_str() : fixed.c_str());
@@ -71,7 +78,9 @@ void drawPoseField(ViewModel& model, const Pose& pose, std::size_t field,
     fillText(shown, shown.opened);
   }
   if (has_keyboard) shown.frame = ImGui::GetFrameCount();
-  if (has_keyboard || is_open) fields.typing = std::move(shown);
+  if (!has_keyboard && !is_open) return;
+  fields.typing = std::move(shown);
+  fields.rests_at = mousePlace();
 }
 
 /// What the fields are drawn of.
@@ -103,6 +112,8 @@ void drawFieldColumn(ViewModel& model, const DrawnFields& drawn, std::size_t fir
 
 void drawPoseFields(ViewModel& model) {
   if (!hasPoseFields(model)) return;
+  PoseFields& fields = model.viewer.panels.pose_fields;
+  if (fields.rests_at != mousePlace()) fields.rests_at.reset();
   const PosedDevice* const device = model.scene().findDevice(model.selected.device);
   if (device == nullptr) return;
   const auto movable = model.movablePose(device->name);
@@ -132,7 +143,7 @@ void drawPoseFields(ViewModel& model) {
     drawFieldColumn(model, {pose, fixed, angles}, 0, 6, 0);
   }
   ImGui::PopStyleVar();
-  const std::string& trouble = model.viewer.panels.pose_fields.trouble;
+  const std::string& trouble = fields.trouble;
   if (trouble.empty()) return;
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(panelInk(PanelColor::fault), "%s", trouble.c_str());
@@ -146,7 +157,8 @@ void settlePoseFields(ViewModel& model) {
   if (since == 0) return;
   // Hidden panels left it some frames ago.
   if (since > 1 || keyPressed(ImGuiKey_Escape)) {
-    fields = PoseFields();
+    fields.typing.reset();
+    fields.trouble.clear();
   } else {
     takeTypedPose(model);
   }

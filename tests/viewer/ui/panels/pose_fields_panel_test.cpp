@@ -187,7 +187,17 @@ TEST_F(DrawnPoseFields, HaveATipWhileNothingIsTypedAndNothingIsWrong) {
   key(GLFW_KEY_ENTER);
   frame();
   EXPECT_EQ(trouble(), "");
+  EXPECT_EQ(tip(), nullptr) << "the next field is below, and the mouse rests";
+  moveTo({opened_at_.x + 1, opened_at_.y});
+  frame();
   EXPECT_NE(tip(), nullptr);
+  // Nor after a number that was put back.
+  click(opened_at_);
+  type("7");
+  key(GLFW_KEY_ESCAPE);
+  frame();
+  EXPECT_FALSE(typing().has_value());
+  EXPECT_EQ(tip(), nullptr);
 }
 
 TEST_F(DrawnPoseFields, SayWhatIsWrongAndMoveNothing) {
