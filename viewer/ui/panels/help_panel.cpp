@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -36,16 +37,38 @@ std::vector<HelpLine> keyLines(CommandGroup group) {
   return lines;
 }
 
-void drawLines(const char* title, const std::vector<HelpLine>& lines, float left,
-               float keys_width) {
-  ImGui::SetCursorPosX(left);
-  ImGui::TextColored(panelInk(PanelColor::heading), "%s", title);
-  for (const HelpLine& line : lines) {
-    ImGui::SetCursorPosX(left);
+struct HelpGroup {
+  const char* title;
+  std::vector<HelpLine> lines;
+};
+
+/// Where lines stand, from the window's left edge.
+struct HelpColumn {
+  float left = 0;
+  float means = 0;     ///< where it begins what a key does
+  bool below = false;  ///< the key, as there is no room beside it
+  float wrap = -1;     ///< where lines end; below 0: nowhere
+};
+
+void drawGroup(const HelpGroup& group, const HelpColumn& column) {
+  ImGui::PushTextWrapPos(column.wrap);
+  ImGui::SetCursorPosX(column.left);
+  ImGui::TextColored(panelInk(PanelColor::heading), "%s", group.title);
+  for (const HelpLine& line : group.lines) {
+    ImGui::SetCursorPosX(column.left);
     ImGui::TextUnformatted(line.keys.c_str());
-    ImGui::SameLine(left + keys_width);
+    column.below ? ImGui::SetCursorPosX(column.means) : ImGui::SameLine(column.means);
     ImGui::TextColored(panelInk(PanelColor::dim_text), "%s", line.means.c_str());
   }
+  ImGui::PopTextWrapPos();
+}
+
+float widestMeans(const std::vector<HelpGroup>& groups) {
+  float widest = 0;
+  for (const HelpGroup& group : groups) {
+    for (const HelpLine& line : group.lines) widest = std::max(widest, drawnWidth(line.means));
+  }
+  return widest;
 }
 
 }  // namespace
@@ -53,24 +76,33 @@ void drawLines(const char* title, const std::vector<HelpLine>& lines, float left
 void drawHelp(ViewModel& model) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
-                                      ImVec2(size.x - px(kPanelMargin), size.y - px(kPanelMargin)));
+  const ImVec2 most(size.x - px(kPanelMargin), size.y - px(kPanelMargin));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), most);
   ImGui::SetNextWindowFocus();
-  ImGui::Begin("Mouse and keyboard", &model.viewer.panels.help_shown,
-               kPanelFlags | ImGuiWindowFlags_HorizontalScrollbar);
-  const float left = ImGui::GetStyle().WindowPadding.x;
-  const float top = ImGui::GetCursorPosY();
-  constexpr float kKeysWidth = 150;
-  drawLines("Mouse", kMouse, left, px(kKeysWidth));
-  drawLines("Camera", keyLines(CommandGroup::camera), left, px(kKeysWidth));
-  drawLines("Time", keyLines(CommandGroup::time), left, px(kKeysWidth));
+  const std::vector<HelpGroup> first{{"Mouse", kMouse},
+                                     {"Camera", keyLines(CommandGroup::camera)},
+                                     {"Time", keyLines(CommandGroup::time)}};
+  const std::vector<HelpGroup> second{{"Picture", keyLines(CommandGroup::picture)},
+                                      {"Program", keyLines(CommandGroup::program)}};
   // Side by side if there is room, else one below the other.
   const bool wide = size.x >= px(940);
-  const float beside = wide ? left + px(455) : left;
-  const float keys_width = px(wide ? 80 : kKeysWidth);
-  if (wide) ImGui::SetCursorPosY(top);
-  drawLines("Picture", keyLines(CommandGroup::picture), beside, keys_width);
-  drawLines("Program", keyLines(CommandGroup::program), beside, keys_width);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float left = style.WindowPadding.x;
+  HelpColumn column{left, left + px(150)};
+  const float end = most.x - style.WindowPadding.x - style.ScrollbarSize;
+  if (!wide && column.means + std::max(widestMeans(first), widestMeans(second)) > end) {
+    column = {left, left + px(20), true, end};
+  }
+  // Lines that are wrapped need no second scroll bar.
+  ImGui::Begin("Mouse and keyboard", &model.viewer.panels.help_shown,
+               kPanelFlags | (column.below ? 0 : ImGuiWindowFlags_HorizontalScrollbar));
+  const float top = ImGui::GetCursorPosY();
+  for (const HelpGroup& group : first) drawGroup(group, column);
+  if (wide) {
+    ImGui::SetCursorPosY(top);
+    column = {left + px(455), left + px(455 + 80)};
+  }
+  for (const HelpGroup& group : second) drawGroup(group, column);
   ImGui::End();
 }
 

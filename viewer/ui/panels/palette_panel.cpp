@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr float kPaletteWidth = 560;
 constexpr std::size_t kMaxLines = 200;
-constexpr int kLinesShown = 12;
+constexpr float kLinesShown = 12;
 
 void runEntry(const PaletteEntry& entry, ViewModel& model, SteadyTime now,
               ViewerRequests& requests) {
@@ -71,7 +72,8 @@ void drawPalette(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
   if (palette.just_opened) ImGui::SetNextWindowFocus();
   ImGui::Begin("palette", nullptr,
                (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
-                   ImGuiWindowFlags_NoResize);
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse);
   const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   const bool opened = std::exchange(palette.just_opened, false);
   const std::string before = palette.text.data();
@@ -87,7 +89,10 @@ void drawPalette(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
   const PaletteEntry* picked = nullptr;
   if (entries.empty()) ImGui::TextDisabled("no matching command");
   const float pitch = ImGui::GetTextLineHeightWithSpacing();
-  const auto rows = static_cast<float>(std::min<std::size_t>(entries.size(), kLinesShown));
+  const float room =
+      size.y - px(kPanelMargin) - ImGui::GetStyle().WindowPadding.y - ImGui::GetCursorScreenPos().y;
+  const float most = std::clamp(std::floor(room / pitch), 1.0F, kLinesShown);
+  const float rows = std::min(static_cast<float>(entries.size()), most);
   ImGui::BeginChild("entries", ImVec2(0, rows * pitch));
   for (std::size_t i = 0; i < entries.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));

@@ -76,6 +76,34 @@ class Docks : public test::ArmWindow {
   int width_ = 1280, height_ = 720;
 };
 
+TEST_F(Docks, ThePaletteHasOneScrollBarInASmallWindow) {
+  resize(240, 160);
+  model_->viewer.panels.palette.open("");
+  frames();
+  const ImGuiWindow* const palette = ImGui::FindWindowByName("palette");
+  ASSERT_NE(palette, nullptr);
+  EXPECT_FALSE(palette->ScrollbarY);
+  EXPECT_LE(palette->Pos.y + palette->Size.y, 160);
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+    if (window->ParentWindow == palette) {
+      EXPECT_TRUE(window->ScrollbarY);
+    }
+  }
+}
+
+TEST_F(Docks, TheHelpHasOneScrollBarInASmallWindow) {
+  for (const auto& [width, height] : {std::pair(240, 160), std::pair(320, 200)}) {
+    resize(width, height);
+    model_->viewer.panels.help_shown = true;
+    frames();
+    const ImGuiWindow* const help = ImGui::FindWindowByName("Mouse and keyboard");
+    ASSERT_NE(help, nullptr);
+    EXPECT_TRUE(help->ScrollbarY);
+    EXPECT_FALSE(help->ScrollbarX);
+    EXPECT_LE(help->ContentSize.x, help->Size.x - help->ScrollbarSizes.x);
+  }
+}
+
 TEST_F(Docks, ASideOpenedByItsStripFoldsByTheNextDoubleClick) {
   places().places["left"].collapsed = true;
   frames();
