@@ -69,6 +69,15 @@ float scrollToShow(float scroll, float top, float height, float room) {
   return std::max(0.0F, top + height / 2 - room / 2);
 }
 
+void showTip(const char* text) {
+  ImGui::BeginTooltip();
+  const float most = ImGui::GetIO().DisplaySize.x - 4 * ImGui::GetStyle().WindowPadding.x;
+  ImGui::PushTextWrapPos(std::min(px(560), most));
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
 void drawCut(const std::string& text, PanelColor color, float room) {
   const float there = room > 0 ? room : ImGui::GetContentRegionAvail().x;
   const std::string shown = cutInMiddle(text, there, drawnWidth);

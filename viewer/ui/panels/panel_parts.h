@@ -56,9 +56,11 @@ inline bool keyPressed(ImGuiKey key) {
 #endif
 }
 
+/// A tool tip at the mouse, in lines that end within the window.
+void showTip(const char* text);
 /// Adds a tool tip to the last drawn item.
 inline void explain(const char* text) {
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+  if (ImGui::IsItemHovered()) showTip(text);
 }
 /// Tells the whole of what the last item shows less of.
 inline void explainCut(const std::string& shown, const std::string& whole) {

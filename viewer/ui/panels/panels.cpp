@@ -101,12 +101,30 @@ void drawTimePanels(ViewModel& model, const DockLayout& layout, SteadyTime now) 
   drawPlotDrag(model, layout.picture.y + layout.picture.height);
 }
 
+/// The part of the picture between the panels that are looked at over it, from its own left.
+std::pair<float, float> uncovered(const DockLayout& layout) {
+  const PanelRectangle& picture = layout.picture;
+  const DockedSide &left = layout.left, &right = layout.right;
+  const float from = left.peeked ? left.gutter.x + left.gutter.width - picture.x : 0;
+  const float until = right.peeked ? right.gutter.x - picture.x : picture.width;
+  return {std::max(0.0F, from), std::min(picture.width, until)};
+}
+
 /// Where lines over the picture stand: between its upper insets and the cube, or below them where
-/// that is too narrow.
-PanelRectangle noticeRoom(ViewModel& model, const PanelRectangle& picture) {
-  constexpr float kLeastNoticeWidth = 240;
+/// that is too narrow. Beside what is looked at over the picture, or over its lower half, below its
+/// tabs, where there is no room beside it.
+NoticeRoom noticeRoom(ViewModel& model, const DockLayout& layout) {
+  constexpr float kLeastNoticeWidth = 240, kLeastBesidePanel = 140;
+  const PanelRectangle& picture = layout.picture;
   const float margin = px(kPanelMargin);
-  float left = margin, right = picture.width - margin, below = margin;
+  const auto [from, until] = uncovered(layout);
+  if (until - from < std::min(px(kLeastBesidePanel), picture.width)) {
+    return {
+        {picture.x + margin, picture.y + picture.height / 2,
+         std::max(0.0F, picture.width - 2 * margin), std::max(0.0F, picture.height / 2 - margin)},
+        true};
+  }
+  float left = from + margin, right = until - margin, below = margin;
   std::vector<PixelRectangle> taken;
   for (const InsetPlace& inset : model.viewer.inset_places) taken.push_back(inset.part);
   if (auto cube = viewCubePlace(model, picture)) {
@@ -126,12 +144,12 @@ PanelRectangle noticeRoom(ViewModel& model, const PanelRectangle& picture) {
   }
   float top = margin;
   if (right - left < px(kLeastNoticeWidth)) {
-    left = margin;
-    right = picture.width - margin;
+    left = from + margin;
+    right = until - margin;
     top = below;
   }
-  return {picture.x + left, picture.y + top, std::max(0.0F, right - left),
-          std::max(0.0F, picture.height - top - margin)};
+  return {{picture.x + left, picture.y + top, std::max(0.0F, right - left),
+           std::max(0.0F, picture.height - top - margin)}};
 }
 
 }  // namespace
@@ -162,7 +180,7 @@ PixelRectangle drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTi
   drawInsetTabs(model);
   drawInsetGrip(model);
   if (status.loading) drawLoading(*status.loading, model.viewer.is_empty);
-  drawPictureLines(model, pictureLines(model, status, now), noticeRoom(model, layout.picture));
+  drawPictureLines(model, pictureLines(model, status, now), noticeRoom(model, layout));
   drawDriveFrame(model);
   if (model.viewer.panels.mark.shown) drawMarkPrompt(model, requests);
   if (model.viewer.panels.help_shown) drawHelp(model);

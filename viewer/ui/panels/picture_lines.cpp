@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "core/base/figure_text.h"
@@ -24,6 +27,7 @@ namespace {
 constexpr std::size_t kMostLines = 4;
 constexpr std::size_t kMostListed = 12;  // on hover
 constexpr float kGap = 6;
+constexpr ImGuiPopupFlags kAnyPopup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
 
 std::string keyOf(const PictureNote& note) {
   return (note.is_error ? "error " : "note ") + note.text;
@@ -32,6 +36,8 @@ std::string keyOf(const PictureNote& note) {
 struct LineSize {
   float wrap = 0;
   NoticeSize size;
+  std::string what, hint;  ///< as much of them as has room
+  bool is_cut = false;
 };
 
 /// Computed here, because an auto-sized window is one frame late. No higher than there is room.
@@ -39,15 +45,27 @@ LineSize sizeOf(const PictureLine& line, const PanelRectangle& free) {
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
   const float most = std::max(px(120), std::min(px(560), free.width));
   const float wrap = most - 2 * padding.x;
-  ImVec2 size = ImGui::CalcTextSize(line.what.c_str(), nullptr, false, wrap);
-  if (!line.hint.empty()) {
-    const ImVec2 more = ImGui::CalcTextSize(line.hint.c_str(), nullptr, false, wrap);
-    size.x = std::max(size.x, more.x);
-    size.y += more.y + ImGui::GetStyle().ItemSpacing.y;
+  const auto sizeOfText = [wrap](std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
+  };
+  LineSize result{wrap, {}, line.what, line.hint};
+  ImVec2 size = sizeOfText(line.what);
+  const ImVec2 hint = sizeOfText(line.hint);
+  const float gap = ImGui::GetStyle().ItemSpacing.y;
+  const float row = ImGui::GetTextLineHeight();
+  const float room = std::max(row, free.height - 2 * padding.y);
+  result.is_cut = size.y + (line.hint.empty() ? 0 : hint.y + gap) > room;
+  if (result.is_cut) {
+    result.hint.clear();
+    result.what =
+        cutInMiddle(line.what, room, [&](std::string_view text) { return sizeOfText(text).y; });
+    size = sizeOfText(result.what);
+  } else if (!line.hint.empty()) {
+    size.x = std::max(size.x, hint.x);
+    size.y += hint.y + gap;
   }
-  const float least = ImGui::GetTextLineHeight() + 2 * padding.y;
-  const float height = std::min(size.y + 2 * padding.y, std::max(free.height, least));
-  return {wrap, {size.x + 2 * padding.x + 1, height}};
+  result.size = {size.x + 2 * padding.x + 1, size.y + 2 * padding.y};
+  return result;
 }
 
 /// The size of the line that says how many more there are; ImGui has none that is smaller.
@@ -72,36 +90,50 @@ std::string movedText(const DeviceMoves& moves) {
                   : fmt::format("moved by hand, not as the cell has it: {}", who);
 }
 
-/// An opaque window there, below all others, one for each slot; true while the mouse is over it.
-bool beginLine(std::size_t slot, const PanelRectangle& at, bool takes_mouse) {
+/// A window of the stack.
+struct LineSlot {
+  std::size_t number = 0;
+  bool over_panels = false;  ///< else it is below all other windows
+};
+
+/// An opaque window there, one for each slot; true while the mouse is over it.
+bool beginLine(const LineSlot& slot, const PanelRectangle& at, bool takes_mouse) {
   ImGui::SetNextWindowPos(ImVec2(at.x, at.y));
   ImGui::SetNextWindowSize(ImVec2(at.width, at.height));
   // What is below must not be read together with it.
   ImGui::SetNextWindowBgAlpha(1);
-  ImGui::Begin(fmt::format("##line {}", slot).c_str(), nullptr,
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, slot.over_panels ? px(1) : 0);
+  const char* const name = slot.over_panels ? "##line over panels {}" : "##line {}";
+  ImGui::Begin(fmt::format(fmt::runtime(name), slot.number).c_str(), nullptr,
                (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   (slot.over_panels ? 0 : ImGuiWindowFlags_NoBringToFrontOnFocus) |
                    (takes_mouse ? 0 : ImGuiWindowFlags_NoInputs));
+  ImGui::PopStyleVar();
+  // A click on the panel below must not bring that before it.
+  if (slot.over_panels) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   return takes_mouse && ImGui::IsWindowHovered();
 }
 
 /// True when it is clicked.
-bool drawLine(std::size_t slot, const PictureLine& line, const LineSize& size,
+bool drawLine(const LineSlot& slot, const PictureLine& line, const LineSize& size,
               const PanelRectangle& at) {
-  const bool hovered = beginLine(slot, at, !line.stays);
+  const bool hovered = beginLine(slot, at, !line.stays || size.is_cut);
   ImGui::PushTextWrapPos(ImGui::GetStyle().WindowPadding.x + size.wrap);
-  ImGui::TextColored(panelInk(line.color), "%s", line.what.c_str());
-  if (!line.hint.empty()) ImGui::TextDisabled("%s", line.hint.c_str());
+  ImGui::TextColored(panelInk(line.color), "%s", size.what.c_str());
+  if (!size.hint.empty()) ImGui::TextDisabled("%s", size.hint.c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();
   if (!hovered) return false;
-  ImGui::SetTooltip("a click dismisses it");
-  return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  std::string tip;
+  if (size.is_cut) tip = line.what + (line.hint.empty() ? "" : "\n" + line.hint);
+  if (!line.stays) tip += tip.empty() ? "a click dismisses it" : "\na click dismisses it";
+  showTip(tip.c_str());
+  return !line.stays && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
 /// True when it is clicked.
-bool drawMore(std::size_t slot, const std::string& text, const std::string& rest,
+bool drawMore(const LineSlot& slot, const std::string& text, const std::string& rest,
               const PanelRectangle& at) {
   const bool hovered = beginLine(slot, at, true);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -109,11 +141,7 @@ bool drawMore(std::size_t slot, const std::string& text, const std::string& rest
   ImGui::TextDisabled("%s", text.c_str());
   ImGui::End();
   if (!hovered) return false;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(px(560));
-  ImGui::TextUnformatted(rest.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+  showTip(rest.c_str());
   return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
@@ -213,8 +241,13 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
 }
 
 void drawPictureLines(ViewModel& model, const std::vector<PictureLine>& lines,
-                      const PanelRectangle& free) {
+                      const NoticeRoom& room) {
   PanelState& panels = model.viewer.panels;
+  const PanelRectangle& free = room.free;
+  // What is opened over the window stays before them.
+  const bool is_covered = panels.palette.shown || panels.open.shown || panels.help_shown ||
+                          panels.mark.shown || ImGui::IsPopupOpen("", kAnyPopup);
+  LineSlot slot{0, room.over_panels && !is_covered};
   std::vector<NoticeKey> keys;
   for (const PictureLine& line : lines) keys.push_back({line.key, line.stays});
   std::vector<std::size_t> shown = panels.notices.order(keys);
@@ -224,14 +257,14 @@ void drawPictureLines(ViewModel& model, const std::vector<PictureLine>& lines,
     if (!lines[i].hint.empty()) panels.lines.push_back(lines[i].hint);
   }
   const PictureLine* clicked = nullptr;
-  std::size_t slot = 0;
   std::erase_if(shown, [&](std::size_t i) {
     if (!lines[i].central) return false;
     const LineSize size = sizeOf(lines[i], free);
     const PanelRectangle middle{free.x, free.y + free.height * 0.3F, free.width, free.height};
     const std::array one{size.size};
     const PanelRectangle at = placeNotices(one, middle, {}, 0, 1).places.front();
-    if (drawLine(slot++, lines[i], size, at)) clicked = &lines[i];
+    if (drawLine(slot, lines[i], size, at)) clicked = &lines[i];
+    ++slot.number;
     return true;
   });
   std::vector<LineSize> sizes;
@@ -244,7 +277,8 @@ void drawPictureLines(ViewModel& model, const std::vector<PictureLine>& lines,
   const NoticePlaces placed = placeNotices(
       only_sizes, free, moreSize(fmt::format("{} more", shown.size())), px(kGap), most);
   for (std::size_t i = 0; i < placed.places.size(); ++i) {
-    if (drawLine(slot++, lines[shown[i]], sizes[i], placed.places[i])) clicked = &lines[shown[i]];
+    if (drawLine(slot, lines[shown[i]], sizes[i], placed.places[i])) clicked = &lines[shown[i]];
+    ++slot.number;
   }
   if (placed.more > 0) {
     std::string rest;

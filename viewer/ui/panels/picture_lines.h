@@ -27,11 +27,16 @@ struct PictureLine {
 std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus& status,
                                       SteadyTime now);
 
-/// Draws them as a stack at the top of `free`, the part of the picture that nothing covers, in
-/// pixels: a mode that is on first, then the newest; a few, and how many more there are. A click
-/// dismisses one. Texts that are not dismissed become model.viewer.panels.lines, whether there is
-/// room for them or not.
+/// Where they stand, in pixels.
+struct NoticeRoom {
+  PanelRectangle free;       ///< the part of the picture that nothing covers
+  bool over_panels = false;  ///< there is none: it is a part of what lies over the picture
+};
+
+/// Draws them as a stack at the top of the room: a mode that is on first, then the newest; a few,
+/// and how many more there are. A click dismisses one. Texts that are not dismissed become
+/// model.viewer.panels.lines, whether there is room for them or not.
 void drawPictureLines(ViewModel& model, const std::vector<PictureLine>& lines,
-                      const PanelRectangle& free);
+                      const NoticeRoom& room);
 
 }  // namespace rocinante

@@ -11,6 +11,7 @@
 #include "viewer/ui/commands/command.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/window/panel_style.h"
+#include "viewer/ui/window/panel_texts.h"
 
 namespace rocinante {
 namespace {
@@ -75,6 +76,36 @@ class Docks : public test::ArmWindow {
 
   int width_ = 1280, height_ = 720;
 };
+
+TEST_F(Docks, ANoticeIsSeenBesideOrOverWhatIsLookedAt) {
+  model_->viewer.panels.notes.push_back({"what went wrong", true});
+  const auto seenAt = [&]() -> std::optional<PixelRectangle> {
+    for (const PanelText& text : panelTexts(*ImGui::GetDrawData())) {
+      if (text.text == "what went wrong" && !text.isCut()) return text.place;
+    }
+    return std::nullopt;
+  };
+  resize(560, 400);
+  for (const char* const edge : {"left", "right"}) {
+    places().peeked = edge;
+    frames();
+    const DockedSide side = edge == std::string("left") ? layout().left : layout().right;
+    ASSERT_TRUE(side.peeked) << edge;
+    const auto place = seenAt();
+    ASSERT_TRUE(place.has_value()) << edge;
+    const auto begin = static_cast<float>(place->x);
+    const auto end = begin + static_cast<float>(place->width);
+    EXPECT_TRUE(end < side.panel.x || begin > side.panel.x + side.panel.width) << edge;
+  }
+  // Over it, where a click on the panel leaves it, and below its tabs.
+  resize(360, 300);
+  ASSERT_TRUE(layout().right.peeked);
+  ASSERT_TRUE(seenAt().has_value());
+  EXPECT_GT(seenAt()->y, 100);
+  click(layout().right.panel.x + 20, 30);
+  frames();
+  EXPECT_TRUE(seenAt().has_value());
+}
 
 TEST_F(Docks, ThePaletteHasOneScrollBarInASmallWindow) {
   resize(240, 160);

@@ -99,7 +99,7 @@ TEST_F(DrawnPanels, ALineOverThePictureIsDismissedByAClick) {
   }
   const PanelRectangle free{400, 100, 500, 400};
   const auto draw = [&] {
-    drawPictureLines(*model_, pictureLines(*model_, ViewerStatus(), SteadyTime{}), free);
+    drawPictureLines(*model_, pictureLines(*model_, ViewerStatus(), SteadyTime{}), {free});
   };
   frames(draw);
   // Those for which there is no room are said, too.
@@ -112,6 +112,38 @@ TEST_F(DrawnPanels, ALineOverThePictureIsDismissedByAClick) {
   EXPECT_EQ(panels.notes.front().text, "two");
   frames(draw, std::pair(300.0, 110.0));  // beside them
   EXPECT_EQ(panels.notes.size(), 5U);
+}
+
+TEST_F(DrawnPanels, ALineWithoutRoomIsCutAndItsTipSaysTheWhole) {
+  PanelState& panels = model_->viewer.panels;
+  std::string text = "it begins here";
+  for (int i = 0; i < 60; ++i) text += " and goes on";
+  panels.notes.push_back({text + " to its end", true});
+  const PanelRectangle free{400, 100, 300, 60};
+  const auto draw = [&] {
+    drawPictureLines(*model_, pictureLines(*model_, ViewerStatus(), SteadyTime{}), {free});
+  };
+  const auto said = [&](std::optional<std::pair<double, double>> mouse) {
+    FrameInput input;
+    input.mouse = mouse;
+    for (int frame = 0; frame < 4; ++frame) {
+      interface_.beginFrame(1280, 720, &input);
+      draw();
+      ImGui::Render();
+    }
+    std::string all;
+    for (const PanelText& one : panelTexts(*ImGui::GetDrawData())) {
+      EXPECT_FALSE(one.isCut()) << one.text;
+      all += one.text + "\n";
+    }
+    return all;
+  };
+  const std::string line = said({});
+  EXPECT_NE(line.find("it begins here"), std::string::npos) << line;
+  EXPECT_NE(line.find("to its end"), std::string::npos) << line;
+  const std::string hovered = said(std::pair(500.0, 120.0));
+  EXPECT_GT(hovered.size(), text.size());
+  EXPECT_NE(hovered.find("a click dismisses it"), std::string::npos) << hovered;
 }
 
 TEST_F(DrawnPanels, TheListOfDevicesOpensWhatWasSelectedInThePicture) {
