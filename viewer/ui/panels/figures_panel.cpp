@@ -149,7 +149,8 @@ void drawBeside(ViewModel& model, SteadyTime now) {
     const std::string& shown = model.session()->log().name();
     const std::string brief = withoutFolder(withoutFolder(fault, name), shown);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + nameRoom());
-    ImGui::TextColored(panelInk(PanelColor::dim_text), "not compared: %s", brief.c_str());
+    ImGui::TextColored(panelInk(PanelColor::dim_text), "%s",
+                       linesOf("not compared: " + brief, nameRoom()).c_str());
     ImGui::PopTextWrapPos();
     explain(fault.c_str());
   } else if (const auto apart = partings->apartAt(model.shownTime()); apart.empty()) {

@@ -29,11 +29,7 @@ void drawRow(ViewModel& model, const Finding& finding, std::size_t number, Stead
     showFinding(model, *model.cursor(), number, now);
   }
   if (ImGui::IsItemHovered()) {
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(px(420));
-    ImGui::TextUnformatted(finding.text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    showTip(finding.text.c_str());
   }
 }
 
@@ -42,14 +38,14 @@ void drawExplanation(const ViewModel& model, const Finding& finding) {
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(severityColor(finding.severity)), "%s",
                      finding.rule.c_str());
-  ImGui::TextUnformatted(finding.text.c_str());
-  if (!finding.hint.empty()) ImGui::TextDisabled("%s", finding.hint.c_str());
+  ImGui::TextUnformatted(linesOf(finding.text).c_str());
+  if (!finding.hint.empty()) ImGui::TextDisabled("%s", linesOf(finding.hint).c_str());
   std::string when = finding.first ? "at " + secondsAt(model, *finding.first) + " s" : "";
   if (finding.count > 1) when += fmt::format("{}{} times", when.empty() ? "" : ", ", finding.count);
   if (finding.count > 1 && finding.last)
     when += ", until " + secondsAt(model, *finding.last) + " s";
-  if (!when.empty()) ImGui::TextDisabled("%s", when.c_str());
-  if (!finding.example.empty()) ImGui::TextDisabled("%s", finding.example.c_str());
+  if (!when.empty()) ImGui::TextDisabled("%s", linesOf(when).c_str());
+  if (!finding.example.empty()) ImGui::TextDisabled("%s", linesOf(finding.example).c_str());
   if (!finding.file.empty()) ImGui::TextDisabled("%s", finding.place().c_str());
   ImGui::PopTextWrapPos();
 }
@@ -68,7 +64,7 @@ void drawFindingsTab(ViewModel& model, SteadyTime now) {
   }
   if (!judged->fault().empty()) {
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(judged->fault().c_str());
+    ImGui::TextUnformatted(linesOf(judged->fault()).c_str());
     ImGui::PopTextWrapPos();
     return;
   }

@@ -139,7 +139,7 @@ void drawDeviceTools(ViewModel& model, const PosedDevice& device) {
   const bool shown_below = hand.driving() != nullptr || !ImGui::IsPopupOpen("drive");
   if (!has_joints || !shown_below || hand.trouble.empty()) return;
   ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(panelInk(PanelColor::fault), "%s", hand.trouble.c_str());
+  ImGui::TextColored(panelInk(PanelColor::fault), "%s", linesOf(hand.trouble).c_str());
   ImGui::PopTextWrapPos();
 }
 

@@ -43,7 +43,7 @@ void drawFound(const ViewModel& model, const PacketBehind& packet, bool& shows_b
   std::string head = plainText(packet.source);
   if (packet.sequence) head += fmt::format(" {}", *packet.sequence);
   head += fmt::format(" at {} s", secondsText(packet.time - model.origin(), 6));
-  ImGui::TextWrapped("%s", head.c_str());
+  ImGui::TextWrapped("%s", linesOf(head).c_str());
   std::string tip = packet.topic;
   if (packet.source_time) {
     const LogTime sent_at{Nanoseconds(*packet.source_time)};
@@ -146,7 +146,7 @@ void drawNearest(ViewModel& model, const Selection& shown) {
   } else if (found->other.empty()) {
     ImGui::TextDisabled("nothing to measure");
   } else {
-    ImGui::TextWrapped("%s", nearestText(*found).c_str());
+    ImGui::TextWrapped("%s", linesOf(nearestText(*found)).c_str());
   }
 }
 
@@ -176,7 +176,7 @@ void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selecti
   packet.look(model.session()->log().name(), {shown.device, packet.value_name}, model.shownTime(),
               kMessagesAFrame);
   if (!packet.trouble.empty()) {
-    ImGui::TextWrapped("%s", packet.trouble.c_str());
+    ImGui::TextWrapped("%s", linesOf(packet.trouble).c_str());
   } else if (packet.searching()) {
     ImGui::TextDisabled("looking for it ...");
   } else if (!packet.search->found()) {

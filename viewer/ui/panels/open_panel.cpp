@@ -237,7 +237,7 @@ void drawOpenList(ViewModel& model, ViewerRequests& requests) {
   if (is_endpoint) {
     ImGui::TextDisabled("Enter listens at this endpoint");
   } else if (!open.fault.empty()) {
-    ImGui::TextWrapped("%s", plainText(open.fault).c_str());
+    ImGui::TextWrapped("%s", linesOf(plainText(open.fault)).c_str());
   } else if (path) {
     ImGui::TextDisabled("Enter opens this file or folder");
   } else if (lines.empty()) {

@@ -54,7 +54,7 @@ void drawBeginning(Publishing& publishing) {
   explain("others see where this window looks and points");
   if (publishing.trouble.empty()) return;
   ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(panelInk(PanelColor::fault), "%s", publishing.trouble.c_str());
+  ImGui::TextColored(panelInk(PanelColor::fault), "%s", linesOf(publishing.trouble).c_str());
   ImGui::PopTextWrapPos();
 }
 

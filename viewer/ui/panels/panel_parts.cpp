@@ -69,11 +69,16 @@ float scrollToShow(float scroll, float top, float height, float room) {
   return std::max(0.0F, top + height / 2 - room / 2);
 }
 
+std::string linesOf(std::string_view text, float room) {
+  return inLines(text, room > 0 ? room : ImGui::GetContentRegionAvail().x, drawnWidth);
+}
+
 void showTip(const char* text) {
   ImGui::BeginTooltip();
   const float most = ImGui::GetIO().DisplaySize.x - 4 * ImGui::GetStyle().WindowPadding.x;
-  ImGui::PushTextWrapPos(std::min(px(560), most));
-  ImGui::TextUnformatted(text);
+  const float room = std::min(px(560), most);
+  ImGui::PushTextWrapPos(room);
+  ImGui::TextUnformatted(linesOf(text, room - ImGui::GetCursorPosX()).c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }

@@ -38,6 +38,10 @@ inline float drawnWidth(std::string_view text) {
 /// out, and hovering shows the whole.
 void drawCut(const std::string& text, PanelColor color = PanelColor::text, float room = 0);
 
+/// The text in lines for the rest of this line, or for `room` pixels. A word that is wider is to be
+/// broken by ImGui's own wrapping.
+std::string linesOf(std::string_view text, float room = 0);
+
 /// How far a list must be scrolled to show a row whole, from `scroll`: not at all when it is seen,
 /// else so that it stands in the middle. `top` and `height` of the row from the list's beginning,
 /// `room`: the list's height. Pixels. Pure.

@@ -46,7 +46,7 @@ LineSize sizeOf(const PictureLine& line, const PanelRectangle& free) {
   const float most = std::max(px(120), std::min(px(560), free.width));
   const float wrap = most - 2 * padding.x;
   const auto sizeOfText = [wrap](std::string_view text) {
-    return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
+    return ImGui::CalcTextSize(linesOf(text, wrap).c_str(), nullptr, false, wrap);
   };
   LineSize result{wrap, {}, line.what, line.hint};
   ImVec2 size = sizeOfText(line.what);
@@ -120,8 +120,8 @@ bool drawLine(const LineSlot& slot, const PictureLine& line, const LineSize& siz
               const PanelRectangle& at) {
   const bool hovered = beginLine(slot, at, !line.stays || size.is_cut);
   ImGui::PushTextWrapPos(ImGui::GetStyle().WindowPadding.x + size.wrap);
-  ImGui::TextColored(panelInk(line.color), "%s", size.what.c_str());
-  if (!size.hint.empty()) ImGui::TextDisabled("%s", size.hint.c_str());
+  ImGui::TextColored(panelInk(line.color), "%s", linesOf(size.what, size.wrap).c_str());
+  if (!size.hint.empty()) ImGui::TextDisabled("%s", linesOf(size.hint, size.wrap).c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();
   if (!hovered) return false;

@@ -146,7 +146,7 @@ void drawPoseFields(ViewModel& model) {
   const std::string& trouble = fields.trouble;
   if (trouble.empty()) return;
   ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(panelInk(PanelColor::fault), "%s", trouble.c_str());
+  ImGui::TextColored(panelInk(PanelColor::fault), "%s", linesOf(trouble).c_str());
   ImGui::PopTextWrapPos();
 }
 
