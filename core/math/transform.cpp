@@ -40,6 +40,17 @@ std::optional<Quat> normalized(const Quat& q) {
   return Quat{w / length, x / length, y / length, z / length};
 }
 
+double lengthOf(const Quat& q) {
+  const double largest = std::max({std::fabs(q.w), std::fabs(q.x), std::fabs(q.y), std::fabs(q.z)});
+  if (!(largest > 0.0) || !std::isfinite(largest)) return q.w + q.x + q.y + q.z;
+  const double w = q.w / largest, x = q.x / largest, y = q.y / largest, z = q.z / largest;
+  return largest * std::sqrt(w * w + x * x + y * y + z * z);
+}
+
+bool isUnitLength(const Quat& quaternion) {
+  return std::abs(lengthOf(quaternion) - 1) <= kUnitLengthTolerance;
+}
+
 std::optional<Vec3> normalized(const Vec3& v) {
   const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   if (!(largest > 0.0) || !std::isfinite(largest)) return std::nullopt;

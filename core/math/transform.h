@@ -16,6 +16,12 @@ Quat quaternionAbout(const Vec3& unit_axis, double angle_rad);
 /// Scaled to unit length; empty when it is zero or not finite.
 std::optional<Quat> normalized(const Quat& quaternion);
 std::optional<Vec3> normalized(const Vec3& vector);
+/// How far from 1 the length of a unit quaternion may be where it comes in. What is further off is
+/// normalised and used, and named: its sender probably computes it wrongly.
+inline constexpr double kUnitLengthTolerance = 1e-3;
+/// Without overflow; not finite when the quaternion is not, or its length is not.
+double lengthOf(const Quat& quaternion);
+bool isUnitLength(const Quat& quaternion);
 
 Mat4 translationMatrix(const Vec3& offset);
 Mat4 rotationMatrix(const Quat& unit_rotation);

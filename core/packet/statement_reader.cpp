@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/math/transform.h"
 #include "core/packet/packet_limits.h"
 #include "core/packet/text_number.h"
 
@@ -13,7 +14,6 @@ namespace {
 // A quaternion this close to unit length is left unchanged, so that a restated one is the same to
 // the last bit.
 constexpr double kUnitTolerance = 1e-12;
-constexpr double kNormTolerance = 1e-3;
 
 }  // namespace
 
@@ -380,7 +380,7 @@ void StatementReader::normaliseQuaternion(double* xyzw, const char* place) {
   double squared = 0;
   for (int i = 0; i < 4; ++i) squared += (xyzw[i] / largest) * (xyzw[i] / largest);
   const double norm = largest * std::sqrt(squared);
-  if (std::abs(norm - 1) > kNormTolerance) {
+  if (std::abs(norm - 1) > kUnitLengthTolerance) {
     fail(PacketFault::unnormalised_quaternion, place);
     scratch_.faults.push_back(fault_);
   }

@@ -37,7 +37,7 @@ std::string reasonOf(const ImportedTopic& topic) {
            ", which do not become packets";
   }
   if (topic.malformed == topic.messages) return messages + ", none of the stated type";
-  if (!topic.notes.empty()) return messages + "; " + topic.notes.begin()->first;
+  if (!topic.notes.empty()) return messages + "; the warnings of the import say why";
   return messages + " with nothing that a packet says of the cell";
 }
 

@@ -7,13 +7,10 @@
 #include "core/math/transform.h"
 
 namespace rocinante::ros {
-namespace {
 
 bool isFinite(const Vec3& vector) {
   return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
-
-}  // namespace
 
 std::optional<std::size_t> FrameTree::frameOf(std::string_view name) {
   if (const auto known = by_name_.find(name); known != by_name_.end()) return known->second;

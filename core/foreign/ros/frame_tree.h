@@ -18,6 +18,8 @@ inline constexpr std::size_t kMaxFrames = 4096;
 /// Most frames between one and its root; a longer chain, or a loop, has no place.
 inline constexpr std::size_t kMaxFrameDepth = 256;
 
+bool isFinite(const Vec3& vector);
+
 /// The frames of tf: who is whose parent, and where. The newest transform of a frame counts. Turns
 /// frames into places that packets can say: in the world, or carried by a link of a device.
 class FrameTree {

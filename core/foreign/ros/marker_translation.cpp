@@ -89,9 +89,10 @@ class MarkerTranslation final : public TopicTranslation {
     if (id.size() > limits::kNameBytes - 12 || !isName(id)) return note("markers with a bad name");
     if (marker.action == Marker::erase) return eraseFrom(id, 0);
     if (marker.action != Marker::add) return note("markers with an unknown action");
+    if (!isUsable(marker.pose, "markers")) return;
     const std::optional<FrameTree::Place> place =
         frames_.placeIn(marker.header.frame, marker.pose, {});
-    if (!place) return note("markers in a frame or pose that has no place");
+    if (!place) return note("markers in a frame without a place", marker.header.frame);
     if (!drawn_.contains(id) && drawn_.size() >= kMaxMarkers) {
       return note("markers beyond 65536 of a topic");
     }

@@ -52,7 +52,7 @@ Account RosTranslator::account() const {
   return account;
 }
 
-const TranslationNotes& RosTranslator::notes(std::size_t topic) const {
+TranslationNotes RosTranslator::notes(std::size_t topic) const {
   return state_->topics[topic].translation->notes();
 }
 

@@ -52,7 +52,7 @@ class RosTranslator {
   /// The message as a packet, in `out`, which is left alone otherwise.
   Outcome translate(std::size_t topic, LogTime time, ByteView message, Translated& out);
 
-  const TranslationNotes& notes(std::size_t topic) const;
+  TranslationNotes notes(std::size_t topic) const;
   /// The fields and transforms of all messages that no packet says.
   Account account() const;
 

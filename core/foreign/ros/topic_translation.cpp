@@ -1,14 +1,20 @@
 #include "core/foreign/ros/topic_translation.h"
 
+#include <fmt/format.h>
+
 #include "core/base/plain_text.h"
 #include "core/foreign/ros/names.h"
 #include "core/foreign/ros/signal_translation.h"
+#include "core/math/transform.h"
 #include "core/packet/packet_limits.h"
 
 namespace rocinante::ros {
 namespace {
 
 using Outcome = RosTranslator::Outcome;
+
+/// Bytes of a first case in a note; a stranger's name may be long.
+constexpr std::size_t kMostOfFirst = 64;
 
 class TransformTranslation final : public TopicTranslation {
  public:
@@ -24,9 +30,10 @@ class TransformTranslation final : public TopicTranslation {
     }
     if (!cursor.atEnd()) return Outcome::malformed;
     for (const Transform& each : transforms_) {
+      if (!isUsable(each.pose, "transforms")) continue;
       if (frames_.place(each.header.frame, each.child, each.pose, FrameTree::Origin::transform) ==
           FrameTree::Taken::refused) {
-        note("transforms with a bad name, rotation or position, or beyond 4096 frames");
+        noteRefused(each.header.frame, each.child, "transforms");
       }
     }
     begin(transforms_.empty() ? 0 : transforms_.front().header.stamp_ns);
@@ -48,6 +55,15 @@ class OdometryTranslation final : public SignalTranslation {
     FieldCursor cursor(message, layout);
     const Transform placed = readTransform(cursor);
     begin(placed.header.stamp_ns);
+    if (isUsable(placed.pose, kOdometry)) takePlace(placed);
+    addSignals();
+    return end(out);
+  }
+
+ private:
+  static constexpr std::string_view kOdometry = "odometry";
+
+  void takePlace(const Transform& placed) {
     switch (frames_.place(placed.header.frame, placed.child, placed.pose,
                           FrameTree::Origin::odometry)) {
       case FrameTree::Taken::yes:
@@ -57,11 +73,9 @@ class OdometryTranslation final : public SignalTranslation {
         note("odometry of a frame that transforms or another odometry place");
         break;
       case FrameTree::Taken::refused:
-        note("odometry with a bad name, rotation or position, or beyond 4096 frames");
+        noteRefused(placed.header.frame, placed.child, kOdometry);
         break;
     }
-    addSignals();
-    return end(out);
   }
 };
 
@@ -88,10 +102,11 @@ class PoseTranslation final : public TopicTranslation {
       note("poses whose topic names no device of the cell");
       return Outcome::nothing;
     }
+    if (!isUsable(stamped.pose, "poses")) return Outcome::nothing;
     const std::optional<FrameTree::Place> place =
         frames_.placeIn(stamped.header.frame, stamped.pose, device_);
     if (!place) {
-      note("poses with a bad rotation or position, or in a frame without a place");
+      note("poses in a frame without a place", stamped.header.frame);
       return Outcome::nothing;
     }
     begin(stamped.header.stamp_ns);
@@ -169,6 +184,40 @@ void TopicTranslation::addPose(std::string_view device, const FrameTree::Place& 
   add(statement);
 }
 
+bool TopicTranslation::isUsable(const Pose& pose, std::string_view what) {
+  const Quat& q = pose.orientation;
+  const std::string poses(what);
+  if (!normalized(q)) {
+    note(poses + " whose rotation is zero or not finite",
+         fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}", q.x, q.y, q.z, q.w));
+    return false;
+  }
+  if (!isFinite(pose.position)) {
+    const Vec3& at = pose.position;
+    note(poses + " whose position is not finite",
+         fmt::format("{:.6g} {:.6g} {:.6g}", at.x, at.y, at.z));
+    return false;
+  }
+  if (!isUnitLength(q)) {
+    note(poses + " whose quaternion is off unit length by more than 0.001, normalised",
+         fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}, of length {:.6g}", q.x, q.y, q.z, q.w,
+                     lengthOf(q)));
+  }
+  return true;
+}
+
+void TopicTranslation::noteRefused(std::string_view parent, std::string_view child,
+                                   std::string_view what) {
+  const std::string places(what);
+  if (!isName(parent) || !isName(child)) {
+    note(places + " with a frame whose name no packet can have", isName(parent) ? child : parent);
+  } else if (parent == child) {
+    note(places + " of a frame in itself", child);
+  } else {
+    note(places + " beyond 4096 frames", child);
+  }
+}
+
 Outcome TopicTranslation::end(Translated& out) {
   if (!packet_text_.hasStatements()) return Outcome::nothing;
   out = {packet_text_.text(), nullptr};
@@ -182,13 +231,24 @@ void TopicTranslation::addValues(Account& account, const char* name, const char*
       {.kind = "value", .name = name, .reason = reason, .first = topic_, .count = count});
 }
 
-void TopicTranslation::note(std::string_view sentence) {
+void TopicTranslation::note(std::string_view sentence, std::string_view first) {
   const auto found = notes_.find(sentence);
   if (found != notes_.end()) {
     ++found->second;
-  } else {
-    notes_.emplace(sentence, 1);
+    return;
   }
+  notes_.emplace(sentence, 1);
+  if (!first.empty()) firsts_.emplace(sentence, plainText(first.substr(0, kMostOfFirst)));
+}
+
+TranslationNotes TopicTranslation::notes() const {
+  TranslationNotes notes;
+  for (const auto& [sentence, count] : notes_) {
+    const auto first = firsts_.find(sentence);
+    const std::string told = first == firsts_.end() ? "" : " (the first: " + first->second + ")";
+    notes.emplace(sentence + told, count);
+  }
+  return notes;
 }
 
 std::unique_ptr<TopicTranslation> makeTranslation(std::string_view type, std::string_view topic,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,10 +24,11 @@ class TopicTranslation {
 
   virtual RosTranslator::Outcome translate(ByteView message, FieldCursor::Layout layout,
                                            LogTime time, Translated& out) = 0;
-  const TranslationNotes& notes() const { return notes_; }
+  /// Each sentence with its first case in brackets, where that was told.
+  TranslationNotes notes() const;
   /// Before the first message: whose its values are, whatever the topic is called.
   virtual void use(const ChannelNames&) {}
-  void note(std::string_view sentence);
+  void note(std::string_view sentence, std::string_view first = {});
   /// Adds the fields of messages that no packet says.
   virtual void addLeftOut(Account&) const {}
 
@@ -35,6 +37,11 @@ class TopicTranslation {
   void begin(std::int64_t stamp_ns);
   void add(const Statement& statement) { packet_text_.add(statement); }
   void addPose(std::string_view device, const FrameTree::Place& place);
+  /// Whether a packet can say a pose of a message. Notes what is wrong with it; `what` are such
+  /// poses together: "poses".
+  bool isUsable(const Pose& pose, std::string_view what);
+  /// Why FrameTree::place() refused a usable pose.
+  void noteRefused(std::string_view parent, std::string_view child, std::string_view what);
   /// Ends the packet: nothing when it has no statement.
   RosTranslator::Outcome end(Translated& out);
   /// Values of this topic: nothing when there are none.
@@ -48,6 +55,7 @@ class TopicTranslation {
 
  private:
   TranslationNotes notes_;
+  std::map<std::string, std::string, std::less<>> firsts_;  ///< by sentence
 };
 
 class SignalNames;

@@ -135,7 +135,7 @@ TEST_F(ImportAccount, NamesTopicsWithoutPacketsAndWhy) {
                   "packets)",
                   "1 topic `/states` (1 message of foxglove.JointStates as json, which do not "
                   "become packets)",
-                  "1 topic `/empty` (1 message; joint states without positions)",
+                  "1 topic `/empty` (1 message; the warnings of the import say why)",
                   "1 value `position` (of fixed and mimic joints, which the model moves; at "
                   "/joint_states)"));
   EXPECT_TRUE(made.report.lostNothing());

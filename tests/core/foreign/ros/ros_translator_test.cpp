@@ -13,7 +13,13 @@ namespace rocinante::ros::test {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
 using testing::Key;
+using testing::Pair;
+using testing::SizeIs;
+using testing::StartsWith;
+using testing::UnorderedElementsAre;
 
 TEST(RosTranslator, SaysJointStatesOfEverySerialization) {
   for (const Kind kind : kKinds) {
@@ -95,6 +101,77 @@ TEST(RosTranslator, PlacesTheRootsOfDevices) {
     // A loop has no place.
     EXPECT_EQ(say({{"base", "map", {0, 0, 0, 0, 0, 0, 1}}}), "");
   }
+}
+
+/// The pose of a message on a topic of its own; then its notes.
+TranslationNotes notesOfPose(const std::vector<double>& pose, std::string_view frame = "map") {
+  Translation translation;
+  MessageMaker made(Kind::cdr_little);
+  made.header(3, 0, frame).doubles(pose);
+  translation.of("/pose", "geometry_msgs/PoseStamped", made.bytes());
+  translation.of("/pose", "geometry_msgs/PoseStamped", made.bytes());
+  return translation.notes("/pose", FieldCursor::Layout::cdr);
+}
+
+TEST(RosTranslator, NamesQuaternionsThatItNormalises) {
+  constexpr const char* kOff =
+      "poses whose quaternion is off unit length by more than 0.001, normalised (the first: ";
+  EXPECT_THAT(notesOfPose({1, 2, 3, 5, 6, 7, 8}),
+              ElementsAre(Pair(std::string(kOff) + "5 6 7 8, of length 13.1909)", 2)));
+  EXPECT_THAT(notesOfPose({1, 2, 3, 0, 0, 0, 0.5}),
+              ElementsAre(Pair(std::string(kOff) + "0 0 0 0.5, of length 0.5)", 2)));
+  // As in packet text, what a sender rounded is not named.
+  EXPECT_THAT(notesOfPose({1, 2, 3, 0, 0, 0, 1.0009}), IsEmpty());
+  EXPECT_THAT(notesOfPose({1, 2, 3, 0, 0, 0, 0.9989}), SizeIs(1));
+
+  Translation translation;
+  translation.of("/tf", "tf2_msgs/TFMessage",
+                 transforms(Kind::cdr_little, {{"map", "cart", {1, 0, 0, 0, 0, 0, 2}}}));
+  EXPECT_THAT(translation.notes("/tf", FieldCursor::Layout::cdr),
+              ElementsAre(Pair(StartsWith("transforms whose quaternion is off unit length"), 1)));
+  MessageMaker odometry(Kind::cdr_little);
+  odometry.header(3, 0, "odom").string("base").doubles({0, 0, 0, 0, 0, 0, 2});
+  odometry.doubles(std::vector<double>(36 + 6 + 36));
+  translation.of("/odom", "nav_msgs/Odometry", odometry.bytes());
+  EXPECT_THAT(translation.notes("/odom", FieldCursor::Layout::cdr),
+              ElementsAre(Pair(StartsWith("odometry whose quaternion is off unit length"), 1)));
+}
+
+TEST(RosTranslator, TellsApartWhyAPoseHasNoPlace) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(
+      notesOfPose({1, 2, 3, 0, 0, 0, 0}),
+      ElementsAre(Pair("poses whose rotation is zero or not finite (the first: 0 0 0 0)", 2)));
+  EXPECT_THAT(
+      notesOfPose({1, 2, 3, 0, 0, nan, 1}),
+      ElementsAre(Pair("poses whose rotation is zero or not finite (the first: 0 0 nan 1)", 2)));
+  EXPECT_THAT(notesOfPose({1, INFINITY, 3, 0, 0, 0, 1}),
+              ElementsAre(Pair("poses whose position is not finite (the first: 1 inf 3)", 2)));
+
+  Translation translation;
+  const auto say = [&](const TestTransform& one) {
+    translation.of("/tf", "tf2_msgs/TFMessage", transforms(Kind::cdr_little, {one}));
+  };
+  say({"ring", "other", {0, 0, 0, 0, 0, 0, 1}});
+  say({"other", "ring", {0, 0, 0, 0, 0, 0, 1}});
+  MessageMaker pose(Kind::cdr_little);
+  pose.header(3, 0, "ring").doubles({0, 0, 0, 0, 0, 0, 1});
+  translation.of("/pose", "geometry_msgs/PoseStamped", pose.bytes());
+  EXPECT_THAT(translation.notes("/pose", FieldCursor::Layout::cdr),
+              ElementsAre(Pair("poses in a frame without a place (the first: ring)", 1)));
+
+  say({"a", "a", {0, 0, 0, 0, 0, 0, 1}});
+  say({"a", std::string(256, 'b'), {0, 0, 0, 0, 0, 0, 1}});
+  say({"a", "c", {0, 0, nan, 0, 0, 0, 1}});
+  say({"a", "c", {0, 0, 0, 0, 0, 0, 0}});
+  EXPECT_THAT(translation.notes("/tf", FieldCursor::Layout::cdr),
+              UnorderedElementsAre(
+                  Pair("transforms of a frame in itself (the first: a)", 1),
+                  Pair("transforms with a frame whose name no packet can have (the first: " +
+                           std::string(64, 'b') + ")",
+                       1),
+                  Pair("transforms whose position is not finite (the first: 0 0 nan)", 1),
+                  Pair("transforms whose rotation is zero or not finite (the first: 0 0 0 0)", 1)));
 }
 
 TEST(RosTranslator, MakesDevicesOfFramesWithoutAModel) {

@@ -49,7 +49,7 @@ class Translation {
     return std::string(made.text);
   }
 
-  const TranslationNotes& notes(std::string_view topic, FieldCursor::Layout layout) {
+  TranslationNotes notes(std::string_view topic, FieldCursor::Layout layout) {
     return translator_.notes(topics_[std::pair(std::string(topic), layout)]);
   }
 
