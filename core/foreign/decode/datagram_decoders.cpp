@@ -1,5 +1,7 @@
 #include "core/foreign/decode/datagram_decoders.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/base/pattern.h"
@@ -18,6 +20,36 @@ std::string_view hostOf(std::string_view sender) {
   std::string_view host = sender.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
   return host;
+}
+
+/// As it is declared: "robot-{number}".
+std::string nameOf(const TextTemplate& text, const Decoder& decoder) {
+  std::string name;
+  for (const TextTemplate::Part& part : text.parts) {
+    name += part.text;
+    if (part.field) name += "{" + decoder.fields[*part.field].name + "}";
+  }
+  return name;
+}
+
+/// Of the poses of one line, what is not as their packets have it.
+void addRotations(Account& account, const Decoder& decoder, const PoseLine& line,
+                  const PacketLines::Rotations& rotations) {
+  const auto add = [&](const char* kind, std::string reason, std::uint64_t count) {
+    if (count == 0) return;
+    account.leaveOut({.kind = kind,
+                      .name = nameOf(line.device, decoder),
+                      .reason = std::move(reason),
+                      .first = decoder.name,
+                      .count = count,
+                      .severity = Severity::warning});
+  };
+  add("length",
+      fmt::format("of quaternions off unit length by more than 0.001, normalised; the first has "
+                  "length {:.6g}",
+                  rotations.first_length),
+      rotations.off_unit);
+  add("pose", "a quaternion that is zero is no rotation", rotations.zero);
 }
 
 bool isFrom(const std::vector<std::string>& patterns, std::string_view sender) {
@@ -140,6 +172,9 @@ Account DatagramDecoders::leftOut() const {
       add(decoder.fields[field].name,
           "empty, over 255 bytes or otherwise no name that packets have",
           readers_[i].lines.noName()[field]);
+    }
+    for (std::size_t line = 0; line < decoder.poses.size(); ++line) {
+      addRotations(account, decoder, decoder.poses[line], readers_[i].lines.rotations()[line]);
     }
     for (std::size_t line = 0; line < decoder.signals.size(); ++line) {
       add(decoder.fields[*decoder.signals[line].value.field].name,

@@ -61,7 +61,8 @@ class DatagramDecoders {
   const DecoderSet& set() const { return *set_; }
   /// By decoder.
   const std::vector<DecodeCounts>& counts() const { return counts_; }
-  /// Values of fields that lines could not use, and those that no name of an enumeration fits.
+  /// Values of fields that lines could not use, and those that no name of an enumeration fits;
+  /// lengths of quaternions that are not 1.
   Account leftOut() const;
   /// See FieldReader::undeclared(), for the decoder that would read the datagram; empty for none.
   std::vector<FoundField> undeclared(const Route& route, ByteView payload, std::size_t most);

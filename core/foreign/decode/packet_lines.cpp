@@ -42,7 +42,8 @@ PacketLines::PacketLines(const Decoder& decoder)
       counted_at_(decoder.fields.size()),
       no_name_(decoder.fields.size()),
       named_at_(decoder.fields.size()),
-      unnamed_(decoder.signals.size()) {}
+      unnamed_(decoder.signals.size()),
+      rotations_(decoder.poses.size()) {}
 
 void PacketLines::countUnusable(std::size_t field, const FieldValue& value) {
   if (std::exchange(counted_at_[field], datagrams_) == datagrams_) return;
@@ -156,8 +157,9 @@ void PacketLines::addJoints(PacketTextWriter& packet, const JointsLine& line,
   packet.add(statement);
 }
 
-void PacketLines::addPose(PacketTextWriter& packet, const PoseLine& line,
+void PacketLines::addPose(PacketTextWriter& packet, std::size_t number,
                           std::span<const FieldValue> values) {
+  const PoseLine& line = decoder_.poses[number];
   if (!fillName(line.device, values)) return;
   const auto position = numbersOf(line.position, values);
   if (!position) return;
@@ -169,7 +171,14 @@ void PacketLines::addPose(PacketTextWriter& packet, const PoseLine& line,
   } else if (line.rotation == PoseLine::Rotation::quaternion) {
     const auto q = numbersOf(line.quaternion, values);
     if (!q) return;
-    rotation = normalized(Quat((*q)[3], (*q)[0], (*q)[1], (*q)[2]));
+    const Quat given((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
+    rotation = normalized(given);
+    Rotations& its = rotations_[number];
+    if (!rotation) {
+      ++its.zero;
+    } else if (!isUnitLength(given) && its.off_unit++ == 0) {
+      its.first_length = lengthOf(given);
+    }
   }
   if (!rotation) return;
   const std::array<double, 7> numbers = {(*position)[0], (*position)[1], (*position)[2],
@@ -242,7 +251,7 @@ void PacketLines::add(PacketTextWriter& packet, std::span<const FieldValue> valu
   ++datagrams_;
   not_finite_.clear();
   for (const JointsLine& line : decoder_.joints) addJoints(packet, line, values);
-  for (const PoseLine& line : decoder_.poses) addPose(packet, line, values);
+  for (std::size_t i = 0; i < decoder_.poses.size(); ++i) addPose(packet, i, values);
   for (std::size_t i = 0; i < decoder_.signals.size(); ++i) addSignal(packet, i, values);
   for (std::size_t i = 0; i < decoder_.events.size() && i < before.size(); ++i) {
     const EventLine& line = decoder_.events[i];

@@ -34,13 +34,21 @@ class PacketLines {
   /// By field: how often its value made no name that packets have, and a line stated nothing. Once
   /// a datagram.
   const std::vector<std::uint64_t>& noName() const { return no_name_; }
+  /// Of the quaternions of a PoseLine.
+  struct Rotations {
+    std::uint64_t off_unit = 0;  ///< off unit length, and normalised
+    double first_length = 0;     ///< of the first of these
+    std::uint64_t zero = 0;      ///< no rotation: no pose was stated
+  };
+  /// By PoseLine.
+  const std::vector<Rotations>& rotations() const { return rotations_; }
   /// By SignalLine: values that its `values` do not name.
   const std::vector<std::uint64_t>& unnamed() const { return unnamed_; }
 
  private:
   void addJoints(PacketTextWriter& packet, const JointsLine& line,
                  std::span<const FieldValue> values);
-  void addPose(PacketTextWriter& packet, const PoseLine& line, std::span<const FieldValue> values);
+  void addPose(PacketTextWriter& packet, std::size_t line, std::span<const FieldValue> values);
   void addSignal(PacketTextWriter& packet, std::size_t line, std::span<const FieldValue> values);
   /// Into name_; false, and counted, for what is no name.
   bool fillName(const TextTemplate& name, std::span<const FieldValue> values);
@@ -65,6 +73,7 @@ class PacketLines {
   std::vector<std::uint64_t> unusable_, counted_at_;  ///< by field; at which datagram the last one
   std::vector<std::uint64_t> no_name_, named_at_;     ///< the same
   std::vector<std::uint64_t> unnamed_;
+  std::vector<Rotations> rotations_;
   std::vector<std::size_t> not_finite_;
 };
 

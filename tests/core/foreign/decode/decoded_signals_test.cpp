@@ -272,6 +272,33 @@ position = ["q", "q", 0]
   EXPECT_THAT(line.leftOut(), UnorderedElementsAre(HasSubstr("1 value `q`")));
 }
 
+TEST(DecodedSignals, QuaternionsOffUnitLengthAreNamedWithTheFirst) {
+  DecodedSignals json(R"([[decoder]]
+name = "j"
+kind = "json"
+[[decoder.field]]
+name = "who"
+at = "/who"
+[[decoder.field]]
+name = "qw"
+at = "/qw"
+[[decoder.pose]]
+device = "arm-{who}"
+position = [0, 0, 0]
+quaternion = [0, 0, 0, "qw"]
+)");
+  EXPECT_EQ(json.of(R"({"who":1,"qw":1.0009})"), "pose arm-1 0 0 0 0 0 0 1");
+  EXPECT_THAT(json.leftOut(), IsEmpty());
+  EXPECT_EQ(json.of(R"({"who":1,"qw":0.5})"), "pose arm-1 0 0 0 0 0 0 1");
+  EXPECT_EQ(json.of(R"({"who":2,"qw":7})"), "pose arm-2 0 0 0 0 0 0 1");
+  EXPECT_EQ(json.of(R"({"who":2,"qw":0})"), "");
+  EXPECT_THAT(json.leftOut(),
+              UnorderedElementsAre(
+                  "2 lengths `arm-{who}` (of quaternions off unit length by more than 0.001, "
+                  "normalised; the first has length 0.5; the first at j)",
+                  "1 pose `arm-{who}` (a quaternion that is zero is no rotation; at j)"));
+}
+
 TEST(DecodedSignals, TextsThatMakeNoNameAreCountedOnceADatagram) {
   DecodedSignals json(R"([[decoder]]
 name = "j"
