@@ -65,6 +65,8 @@ void SignalJudge::Worst::hit(const PacketPlace& place, double how_bad, double of
 }
 
 bool SignalJudge::Signal::isClean() const {
+  // Of its numbers, that they were in the cell's unit.
+  if (was_in_unit && expected != nullptr && !expected->unit.empty()) return false;
   return kinds.count + units.count + not_numbers.count + two_writers.tally.count == 0 &&
          range.tally.count + jump.tally.count + rate.tally.count + stuck.tally.count == 0 &&
          values.empty() && transitions.empty();
@@ -74,7 +76,7 @@ void SignalJudge::Signal::drop() {
   kinds = units = not_numbers = {};
   two_writers = {};
   range = jump = rate = stuck = {};
-  is_stuck = false;
+  is_stuck = was_in_unit = false;
   values.clear();
   transitions.clear();
 }
@@ -145,6 +147,7 @@ void SignalJudge::judge(Signal& signal, const Statement& statement, std::size_t 
     // `signals` goes on in the unit that was stated last.
     if (statement.kind == StatementKind::signal) signal.is_other_unit = is_other;
     if (!statement.unit.empty() && signal.unit != statement.unit) signal.unit = statement.unit;
+    signal.was_in_unit = signal.was_in_unit || !signal.is_other_unit;
     judgeNumber(signal, number, follows && !is_other, place);
     if (!follows || signal.number != number) {
       signal.changed = place.time;
@@ -301,9 +304,15 @@ void SignalJudge::reportOne(const Key& key, const Signal& signal,
       fmt::format("{} is first a {} and then a {}", title, signal.first_kind, signal.other_kind));
   const bool is_unjudged = signal.expected != nullptr && !signal.expected->unit.empty() &&
                            (signal.expected->range || signal.expected->jump);
+  const bool is_never_in_unit =
+      signal.expected != nullptr && !signal.expected->unit.empty() && !signal.was_in_unit;
   add(signal.units, "signal.unit",
-      fmt::format("{} is in {}, and in {}{}", title, signal.first_unit, signal.other_unit,
-                  is_unjudged ? "; the numbers in another unit are not judged" : ""));
+      is_never_in_unit
+          ? fmt::format("{} is stated in {}, never in {}, which the cell expects{}", title,
+                        signal.other_unit, signal.first_unit,
+                        is_unjudged ? "; none of its numbers is judged" : "")
+          : fmt::format("{} is in {}, and in {}{}", title, signal.first_unit, signal.other_unit,
+                        is_unjudged ? "; the numbers in another unit are not judged" : ""));
   signal.two_writers.report(name, title + " is", sources, findings);
   if (signal.expected == nullptr) return;
   const CellSignal& expected = *signal.expected;

@@ -79,6 +79,7 @@ class SignalJudge {
     bool is_counted = false;  ///< a window has begun
 
     bool is_other_unit = false;  ///< than the cell's: not judged as a number
+    bool was_in_unit = false;    ///< some number was, since findings were dropped
     std::uint32_t writer = TwoSources::kNobody;
 
     TwoSources two_writers;

@@ -106,9 +106,18 @@ TEST_F(SignalCheckTest, NumbersInAnotherUnitAreNamedAndNotJudged) {
   say("signals arm load=99");  // still newtons
   CheckReport found = report();
   ASSERT_THAT(rules(found), ElementsAre("signal.unit"));
-  EXPECT_THAT(found.findings[0].text, HasSubstr("not judged"));
+  EXPECT_THAT(found.findings[0].text,
+              HasSubstr("signal arm load is stated in N, never in kg, which the cell expects; none "
+                        "of its numbers is judged"));
+  // What was in the unit stays known when the signal has no value any more.
   say("signal arm load 99 kg");
-  EXPECT_THAT(rules(report()), ::testing::Contains("signal.range"));
+  say("signal arm load default");
+  say("signal arm load 1 N");
+  found = report();
+  EXPECT_THAT(rules(found), ::testing::Contains("signal.range"));
+  EXPECT_THAT(found.findings, ::testing::Contains(::testing::Field(
+                                  &Finding::text, HasSubstr("is in kg, and in N; the numbers in "
+                                                            "another unit are not judged"))));
 }
 
 TEST_F(SignalCheckTest, TwoSourcesOfOneSignalAreFound) {
