@@ -33,6 +33,19 @@ std::optional<LogTime> LineRecording::origin() const {
   return LogTime{};
 }
 
+Account LineRecording::account() const {
+  Account account = rows_.account();
+  const OverwrittenRows& overwritten = rows_.overwritten();
+  if (overwritten.count() > 0) {
+    account.leaveOut({.kind = unit_,
+                      .reason = std::string("overwritten by a later ") + unit_ + " of its time",
+                      .first = "line " + std::to_string(overwritten.firstLine()),
+                      .count = overwritten.count(),
+                      .severity = Severity::warning});
+  }
+  return account;
+}
+
 std::vector<std::string> LineRecording::damage() const {
   std::vector<std::string> sentences;
   const auto tell = [&](std::uint64_t count, const char* what, std::size_t line) {
@@ -59,6 +72,7 @@ Result<std::optional<ros::BagMessage>> LineRecording::next() {
       continue;
     }
     if (isRemark(*line)) continue;
+    rows_.atLine(lines_.number());
     const std::optional<Row> row = rowOf(*line);
     if (!row) {
       if (timeless_++ == 0) first_timeless_ = lines_.number();

@@ -24,7 +24,7 @@ class LineRecording : public ros::BagReader {
   Result<std::optional<Bytes>> lastOf(std::size_t) final { return std::optional<Bytes>(); }
   double part() const final { return lines_.part(); }
   void useDevices(const ros::DeviceFinder& devices) final { rows_.useDevices(devices); }
-  Account account() const override { return rows_.account(); }
+  Account account() const override;
   /// Times are shown as the text has them, unless they are dates.
   std::optional<LogTime> origin() const final;
   std::vector<std::string> damage() const final;

@@ -101,6 +101,9 @@ void RowTranslation::makePlans() {
     }
   }
   std::erase_if(plans_, is_part);
+  followed_.clear();
+  for (const std::string& name : names_) followed_.push_back(overwritten_.numberOf(name));
+  for (const Unused& each : unused_) followed_[each.place] = OverwrittenRows::kNoName;
 }
 
 /// A pose without a device, as TUM writes it.
@@ -225,6 +228,14 @@ void RowTranslation::nameUnused(std::span<const double> numbers) {
     leaveOut(names_[each.place], each.reason, each.severity);
     return true;
   });
+}
+
+void RowTranslation::noteStated(Nanoseconds time, std::span<const double> numbers,
+                                std::span<const Word> words) {
+  for (std::size_t place = 0; place < numbers.size(); ++place) {
+    if (std::isfinite(numbers[place])) overwritten_.state(followed_[place], time, line_);
+  }
+  for (const Word& word : words) overwritten_.state(followed_[word.place], time, line_);
 }
 
 void RowTranslation::addJoint(const std::string& device, const std::string& joint,
@@ -377,6 +388,7 @@ RowTranslation::Outcome RowTranslation::translate(Nanoseconds time, std::span<co
   }
   if (!signals_.empty() || !words.empty()) saySignals(numbers, words);
   if (!packet_.hasStatements()) return {};
+  noteStated(time, numbers, words);
   return {packet_.text(), false};
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/time.h"
+#include "core/foreign/recordings/overwritten_rows.h"
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/device_finder.h"
 #include "core/packet/item_text.h"
@@ -47,6 +48,9 @@ class RowTranslation {
   };
   Outcome translate(Nanoseconds time, std::span<const double> numbers,
                     std::span<const Word> words = {});
+  /// The line of the next row, from 1.
+  void atLine(std::size_t line) { line_ = line; }
+  const OverwrittenRows& overwritten() const { return overwritten_; }
 
   /// A name whose values are no numbers of a device.
   void leaveOut(std::string_view name, std::string_view reason, Severity severity);
@@ -82,6 +86,7 @@ class RowTranslation {
   std::string deviceOfPlain(std::string_view topic) const;
   void saySignals(std::span<const double> row, std::span<const Word> words);
   void nameUnused(std::span<const double> numbers);
+  void noteStated(Nanoseconds time, std::span<const double> numbers, std::span<const Word> words);
   bool sayPose(const DevicePlan& plan, std::span<const double> row);
   void sayJoints(const DevicePlan& plan, std::span<const double> row);
 
@@ -103,6 +108,9 @@ class RowTranslation {
   std::string kind_;
   std::set<std::string, std::less<>> named_;  ///< in the account
   Account account_;
+  OverwrittenRows overwritten_;
+  std::vector<std::size_t> followed_;  ///< by place: the name's number; kNoName: no packet says it
+  std::size_t line_ = 0;
 };
 
 }  // namespace rocinante

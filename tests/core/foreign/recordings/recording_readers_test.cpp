@@ -147,6 +147,28 @@ TEST(TableRecording, NamesTheColumnsThatSayTheSame) {
   EXPECT_TRUE(importedFrom(table("t,arm.a,leg.a\n1,2,3\n"))->report.account.empty());
 }
 
+std::string accountOfText(Opened text) {
+  const auto made = importedFrom(std::move(text));
+  return made ? accountSentence(made->report.account) : made.error().text();
+}
+
+TEST(TableRecording, CountsRowsThatALaterOneOfTheirTimeOverwrites) {
+  // Three objects in one column: the last of each time is left.
+  EXPECT_EQ(accountOfText(table("t,arm.a,object\n0,1,0\n0,2,1\n0,3,2\n1,4,0\n1,5,1\n1,6,2\n")),
+            "left out: 4 rows (overwritten by a later row of its time; the first at line 2)");
+  // A row of which a part was overwritten counts once; out of order, too.
+  EXPECT_EQ(accountOfText(table("t,arm.a,arm.b\n0,1,1\n0,2,\n1,3,4\n0,,2\n1,,\n")),
+            "left out: 1 row (overwritten by a later row of its time; at line 2)");
+  // Rows of one time with different values are what a long table is.
+  EXPECT_EQ(accountOfText(table("t,joint,value\n0,a,1\n0,b,2\n1,a,1\n1,b,2\n")), "");
+  EXPECT_EQ(accountOfText(table("t,arm.a,arm.b\n0,1,\n0,,2\n1,1,\n1,,2\n")), "");
+  EXPECT_EQ(accountOfText(table("t,joint,value\n0,a,1\n0,b,2\n0,a,3\n")),
+            "left out: 1 row (overwritten by a later row of its time; at line 2)");
+  EXPECT_EQ(accountOfText(lines("{\"t\":0,\"arm\":{\"a\":1}}\n{\"t\":0,\"arm\":{\"b\":1}}\n"
+                                "{\"t\":0,\"arm\":{\"b\":2}}\n")),
+            "left out: 1 line (overwritten by a later line of its time; at line 2)");
+}
+
 TEST(TableRecording, RefusesATextWithoutAHeader) {
   for (const char* const text : {"", "\n\n", "a,b\n1,2\n", "t\n1\n", "t,\n1,2\n", "\"t,a\n"}) {
     SCOPED_TRACE(text);
