@@ -110,7 +110,13 @@ Pose UrdfElement::origin() const {
   if (!given) return {};
   const Vec3 position = given->vector("xyz").value_or(Vec3{0, 0, 0});
   if (const auto turn = given->vector4("quat_xyzw")) {
-    if (const auto unit = normalized(Quat{turn->w, turn->x, turn->y, turn->z})) {
+    const Quat stated{turn->w, turn->x, turn->y, turn->z};
+    if (const auto unit = normalized(stated)) {
+      if (!isUnitLength(stated)) {
+        faults().leaveOut("length", "origin/@quat_xyzw", given->place("quat_xyzw"),
+                          "it is off 1 by more than 0.001, and the quaternion is normalised",
+                          Severity::warning);
+      }
       return {position, *unit};
     }
     faults().error("urdf.bad-number", given->place("quat_xyzw"),

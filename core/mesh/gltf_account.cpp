@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <set>
 #include <string>
 #include <string_view>
 
+#include "core/math/transform.h"
 #include "core/mesh/gltf_document.h"
 #include "core/mesh/gltf_materials.h"
 #include "core/mesh/gltf_primitive.h"
@@ -176,6 +178,18 @@ class GltfAccount {
     }
   }
 
+  void nameRotation(const GltfJson& node, const std::string& place) {
+    const auto q = node.find("rotation");
+    if (q == node.end() || node.contains("matrix")) return;
+    const auto part = [&](std::size_t i) { return (*q)[i].get<double>(); };
+    const double length = lengthOf(Quat(part(3), part(0), part(1), part(2)));
+    if (std::abs(length - 1) <= kUnitLengthTolerance) return;
+    leaveOut("length", "rotation", place,
+             length > 0 ? "it is off 1 by more than 0.001, and the quaternion is normalised"
+                        : "it is 0, which is no rotation",
+             Severity::warning);
+  }
+
   void nameNodes() {
     const GltfJson& nodes = document_.all("nodes");
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -183,6 +197,7 @@ class GltfAccount {
       if (!is_drawn_[i] && nodes[i].contains("mesh")) {
         leaveOut("node", gltfName(nodes[i]), place, "it is not in the scene that is drawn");
       }
+      nameRotation(nodes[i], place);
       const bool has_skin = nodes[i].contains("skin");
       if (has_skin && !nodes[i].contains("mesh")) {
         leaveOut("field", "skin", place, "the node has no mesh");

@@ -64,6 +64,20 @@ TEST(UrdfAccount, NamesWhatIsKnownAndNotUsed) {
                              HasSubstr("1 element `dynamics` (motion is shown, not simulated")));
 }
 
+TEST(UrdfAccount, NamesAQuaternionThatIsNormalised) {
+  const auto faultsOf = [](const std::string& turn) {
+    return ReadUrdf(
+               "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\n"
+               "<joint name=\"j\" type=\"fixed\"><origin quat_xyzw=\"" +
+               turn + "\"/><parent link=\"a\"/><child link=\"b\"/></joint></robot>")
+        .faultText();
+  };
+  EXPECT_EQ(faultsOf("0 0 0 1.0009"), "");
+  EXPECT_THAT(faultsOf("5 6 7 8"),
+              HasSubstr("length `origin/@quat_xyzw` is left out: it is off 1 by more than 0.001, "
+                        "and the quaternion is normalised"));
+}
+
 TEST(UrdfAccount, CountsExtensionsAndWarnsOfTypos) {
   const ReadUrdf read(R"(<robot name="r" xmlns:drake="http://drake.mit.edu">
 <link name="a" drake:ignore="1"><drake:stiff/><drake:stiff/></link><link name="b"/>

@@ -251,6 +251,25 @@ TEST(GltfAccount, WhatIsNotUsedIsNamedOnceWithItsCount) {
   }
 }
 
+TEST(GltfAccount, RotationsOffUnitLengthAreNamed) {
+  GltfText json = gltfModel("materials");
+  GltfText& node = json["nodes"][0];
+  node.erase("matrix");
+  const auto said = [&](std::vector<double> turn) {
+    node["rotation"] = std::move(turn);
+    std::string text;
+    for (const Finding& fault : readGltfText(json).faults) text += fault.print() + "\n";
+    return text;
+  };
+  EXPECT_THAT(said({0, 0, 0, 1.0009}), testing::Not(testing::HasSubstr("`rotation`")));
+  EXPECT_THAT(said({5, 6, 7, 8}),
+              testing::HasSubstr("length `rotation` is left out: nodes[0]: it is off 1 by more "
+                                 "than 0.001, and the quaternion is normalised"));
+  EXPECT_THAT(said({0, 0, 0, 0}),
+              testing::HasSubstr("length `rotation` is left out: nodes[0]: it is 0, which is no "
+                                 "rotation"));
+}
+
 /// What came of a file: its picture's content and what was said.
 std::string signatureOf(const GltfText& json) {
   Findings faults;
