@@ -127,7 +127,7 @@ void GltfMaterialReader::readTexture(const GltfJson& info, Material& material) {
   if (const auto source = gltfIndex(texture, "source")) {
     useImage(*source, material);
   } else {
-    material.missing_map = "a kind of image that is not read";
+    material.missing_map = kUnreadImage;
     faults_.warning("mesh.missing-texture", {},
                     fmt::format("the texture of material {} has only an image of an extension",
                                 quotedInFault(material.name)),

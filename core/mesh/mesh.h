@@ -24,6 +24,9 @@ enum class AlphaMode : std::uint8_t {
 /// What a picture shows outside [0, 1] of its coordinates.
 enum class TextureWrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
 
+/// Material::missing_map of an image that no reader reads, wherever it lies.
+inline constexpr const char* kUnreadImage = "a kind of image that is not read";
+
 /// How a surface looks. Colours are display values (sRGB-encoded) in [0, 1], as MTL and URDF write
 /// them.
 struct Material {

@@ -103,6 +103,9 @@ class ArtifactApprover {
     const auto of_case = std::ranges::find(suite_.cases, judged.frame.case_name, &SuiteCase::name);
     const SuiteCase* const drawn_case = of_case == suite_.cases.end() ? nullptr : &*of_case;
     if (Status may = mayAccept(judged, drawn_case, report_.renderer, manifest_); !may) return may;
+    if (!judged.lacks.empty() && !arguments_.anyway) {
+      return refusedFrame(name, lacksRefusal(judged.lacks));
+    }
     if (auto staged = approval_.stage(name, std::move(accepted), *judged.drawn,
                                       judged.areas ? &*judged.areas : nullptr, arguments_.also);
         !staged) {

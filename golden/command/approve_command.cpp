@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/atomic_file.h"
+#include "core/base/plain_text.h"
 #include "core/cli/progress_line.h"
 #include "golden/approval/approval.h"
 #include "golden/approval/approval_list.h"
@@ -167,6 +168,9 @@ class Approver {
     if (list_ && list_->find(frame.name)->second != accepted.pixels) {
       return refusal(frame, "the frame drawn now is not the picture that the list accepts");
     }
+    if (const auto lacks = session_.lacks(); !lacks.empty() && !arguments_.anyway) {
+      return refusal(frame, lacksRefusal(lacks));
+    }
     if (auto may = mayApprove(session_, frame, *drawn); !may) return may;
     if (arguments_.interactive) {
       const auto answer = askAbout(frame);
@@ -266,18 +270,20 @@ cli::CommandLine addApproveCommand(cli::CommandLine app, ApproveArguments& argum
       .needs(run);
   command.addFlag("--anyway", arguments.anyway,
                   "also a log of a run that `check` finds incompatible, or that widens what is "
-                  "accepted very far");
+                  "accepted very far; also pictures that lack a texture");
   return command;
+}
+
+std::string lacksRefusal(const std::vector<std::string>& lacks) {
+  return fmt::format("not approved since {}{}; --anyway approves it all the same",
+                     plainText(lacks.front()),
+                     lacks.size() == 1 ? "" : fmt::format(", and {} more", lacks.size() - 1));
 }
 
 Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
   if (!arguments.run.empty()) return approveRunOfSuite(arguments);
   if (arguments.interactive && ::isatty(STDIN_FILENO) != 1) {
     return Error{ErrorKind::refused, "--interactive needs a terminal as standard input", {}};
-  }
-  if (arguments.anyway && arguments.from.empty()) {
-    return Error{ErrorKind::bad_argument, "accepts logs of runs: it needs --run or --from",
-                 "--anyway"};
   }
   auto list = listOf(arguments);
   if (!list.ok()) return list.error();

@@ -16,6 +16,7 @@
 #include "golden/command/commands.h"
 #include "golden/judge/suite_runs.h"
 #include "golden/report/report.h"
+#include "golden/report/report_runs.h"
 #include "golden/suite/suite_neighbours.h"
 #include "golden/why/accepted_cells.h"
 #include "golden/why/file_change.h"
@@ -54,7 +55,8 @@ class Objections {
     if (!report.ok()) return report.error();
     for (const Finding& finding : report->findings) {
       if (report->isFailure(finding) && !isOfMeshFile(finding.rule)) {
-        found_.push_back(fmt::format("{} [{}]", plainText(finding.text), finding.rule));
+        const std::string hint = finding.hint.empty() ? "" : " (" + plainText(finding.hint) + ")";
+        found_.push_back(fmt::format("{}{} [{}]", plainText(finding.text), hint, finding.rule));
       }
     }
     if (report->verdict == CheckVerdict::nothing_judged && found_.empty()) {
@@ -89,13 +91,7 @@ class Objections {
       fmt::print("  widens: {} more\n", findings.size() - kMostPrinted);
     }
     for (const RunFinding& finding : findings) {
-      if (!finding.largest || finding.limit <= 0) continue;
-      if (*finding.largest <= kMostWidening * finding.limit) continue;
-      found_.push_back(
-          fmt::format("{} is {} beyond what was accepted, more than {} times its "
-                      "limit of {}",
-                      finding.item, figureText(*finding.largest, finding.unit), kMostWidening,
-                      figureText(finding.limit, finding.unit)));
+      if (widensFar(finding)) found_.push_back(widensFarText(finding));
     }
   }
 
@@ -232,7 +228,11 @@ Result<cli::Exit> approveReportedRun(const ApproveArguments& arguments, const Ju
 }
 
 Result<cli::Exit> approveRunOfSuite(const ApproveArguments& arguments) {
-  return approveOneRun(arguments, "");
+  auto done = approveOneRun(arguments, "");
+  if (done.ok() || done.error().kind != ErrorKind::refused || cli::stopRequested()) return done;
+  // As of a list: it could be judged, and is not kept.
+  cli::warn(done.error().text());
+  return cli::Exit::no;
 }
 
 }  // namespace rocinante

@@ -40,10 +40,12 @@ struct ApproveArguments {
   bool interactive = false;
   std::string run;       ///< accept the log under test of this run instead of frames
   bool replace = false;  ///< of a run: instead of the logs accepted so far
-  bool anyway = false;   ///< of a run: also a log that is refused otherwise
+  bool anyway = false;   ///< also a log that is refused otherwise, or a picture without its texture
   bool also = false;     ///< keep the pictures accepted so far
 };
 cli::CommandLine addApproveCommand(cli::CommandLine app, ApproveArguments& arguments);
+/// "not approved since the texture `a.png` is not found: ...; --anyway approves it all the same".
+std::string lacksRefusal(const std::vector<std::string>& lacks);
 /// Makes the frames drawn now the goldens of the selected frames.
 Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments);
 
@@ -154,7 +156,5 @@ Result<cli::Exit> approveListedRun(const ApproveArguments& arguments, const std:
 /// The same with the copy of the log in a report of CI.
 Result<cli::Exit> approveReportedRun(const ApproveArguments& arguments, const JudgedRun& run,
                                      const std::string& bytes);
-
-inline constexpr double kMostWidening = 10;
 
 }  // namespace rocinante

@@ -116,6 +116,8 @@ std::string acceptCommand(const SuiteReport& report, const SuiteArguments& argum
       !std::ranges::all_of(report.frames, isFine, &JudgedFrame::verdict) || report.shards > 1;
   if (has_frames || report.runs.empty()) {
     text = commandText("approve", arguments) + " -m 'WHY'";
+    const auto isWhole = [](const JudgedFrame& frame) { return frame.lacks.empty(); };
+    if (!std::ranges::all_of(report.frames, isWhole)) text += " --anyway";
   }
   SuiteArguments of_run = arguments;
   of_run.only.clear();
@@ -124,8 +126,10 @@ std::string acceptCommand(const SuiteReport& report, const SuiteArguments& argum
   of_run.shard.clear();
   for (const JudgedRun& run : report.runs) {
     if (run.verdict != FrameVerdict::different && run.verdict != FrameVerdict::missing) continue;
-    text += fmt::format("{}{} -m 'WHY' --run {}", text.empty() ? "" : " && ",
-                        commandText("approve", of_run), shellWord(run.name));
+    const bool is_far = std::ranges::any_of(run.judgement.findings, widensFar);
+    text +=
+        fmt::format("{}{} -m 'WHY' --run {}{}", text.empty() ? "" : " && ",
+                    commandText("approve", of_run), shellWord(run.name), is_far ? " --anyway" : "");
   }
   return text;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/cell/cell.h"
 #include "golden/judge/case_mask.h"
@@ -25,6 +26,8 @@ class FrameDrawer {
   /// What the session has said by then; empty for a cell at rest.
   virtual Result<SessionState> state(const FrameRequest& request) = 0;
   virtual const Cell& cell() const = 0;
+  /// Textures that are there and cannot be read, after the first frame.
+  virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 /// Draws by a FrameMaker, which it borrows.
@@ -41,6 +44,7 @@ class SceneDrawer : public FrameDrawer {
   }
   Result<SessionState> state(const FrameRequest& request) override;
   const Cell& cell() const override { return maker_.cell(); }
+  std::vector<std::string> warnings() const override { return maker_.warnings(); }
 
  private:
   FrameMaker& maker_;

@@ -102,6 +102,15 @@ void addCoverageNotes(std::span<const JudgedFrame> judged, std::vector<std::stri
   if (!left_out.empty()) notes.push_back(accountSentence(left_out));
 }
 
+/// Each once, though all pictures of a cell lack it.
+void addLackNotes(std::span<const JudgedFrame> judged, std::vector<std::string>& notes) {
+  for (const JudgedFrame& one : judged) {
+    for (const std::string& lack : one.lacks) {
+      if (std::ranges::find(notes, lack) == notes.end()) notes.push_back(lack);
+    }
+  }
+}
+
 bool isLeftOver(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   return (name.starts_with(".") && name.ends_with(".png.new")) || isManifestPart(file) ||
@@ -192,6 +201,7 @@ std::vector<std::string> suiteNotes(std::span<const JudgedFrame> judged) {
   addIdleMasks(judged, notes);
   addLooseLimits(judged, notes);
   addCoverageNotes(judged, notes);
+  addLackNotes(judged, notes);
   return notes;
 }
 

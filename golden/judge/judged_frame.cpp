@@ -74,11 +74,11 @@ void fields(Fields& io, Taken<Fields, RunCoverage>& coverage) {
 template <class Fields>
 void fields(Fields& io, Taken<Fields, JudgedFrame>& judged) {
   auto& [frame, verdict, rule, tolerance, limit_from, expectation, comparison, masks, own_masks,
-         coverage, key, pixels, inputs, session, decoded, golden, drawn, accepted, unmasked, areas,
-         thumbnail, why, run_command, approve_command, page, render_ms, judge_ms] = judged;
-  io(verdict, rule, tolerance, limit_from, expectation, comparison, masks, own_masks, coverage, key,
-     pixels, inputs, session, decoded, golden, drawn, accepted, unmasked, areas, thumbnail,
-     run_command, approve_command, page, render_ms, judge_ms);
+         coverage, lacks, key, pixels, inputs, session, decoded, golden, drawn, accepted, unmasked,
+         areas, thumbnail, why, run_command, approve_command, page, render_ms, judge_ms] = judged;
+  io(verdict, rule, tolerance, limit_from, expectation, comparison, masks, own_masks, coverage,
+     lacks, key, pixels, inputs, session, decoded, golden, drawn, accepted, unmasked, areas,
+     thumbnail, run_command, approve_command, page, render_ms, judge_ms);
 }
 
 Bytes wireBytes(const JudgedFrame& judged) {

@@ -50,6 +50,8 @@ struct JudgedFrame {
   /// Devices that the frame judges, and those that the nearest golden had in addition. Empty: it
   /// was not drawn, or an older version judged it.
   std::optional<RunCoverage> coverage{};
+  /// What the picture lacks, which it is judged without: SuiteSession::lacks().
+  std::vector<std::string> lacks{};
   std::string key;                        ///< renderer, size, samples
   std::string pixels;                     ///< hash of the drawn picture
   std::string inputs;                     ///< hash of its textures, glyphs and geometry

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/check/log_account.h"
 #include "core/cli/opened_session.h"
@@ -240,6 +241,15 @@ Result<std::string> SuiteSession::instability(const SuiteFrame& frame, const Pic
   return instabilityRule(*found, identity.ok() ? &*identity : nullptr);
 }
 
+std::vector<std::string> SuiteSession::lacks() const {
+  std::vector<std::string> lacks = missingTextureTexts(cell_);
+  if (!drawer_) return lacks;
+  for (const std::string& warning : drawer_->warnings()) {
+    lacks.push_back("a texture is not drawn: " + cell_.shown(plainText(warning)));
+  }
+  return lacks;
+}
+
 Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
   const SuiteCase& made = *frame.suite_case;
   const auto draws = drawer();
@@ -273,6 +283,7 @@ Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
   }
   judged.pixels = pictureXxh3(*drawn);
   judged.drawn = std::move(*drawn);
+  judged.lacks = lacks();
   auto covered = coverage(frame);
   if (!covered.ok()) return covered.error();
   judged.coverage = std::move(*covered);

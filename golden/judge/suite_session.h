@@ -76,6 +76,9 @@ class SuiteSession {
   Result<std::string> key(const SuiteCase& suite_case);
   /// The areas of the case's masks in this frame; empty for a case without masks.
   Result<std::optional<CaseAreas>> areas(const SuiteFrame& frame);
+  /// What every picture lacks and is judged without all the same: textures that are not there, or
+  /// cannot be read, a sentence each. After the first frame was drawn.
+  std::vector<std::string> lacks() const;
   /// The devices that a frame with a time judges.
   Result<RunCoverage> coverage(const SuiteFrame& frame);
 

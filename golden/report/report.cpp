@@ -80,6 +80,7 @@ Json frameJson(const JudgedFrame& judged) {
   if (!judged.frame.camera.empty()) frame["camera"] = judged.frame.camera;
   if (!judged.frame.tags.empty()) frame["tags"] = judged.frame.tags;
   if (judged.coverage) frame["coverage"] = coverageJson(*judged.coverage);
+  if (!judged.lacks.empty()) frame["lacks"] = judged.lacks;
   if (!judged.expectation.empty()) frame["expectation"] = judged.expectation;
   if (judged.frame.time) frame["log_time_ns"] = judged.frame.time->time_since_epoch().count();
   if (judged.golden) {
@@ -160,7 +161,7 @@ bool canApprove(const JudgedFrame& judged) {
 
 bool canApproveRun(const JudgedRun& run) {
   const bool may = run.verdict == FrameVerdict::different || run.verdict == FrameVerdict::missing;
-  return may && !run.log_bytes.empty();
+  return may && !run.log_bytes.empty() && std::ranges::none_of(run.judgement.findings, widensFar);
 }
 
 std::string reportJson(const SuiteReport& report) {

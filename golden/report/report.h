@@ -56,7 +56,8 @@ inline std::string runPageFile(const JudgedRun& run) { return run.name + ".run.h
 /// A copy of a run's log beside the report, which `approve --artifact` takes.
 inline std::string runLogFile(const JudgedRun& run) { return run.name + ".run.mcap"; }
 inline constexpr std::uint64_t kMaxRunLogBytes = std::uint64_t{64} << 20U;
-/// True for a run whose log may be accepted by a list: it was not accepted yet, and is known.
+/// True for a run whose log may be accepted by a list: it was not accepted yet, is known, and is
+/// not refused without --anyway.
 bool canApproveRun(const JudgedRun& run);
 /// True for a frame that may become a golden: it was drawn, is stable, and is not one already.
 bool canApprove(const JudgedFrame& judged);

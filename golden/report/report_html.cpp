@@ -131,7 +131,7 @@ Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, const s
                {"tolerance", toleranceText(judged)},
                {"facts", factsJson(judged)},
                {"pictures", picturesJson(judged, pictures)},
-               {"can_approve", canApprove(judged)}};
+               {"can_approve", canApprove(judged) && judged.lacks.empty()}};
   if (frame.time && !report.log.empty()) {
     json["moment"] = rfc3339Text(WallTime(frame.time->time_since_epoch()));
   }

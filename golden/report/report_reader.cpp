@@ -214,6 +214,7 @@ Result<JudgedFrame> frameOf(const ReportJson& entry, const SuiteReport& report,
   judged.inputs = fieldOf<std::string>(entry, "inputs");
   judged.session = report.session;
   judged.decoded = report.decoded;
+  judged.lacks = textsOf(entry, "lacks");
   if (entry.contains("coverage")) judged.coverage = readCoverage(entry);
   readFigures(entry, judged);
   readLimits(entry, judged);

@@ -195,6 +195,28 @@ std::string acceptingLimits(const JudgedRun& run) {
 
 }  // namespace
 
+namespace {
+
+/// Why its log is refused when somebody accepts it; empty: it may not be.
+std::string refusalText(const JudgedRun& run) {
+  const auto& findings = run.judgement.findings;
+  const auto far = std::ranges::find_if(findings, widensFar);
+  if (run.line == 0 || far == findings.end()) return {};
+  return "accepting it needs --anyway: " + plainText(widensFarText(*far));
+}
+
+}  // namespace
+
+bool widensFar(const RunFinding& finding) {
+  return finding.largest && finding.limit > 0 && *finding.largest > kMostWidening * finding.limit;
+}
+
+std::string widensFarText(const RunFinding& finding) {
+  return fmt::format("{} is {} beyond what was accepted, more than {} times its limit of {}",
+                     finding.item, figureText(finding.largest.value_or(0), finding.unit),
+                     kMostWidening, figureText(finding.limit, finding.unit));
+}
+
 std::vector<std::string> runReasons(const JudgedRun& run, std::size_t most) {
   std::vector<std::string> lines;
   const auto& findings = run.judgement.findings;
@@ -207,6 +229,7 @@ std::vector<std::string> runReasons(const JudgedRun& run, std::size_t most) {
   if (const std::string limits = acceptingLimits(run); !limits.empty()) {
     lines.push_back("to accept what moved: limits = { " + plainText(limits) + " }");
   }
+  if (std::string refusal = refusalText(run); !refusal.empty()) lines.push_back(std::move(refusal));
   return lines;
 }
 
@@ -214,7 +237,8 @@ std::string runText(const JudgedRun& run) {
   std::string text =
       fmt::format("{:<13} {}: {}\n", nameOf(run.verdict), run.name, plainText(run.rule));
   const auto& findings = run.judgement.findings;
-  if (findings.size() > 1 || !run.changes.empty() || !acceptingLimits(run).empty()) {
+  if (findings.size() > 1 || !run.changes.empty() || !acceptingLimits(run).empty() ||
+      !refusalText(run).empty()) {
     text += fmt::format("why {}:\n", run.name);
     for (const std::string& line : runReasons(run, 30)) text += fmt::format("    {}\n", line);
   }

@@ -9,6 +9,12 @@
 
 namespace rocinante {
 
+/// An accepted log may leave what was accepted by so many limits; further only with --anyway.
+inline constexpr double kMostWidening = 10;
+bool widensFar(const RunFinding& finding);
+/// "arm/elbow is 1.15° beyond what was accepted, more than 10 times its limit of 0.05°"
+std::string widensFarText(const RunFinding& finding);
+
 /// The lines that `run` prints: the verdict, then each finding, what changed, and what was not
 /// judged.
 std::string runText(const JudgedRun& run);

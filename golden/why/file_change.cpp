@@ -61,6 +61,35 @@ bool haveSameMeaning(const std::string& name, const std::string& golden, const s
   return meaningOf(before->second, is_xml) == meaningOf(now->second, is_xml);
 }
 
+/// Whether `text` names the file: its name without folders, as a whole word.
+bool names(std::string_view text, const std::string& file) {
+  const std::string name = std::filesystem::path(file).filename().string();
+  const auto isOfName = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
+  };
+  for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool begins = at == 0 || !isOfName(text[at - 1]);
+    if (begins && (end == text.size() || !isOfName(text[end]))) return true;
+  }
+  return false;
+}
+
+/// A text of both cells that names the file: then it is the file that was or is missing. Empty:
+/// none that is known.
+std::string namedByBoth(const std::string& file, const FileHashes& golden, const FileHashes& frame,
+                        const FileTexts& texts) {
+  for (const auto& [name, hash] : golden) {
+    const auto now = frame.find(name);
+    if (now == frame.end()) continue;
+    const auto before_text = texts.find(hash), now_text = texts.find(now->second);
+    if (before_text == texts.end() || now_text == texts.end()) continue;
+    if (names(before_text->second, file) && names(now_text->second, file)) return plainText(name);
+  }
+  return {};
+}
+
 }  // namespace
 
 FileHashes hashesOf(const CellBundle& bundle) {
@@ -110,9 +139,14 @@ std::vector<FileChange> fileChanges(const FileHashes& golden, const FileHashes& 
       changes.push_back({name + ": the " + role + what, is_told});
     };
     if (before == golden.end()) {
-      if (!isElsewhere(golden, frame, *now)) add(" is new");
+      if (isElsewhere(golden, frame, *now)) continue;
+      const std::string by = namedByBoth(file, golden, frame, texts);
+      add(by.empty() ? " is new" : " is there now; it was missing, though " + by + " named it");
     } else if (now == frame.end()) {
-      if (!isElsewhere(frame, golden, *before)) add(" is no longer part of the cell");
+      if (isElsewhere(frame, golden, *before)) continue;
+      const std::string by = namedByBoth(file, golden, frame, texts);
+      add(by.empty() ? " is no longer part of the cell"
+                     : " is missing, though " + by + " names it");
     } else if (before->second != now->second &&
                !haveSameMeaning(file, before->second, now->second, texts)) {
       add(role.ends_with('s') ? " have changed" : " has changed");

@@ -23,7 +23,8 @@ struct FileChange {
   bool is_told = false;  ///< isToldText(): what changed in it is known where its text is
 };
 /// One per file, sorted by name. `texts` by hash; a text that differs only in comments and white
-/// space has not changed, nor has a file that only has another name.
+/// space has not changed, nor has a file that only has another name. A file that a text of both
+/// cells names is missing, or was, where only one has it.
 std::vector<FileChange> fileChanges(const FileHashes& golden, const FileHashes& frame,
                                     const FileTexts& texts = {});
 

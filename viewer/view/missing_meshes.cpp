@@ -3,10 +3,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string_view>
 
 #include "core/base/plain_text.h"
+#include "core/document/fault_list.h"
 
 namespace rocinante {
+namespace {
+
+/// Not an image that is drawn nowhere: of an address, of a template, of a kind that is not read.
+bool isFileName(std::string_view name) {
+  const auto begins = [&](std::string_view scheme) { return name.starts_with(scheme); };
+  constexpr std::array<std::string_view, 4> kNeverRead = {"http:", "https:", "ftp:", "$("};
+  return !name.empty() && name != kUnreadImage && std::ranges::none_of(kNeverRead, begins);
+}
+
+/// The textures that its surfaces would have, were they found.
+void addMissingTextures(const Visual& visual, std::set<std::string>& names) {
+  if (!visual.mesh) return;
+  const Mesh& mesh = *visual.mesh;
+  const auto add = [&](const MeshPart& part) {
+    const Material* const material = visual.material ? &*visual.material
+                                     : part.material < mesh.materials.size()
+                                         ? &mesh.materials[part.material]
+                                         : nullptr;
+    if (material != nullptr && part.index_count > 0 && isFileName(material->missing_map)) {
+      names.insert(material->missing_map);
+    }
+  };
+  if (visual.mesh_parts.empty()) std::ranges::for_each(mesh.parts, add);
+  for (const std::size_t part : visual.mesh_parts) {
+    if (part < mesh.parts.size()) add(mesh.parts[part]);
+  }
+}
+
+}  // namespace
 
 std::vector<std::string> linksWithoutMesh(const Cell& cell) {
   std::vector<std::string> names;
@@ -41,6 +75,28 @@ std::string incompleteText(const Cell& cell) {
   });
   if (first != cell.faults.end()) text += ", first: " + first->text;
   return text;
+}
+
+std::vector<std::string> missingTextureTexts(const Cell& cell) {
+  std::map<std::string, std::vector<std::string>> links;  // by texture
+  for (const CellDevice& device : cell.devices) {
+    const Model* const model = cell.modelOf(device);
+    if (model == nullptr) continue;
+    for (const Link& link : model->links) {
+      std::set<std::string> names;
+      for (const Visual& visual : link.visuals) addMissingTextures(visual, names);
+      for (const std::string& name : names) links[name].push_back(device.name + "/" + link.name);
+    }
+  }
+  std::vector<std::string> texts;
+  for (const auto& [name, without] : links) {
+    const bool is_one = without.size() == 1;
+    texts.push_back(
+        fmt::format("the texture {} is not found: {}{} drawn without it", quotedPathInFault(name),
+                    plainText(without.front()),
+                    is_one ? " is" : fmt::format(" and {} more are", without.size() - 1)));
+  }
+  return texts;
 }
 
 }  // namespace rocinante

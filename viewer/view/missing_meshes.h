@@ -18,4 +18,9 @@ std::vector<std::string> linksWithoutMesh(const Cell& cell);
 /// missing.
 std::string incompleteText(const Cell& cell);
 
+/// What is drawn without its texture because the file is not there, a sentence for each name:
+/// "the texture `colors.png` is not found: panda/panda_link1 and 8 more are drawn without it".
+/// Pure; of the surfaces of visuals alone: a material that nothing is drawn in lacks nothing.
+std::vector<std::string> missingTextureTexts(const Cell& cell);
+
 }  // namespace rocinante

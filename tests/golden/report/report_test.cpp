@@ -244,6 +244,26 @@ TEST_F(ReportTest, OnlyWhatWasSeenAndIsSteadyCanBeApproved) {
   EXPECT_FALSE(canApprove(report_.frames[0]));
 }
 
+TEST_F(ReportTest, WhatIsRefusedWithoutMoreIsNotOfferedForApproval) {
+  add(FrameVerdict::different);
+  report_.frames[0].pixels = "0123";
+  EXPECT_THAT(reportHtml(report_), HasSubstr("\"can_approve\":true"));
+  report_.frames[0].lacks = {"the texture `skin.png` is not found"};
+  EXPECT_THAT(reportHtml(report_), Not(HasSubstr("\"can_approve\":true")));
+  const auto root = nlohmann::json::parse(reportJson(report_));
+  EXPECT_EQ(root["frames"][0]["lacks"][0], "the texture `skin.png` is not found");
+
+  JudgedRun run;
+  run.verdict = FrameVerdict::different;
+  run.log_bytes = "0123";
+  RunFinding& finding = run.judgement.findings.emplace_back();
+  finding.largest = 0.5;
+  finding.limit = 0.05;
+  EXPECT_TRUE(canApproveRun(run)) << "no more than ten limits";
+  finding.largest = 0.6;
+  EXPECT_FALSE(canApproveRun(run));
+}
+
 TEST_F(ReportTest, PicturesLieBesideThePage) {
   add(FrameVerdict::different);
   const test::TemporaryFolder folder;

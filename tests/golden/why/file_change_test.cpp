@@ -38,6 +38,24 @@ TEST(FileChanges, AnotherNameIsNoChange) {
       ElementsAre("a.png: the texture is new", "a.urdf: the model is no longer part of the cell"));
 }
 
+TEST(FileChanges, AFileThatIsStillNamedIsMissing) {
+  const FileTexts texts = {{"1", "newmtl a\nmap_Kd textures/skin.png\n"},
+                           {"2", "newmtl b\nmap_Kd textures/skin.png\n"},
+                           {"3", "newmtl a\nmap_Kd oak-skin.png\n"}};
+  const auto lines = [&](const FileHashes& golden, const FileHashes& frame) {
+    return linesOf(fileChanges(golden, frame, texts));
+  };
+  EXPECT_THAT(lines({{"a.mtl", "1"}, {"textures/skin.png", "9"}}, {{"a.mtl", "1"}}),
+              ElementsAre("textures/skin.png: the texture is missing, though a.mtl names it"));
+  EXPECT_THAT(lines({{"a.mtl", "1"}}, {{"a.mtl", "2"}, {"textures/skin.png", "9"}}),
+              ElementsAre("a.mtl: the materials have changed",
+                          "textures/skin.png: the texture is there now; it was missing, though "
+                          "a.mtl named it"));
+  EXPECT_THAT(lines({{"a.mtl", "1"}, {"skin.png", "9"}}, {{"a.mtl", "3"}}),
+              ElementsAre("a.mtl: the materials have changed",
+                          "skin.png: the texture is no longer part of the cell"));
+}
+
 TEST(FileChanges, ACommentIsNoChange) {
   const FileTexts texts = {{"1", "<robot name=\"a\"><link name=\"x\"/></robot>"},
                            {"2", "<robot name=\"a\"><!-- of 2026 --><link name=\"x\"/></robot>\n"},
