@@ -95,6 +95,11 @@ ColumnOutcome judgeColumn(const RunTimes& times, const std::string& item, const 
 /// Judges how often packets state a device, in stretches of a second.
 void judgeRate(const RunTimes& times, const std::string& device, std::vector<RunFinding>& findings);
 
+/// Judges how often packets state each signal that all sessions have, where it is stated regularly:
+/// a signal that is stated on changes alone has no rhythm. A device's own finding tells of its
+/// signals. `parallel` may be empty.
+void judgeSignalRates(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged);
+
 /// Devices are judged together up to this many packets in all sessions: 64 MB of times.
 inline constexpr std::uint64_t kBatchRows = 8'000'000;
 

@@ -27,7 +27,7 @@ void NumberRecorder::begin(const SessionState& state, LogTime start) {
     statements_.push_back({nullptr, signal, true, is_number, value.number, true, value.unit});
   };
   eachItem(state, ByKind{take, [](const auto&) {}});
-  keep(state, start);
+  keep(state, start, true);
 }
 
 NumberRecorder::Device* NumberRecorder::deviceOf(std::string_view name) {
@@ -93,7 +93,7 @@ void NumberRecorder::read(const Statement& statement) {
   }
 }
 
-bool NumberRecorder::keep(const SessionState& state, LogTime time) {
+bool NumberRecorder::keep(const SessionState& state, LogTime time, bool is_restated) {
   says_fact_ = false;
   for (const Said& each : statements_) {
     if (each.removed != nullptr) {
@@ -113,6 +113,7 @@ bool NumberRecorder::keep(const SessionState& state, LogTime time) {
       device.stated.push_back(&signal);
       ++stated_;
     }
+    if (!is_restated) count(signal, time);
     if (!each.is_number) {
       if (std::exchange(signal.is_number, false)) add(signal, time, kUnstated);
       signal.unit.clear();
@@ -197,9 +198,43 @@ void NumberRecorder::store(Signal& signal) {
   }
 }
 
+void NumberRecorder::count(Signal& signal, LogTime time) {
+  constexpr std::size_t kNumbers = 3;
+  std::vector<double>& rows = signal.rhythm;
+  const std::int64_t bin = (time - start_) / kSaidBin;
+  if (bin != std::exchange(signal.rhythm_bin, bin)) {
+    if (rows.size() == kNumbers * kBlockRows) storeRhythm(signal);
+    rows.insert(rows.end(), {std::bit_cast<double>((bin * kSaidBin).count()), 0, 0});
+  }
+  const double interval = secondsOf(time - signal.last_said.value_or(time));
+  signal.last_said = time;
+  rows[rows.size() - 2] += 1;
+  rows[rows.size() - 1] += interval * interval;
+}
+
+void NumberRecorder::storeRhythm(Signal& signal) {
+  if (signal.rhythm.empty()) return;
+  TrackSeries& series = rhythms_[signalNameText(*signal.device->name, *signal.name)];
+  series.width = 2;
+  const std::size_t rows = signal.rhythm.size() / (series.width + 1);
+  std::vector<double> block;
+  for (std::size_t column = 0; column <= series.width; ++column) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      block.push_back(signal.rhythm[row * (series.width + 1) + column]);
+    }
+  }
+  series.rows += rows;
+  series.blocks.push_back(store_.size());
+  store_.append(std::as_bytes(std::span(block)));
+  signal.rhythm.clear();
+}
+
 void NumberRecorder::finish(Account& left_out) {
   for (auto& [name, device] : devices_) {
-    for (auto& [of_device, signal] : device.signals) store(signal);
+    for (auto& [of_device, signal] : device.signals) {
+      store(signal);
+      storeRhythm(signal);
+    }
   }
   if (beyond_ == 0) return;
   left_out.leaveOut({.kind = "signal",

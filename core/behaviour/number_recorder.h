@@ -13,14 +13,17 @@
 
 namespace rocinante {
 
-/// Keeps the numbers of a session's signals, each signal a series. What is a boolean or a text is a
-/// fact (FactRecorder). One thread.
+/// Keeps the numbers of a session's signals, each signal a series, and how often each signal is
+/// stated. What is a boolean or a text is a fact (FactRecorder). One thread.
 class NumberRecorder {
  public:
   using Numbers = std::map<std::string, TrackSeries, std::less<>>;
 
-  /// Adds to both, which are borrowed.
-  NumberRecorder(Numbers& numbers, SampleStore& store) : numbers_(numbers), store_(store) {}
+  using Rhythms = std::map<std::string, TrackSeries, std::less<>>;
+
+  /// Adds to all, which are borrowed.
+  NumberRecorder(Numbers& numbers, Rhythms& rhythms, SampleStore& store)
+      : numbers_(numbers), rhythms_(rhythms), store_(store) {}
 
   /// What was stated before the first packet, as if at `time`.
   void begin(const SessionState& state, LogTime start);
@@ -28,7 +31,8 @@ class NumberRecorder {
   void read(const Statement& statement);
   /// The packet was folded: what was read of it is kept, and what `state` has lost meanwhile is not
   /// stated any more. True when it says a fact: a state, a unit, or a number where there was none.
-  bool keep(const SessionState& state, LogTime time);
+  /// `is_restated`: the packet repeats what was stated, and does not count.
+  bool keep(const SessionState& state, LogTime time, bool is_restated = false);
   /// The signals that may say another fact than at the last call, each once, as `state` has them,
   /// which is the last one kept and outlives their use. Nothing when it may be any.
   std::optional<std::vector<ChangedSignal>> takeChanged(const SessionState& state);
@@ -50,6 +54,9 @@ class NumberRecorder {
     bool is_number = false;
     bool is_changed = false;            ///< it is in `changed_`
     std::vector<double> times, values;  ///< that are not in the store yet
+    std::vector<double> rhythm;         ///< rows of three that are not in the store yet
+    std::int64_t rhythm_bin = -1;
+    std::optional<LogTime> last_said{};
   };
   using Signals = std::map<SignalName, Signal, SignalOrder>;
   struct Device {
@@ -75,9 +82,12 @@ class NumberRecorder {
   void takeBackLost(const SessionState& state, LogTime time);
   void change(Signal& signal);
   void add(Signal& signal, LogTime time, double value);
+  void count(Signal& signal, LogTime time);
   void store(Signal& signal);
+  void storeRhythm(Signal& signal);
 
   Numbers& numbers_;
+  Rhythms& rhythms_;
   SampleStore& store_;
   LogTime start_{};
   std::map<std::string, Device, std::less<>> devices_;

@@ -139,6 +139,7 @@ bool isOfNewSignal(const RunTimes& times, const std::string& fact) {
 void judgeMotion(const RunTimes& times, const ParallelFor& parallel, RunJudgement& judged) {
   const bool is_short = judgeShare(times, judged);
   addFastest(times, judgeDevices(times, parallel, judged), judged);
+  judgeSignalRates(times, parallel, judged);
   judgeNumbers(times, parallel, judged);
   for (const std::string& fact : factsOf(times)) {
     if (times.spec.isMaskedThroughout(itemOfFact(fact))) continue;

@@ -76,6 +76,10 @@ struct SessionTrack {
   std::map<std::string, DeviceTrack, std::less<>> devices;
   /// Of signals, by "signal PATH NAME": one number a row, at least one.
   std::map<std::string, TrackSeries, std::less<>> numbers;
+  /// How often packets state a signal, whatever it is, by the same name: a row for each kSaidBin of
+  /// the track in which some do, restated ones left out. Two numbers: the statements, and the
+  /// squares of the intervals before them, s².
+  std::map<std::string, TrackSeries, std::less<>> rhythms;
   std::map<std::string, std::vector<FactChange>, std::less<>> facts;
   std::vector<Event> events;  ///< without marks
   /// Some packets were made of another program's recording: another version may make more of it.
@@ -95,6 +99,7 @@ Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path&
 /// Between two packets that are farther apart, the earlier one holds.
 inline constexpr Nanoseconds kInterpolated{std::chrono::milliseconds(250)};
 inline constexpr Nanoseconds kCountBin{std::chrono::milliseconds(20)};
+inline constexpr Nanoseconds kSaidBin{std::chrono::milliseconds(100)};
 
 /// Columns for every value of the model's joints, and the device's own pose last.
 std::vector<TrackColumn> columnsOf(const Model& model);

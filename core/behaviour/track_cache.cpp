@@ -16,7 +16,7 @@ namespace rocinante {
 namespace {
 
 /// Goes into keys: to be raised when tracks are made otherwise.
-constexpr int kTrackVersion = 6;
+constexpr int kTrackVersion = 7;
 
 }  // namespace
 
@@ -53,14 +53,14 @@ void fields(Fields& io, Taken<Fields, Event>& event) {
 /// Its samples lie apart.
 template <class Fields>
 void fields(Fields& io, Taken<Fields, SessionTrack>& track) {
-  auto& [origin, start, end, devices, numbers, facts, events, is_imported, left_out, samples] =
-      track;
-  io(origin, start, end, devices, numbers, facts, events, is_imported, left_out);
+  auto& [origin, start, end, devices, numbers, rhythms, facts, events, is_imported, left_out,
+         samples] = track;
+  io(origin, start, end, devices, numbers, rhythms, facts, events, is_imported, left_out);
 }
 
 namespace {
 
-constexpr std::string_view kTrackMagic = "rocinante track 9";
+constexpr std::string_view kTrackMagic = "rocinante track 10";
 constexpr std::size_t kChecksumBytes = 16, kSizeBytes = 8;
 constexpr std::size_t kFootBytes = kChecksumBytes + kSizeBytes;
 
@@ -83,6 +83,9 @@ bool isSound(const SessionTrack& track, std::uint64_t bytes) {
   if (track.end < track.start) return false;
   for (const auto& [item, series] : track.numbers) {
     if (series.width != 1 || !isSound(series, bytes)) return false;
+  }
+  for (const auto& [item, series] : track.rhythms) {
+    if (series.width != 2 || !isSound(series, bytes)) return false;
   }
   return std::ranges::all_of(track.devices, [&](const auto& entry) {
     const DeviceTrack& device = entry.second;

@@ -73,7 +73,7 @@ void TrackRecorder::add(LogTime time, const Packet& packet) {
     numbers_.drop();
     return;
   }
-  if (numbers_.keep(state_, time)) says_facts_ = true;
+  if (numbers_.keep(state_, time, packet.header.restated)) says_facts_ = true;
   for (const std::string& name : std::exchange(new_names_, {})) addDevice(name, time);
   if (!says_facts_) return;
   facts_are_restated_ = packet.header.restated && (!facts_due_ || facts_are_restated_);

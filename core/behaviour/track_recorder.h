@@ -90,7 +90,7 @@ class TrackRecorder {
   std::vector<std::string> new_names_;
   FactRecorder facts_{track_.facts};
   SampleStore store_;
-  NumberRecorder numbers_{track_.numbers, store_};
+  NumberRecorder numbers_{track_.numbers, track_.rhythms, store_};
   UnfitValues unfit_{track_};
   std::vector<double> block_;
   bool says_facts_ = false;

@@ -238,15 +238,6 @@ TEST_F(NumberSignals, AnotherUnitAnotherKindAndSilenceAreNamed) {
     if (said.at_s < 3) continue;
     said.body = said.body.substr(0, said.body.find("signals"));
   }
-  expectSilent("what is stated holds until it is stated anew",
-               judged(drive([](double) { return 2; }), [&] {
-                 SaidSession held = drive([](double) { return 2; });
-                 for (auto& said : held.packets) {
-                   if (said.at_s < 3) continue;
-                   said.body = said.body.substr(0, said.body.find("signals"));
-                 }
-                 return held;
-               }()));
   cancelled.say("arm", 3.001, "signal arm elbow.effort default");
   found = judged(accepted, cancelled);
   ASSERT_FALSE(found.findings.empty());
@@ -314,8 +305,9 @@ TEST_F(NumberSignals, AMaskOfTheDeviceOrOfTheSignalCoversIt) {
 
 TEST(NumberRecorder, KeepsWhatWasFoldedAndNothingElse) {
   NumberRecorder::Numbers numbers;
+  NumberRecorder::Rhythms rhythms;
   SampleStore store;
-  NumberRecorder recorder(numbers, store);
+  NumberRecorder recorder(numbers, rhythms, store);
   SessionState state;
   recorder.begin({}, LogTime());
   const auto decoder = makeDecoder("rk1");
