@@ -44,6 +44,20 @@ class FactHistory {
   std::int64_t knownFrom() const { return known_from_; }
   const FactChange& at(std::int64_t time) const { return get(placeOf(time)); }
   std::int64_t begin() const { return begin_; }
+  /// The last one at or before a time; null: none.
+  const Change* lastChange(std::int64_t time) const {
+    const std::size_t place = placeOf(time);
+    return place == 0 ? nullptr : &changes_[place - 1];
+  }
+  /// When it becomes `wanted` behind a time, at `end` the latest.
+  template <class Wanted>
+  std::optional<std::int64_t> nextChange(std::int64_t time, std::int64_t end, Wanted wanted) const {
+    for (std::size_t place = placeOf(time); place < changes_.size(); ++place) {
+      if (changes_[place].at > end) break;
+      if (wanted(*changes_[place].change)) return changes_[place].at;
+    }
+    return std::nullopt;
+  }
   /// Nothing was stated yet, so soon after the session's beginning that it may have been before.
   bool isUnsaid(std::int64_t time) const {
     return placeOf(time) == 0 && time < begin_ + kBeginning.count();
@@ -101,7 +115,7 @@ class FactJudge {
   }
 
   void judge(std::vector<RunFinding>& findings) {
-    std::optional<std::int64_t> first, last;
+    std::optional<std::int64_t> first;
     std::vector<RunSpan> spans;
     bool goes_on = false;
     for (const std::int64_t time : moments()) {
@@ -111,7 +125,6 @@ class FactJudge {
       if (!goes_on) continue;
       spans.push_back({moment, moment});
       if (!first) first = time;
-      last = time;
     }
     if (!first) return;
     RunFinding finding;
@@ -119,7 +132,7 @@ class FactJudge {
     finding.item = item_;
     finding.first_accepted = finding.at_accepted = times_.sinceOrigin(*first);
     finding.first_run = finding.at_run = times_.sinceRunOrigin(*first);
-    finding.until_accepted = times_.sinceOrigin(*last);
+    finding.until_accepted = spans.back().until;
     finding.spans = joined(std::move(spans), Nanoseconds(slack_));
     const FactChange& now = run_.at(*first);
     const FactChange& before = accepted_.front().at(*first);
@@ -131,13 +144,36 @@ class FactJudge {
       finding.what = fmt::format("{}: moved by {}, since {}", textOf(fact_),
                                  figureText(*apart, "mm"), times_.bothTimes(*first));
     } else {
-      finding.what = fmt::format("{}: {}, accepted {}, since {}", textOf(fact_), valueText(now),
-                                 valueText(before), times_.bothTimes(*first));
+      finding.what = fmt::format("{}: {}, accepted {}, since {}{}", textOf(fact_), valueText(now),
+                                 valueText(before), times_.bothTimes(*first), howLate(*first));
     }
     findings.push_back(std::move(finding));
   }
 
  private:
+  /// "; 400 ms late" of a change that one side has about a time and the other at another one; "; it
+  /// does not come until the end" of one that the run never has. Empty: neither.
+  std::string howLate(std::int64_t time) const {
+    const FactHistory::Change* const accepted = accepted_.front().lastChange(time);
+    const FactHistory::Change* const now = run_.lastChange(time);
+    const bool is_early = now != nullptr && (accepted == nullptr || now->at > accepted->at);
+    const FactHistory::Change* const change = is_early ? now : accepted;
+    if (change == nullptr) return {};
+    const FactHistory& its = is_early ? run_ : accepted_.front();
+    const FactHistory& other = is_early ? accepted_.front() : run_;
+    const auto isSo = [&](const FactChange& of_other) { return isSame(of_other, *change->change); };
+    const std::optional<std::int64_t> comes = other.nextChange(time, times_.end(), isSo);
+    const std::optional<std::int64_t> again = its.nextChange(time, times_.end(), isSo);
+    if (comes && (!again || *comes < *again - slack_)) {
+      return fmt::format("; {} {}",
+                         figureText(static_cast<double>(*comes - change->at) * 1e-6, "ms"),
+                         is_early ? "early" : "late");
+    }
+    // Of a log that ends before, its end says more.
+    if (comes || is_early || time > times_.runEnd()) return {};
+    return change->change->text.empty() ? "; it stays until the end"
+                                        : "; it does not come until the end";
+  }
   /// "drawing/planner/path part 2"
   static std::string textOf(const std::string& fact) {
     const std::size_t tab = fact.find('\t');

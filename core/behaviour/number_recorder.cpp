@@ -15,6 +15,11 @@ namespace {
 
 constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 
+/// Of booleans and texts what they say.
+std::string_view stateText(SignalKind kind, double number, std::string_view text) {
+  return kind != SignalKind::boolean ? text : number != 0 ? "true" : "false";
+}
+
 }  // namespace
 
 void NumberRecorder::begin(const SessionState& state, LogTime start) {
@@ -23,8 +28,8 @@ void NumberRecorder::begin(const SessionState& state, LogTime start) {
     const SignalValue& value = item.item.value;
     Signal* const signal = signalOf(item.device, item.name.link, item.name.name);
     if (signal == nullptr) return;
-    const bool is_number = value.kind == SignalKind::number;
-    statements_.push_back({nullptr, signal, true, is_number, value.number, true, value.unit});
+    statements_.push_back({nullptr, signal, true, value.kind, value.number, true, value.unit,
+                           stateText(value.kind, value.number, value.text)});
   };
   eachItem(state, ByKind{take, [](const auto&) {}});
   keep(state, start, true);
@@ -84,10 +89,11 @@ void NumberRecorder::read(const Statement& statement) {
     if (each.signal == nullptr) continue;
     if (!statement.is_default) {
       each.is_stated = true;
-      each.is_number = statement.signal_kinds[i] == SignalKind::number;
+      each.kind = statement.signal_kinds[i];
       each.number = statement.numbers[i];
       each.has_unit = statement.kind == StatementKind::signal;
       each.unit = statement.unit;
+      each.text = stateText(each.kind, each.number, statement.text);
     }
     statements_.push_back(each);
   }
@@ -105,7 +111,8 @@ bool NumberRecorder::keep(const SessionState& state, LogTime time, bool is_resta
       takeBack(signal, time);
       continue;
     }
-    if (signal.place == kUnstatedPlace) {
+    const bool is_new = signal.place == kUnstatedPlace;
+    if (is_new) {
       // The state may have had no room for it.
       Device& device = *signal.device;
       if (state.findSignal(*device.name, *signal.name) == nullptr) continue;
@@ -114,9 +121,12 @@ bool NumberRecorder::keep(const SessionState& state, LogTime time, bool is_resta
       ++stated_;
     }
     if (!is_restated) count(signal, time);
-    if (!each.is_number) {
+    const bool is_other_kind = std::exchange(signal.kind, each.kind) != each.kind;
+    if (each.kind != SignalKind::number) {
       if (std::exchange(signal.is_number, false)) add(signal, time, kUnstated);
       signal.unit.clear();
+      if (!is_new && !is_other_kind && signal.text == each.text) continue;
+      signal.text = each.text;
       change(signal);
       continue;
     }

@@ -50,6 +50,8 @@ class NumberRecorder {
     Device* device = nullptr;
     const SignalName* name = nullptr;
     std::string unit;
+    SignalKind kind = SignalKind::number;
+    std::string text{};                  ///< of texts
     std::size_t place = kUnstatedPlace;  ///< in the device's `stated`
     bool is_number = false;
     bool is_changed = false;            ///< it is in `changed_`
@@ -68,10 +70,11 @@ class NumberRecorder {
   struct Said {
     Device* removed = nullptr;  ///< or else
     Signal* signal = nullptr;
-    bool is_stated = false, is_number = false;
+    bool is_stated = false;
+    SignalKind kind = SignalKind::number;
     double number = 0;
     bool has_unit = false;
-    std::string_view unit{};
+    std::string_view unit{}, text{};
   };
 
   /// Both null beyond kMaxSignals.

@@ -76,8 +76,10 @@ void TrackRecorder::add(LogTime time, const Packet& packet) {
   if (numbers_.keep(state_, time, packet.header.restated)) says_facts_ = true;
   for (const std::string& name : std::exchange(new_names_, {})) addDevice(name, time);
   if (!says_facts_) return;
+  const bool is_of_signals = !facts_due_ && !looks_everywhere_;
   facts_are_restated_ = packet.header.restated && (!facts_due_ || facts_are_restated_);
   if (!facts_due_) facts_due_ = time;
+  if (is_of_signals) noteFacts(time);  // each packet says its own
 }
 
 Status TrackRecorder::finish() {
@@ -242,8 +244,7 @@ void TrackRecorder::addJoints(Recording& device, const DeviceState* state, LogTi
   if (device.joint_columns == 0) return;
   double* const row = nextRow(device, kJoints, time);
   if (isAbsent(state) || !device.has_its_model || !takesJoints(device, *state)) return;
-  const bool is_plain = !device.has_mimics && !state->joints;
-  if (is_plain) {
+  if (!device.has_mimics && !state->joints) {
     namedValues(device, *state, row);
   } else {
     // Columns have the values' order.
