@@ -141,7 +141,10 @@ KeyTaker keyTaker(const ViewModel& model) {
   const bool awaits = (line != nullptr && line->collects) || panels.mark.awaitsKeyboard() ||
                       panels.time.awaitsKeyboard() || (value && !value->begun);
   if (awaits) return KeyTaker::nobody;
-  return line != nullptr || ImGui::GetIO().WantTextInput ? KeyTaker::line : KeyTaker::commands;
+  // As the last frame left it: WantTextInput is that of the frame before, and a line that it closed
+  // would take what comes now all at once.
+  const bool has_line = line != nullptr || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
+  return has_line ? KeyTaker::line : KeyTaker::commands;
 }
 
 std::optional<PicturePlace> mouseOnPicture(const ViewModel& model) {

@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <memory>
 
@@ -30,6 +31,7 @@ class UserInput : public testing::Test {
   std::optional<PictureClick> frame(bool types = false) {
     interface_.beginFrame(800, 600, &input_);
     ImGui::GetIO().WantTextInput = types;
+    if (types) ImGui::GetCurrentContext()->WantTextInputNextFrame = 1;
     ViewerRequests requests;
     const auto click = applyUserInput(*model_, SteadyTime{}, input_.presses, requests);
     pointed_ = mouseOnPicture(*model_);
@@ -74,6 +76,14 @@ TEST_F(UserInput, ALineOfTextHasTheKeyboardButForKeysThatOpenAnother) {
   EXPECT_EQ(keyTaker(*model_), KeyTaker::nobody) << "until its line has it";
   model_->viewer.panels.palette.start.collects = false;
   EXPECT_EQ(keyTaker(*model_), KeyTaker::line);
+}
+
+TEST_F(UserInput, ALineThatTheLastFrameClosedTakesNoKeys) {
+  frame(true);
+  EXPECT_EQ(keyTaker(*model_), KeyTaker::line);
+  frame();
+  ImGui::GetIO().WantTextInput = true;  // Dear ImGui's is a frame late
+  EXPECT_EQ(keyTaker(*model_), KeyTaker::commands);
 }
 
 TEST_F(UserInput, TheLetterOfTheKeyThatOpensALineIsNotTypedIntoIt) {
