@@ -34,7 +34,9 @@ void addMissingTextures(const Visual& visual, std::set<std::string>& names) {
       names.insert(material->missing_map);
     }
   };
-  if (visual.mesh_parts.empty()) std::ranges::for_each(mesh.parts, add);
+  if (visual.mesh_parts.empty()) {
+    for (const MeshPart& part : mesh.parts) add(part);
+  }
   for (const std::size_t part : visual.mesh_parts) {
     if (part < mesh.parts.size()) add(mesh.parts[part]);
   }
