@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// An accepted log may leave what was accepted by so many limits; further only with --anyway.
+/// By how many limits an accepted log may leave what was accepted; further only with --anyway.
 inline constexpr double kMostWidening = 10;
 bool widensFar(const RunFinding& finding);
 /// "arm/elbow is 1.15° beyond what was accepted, more than 10 times its limit of 0.05°"

@@ -29,7 +29,7 @@ class LeftSessions {
   /// Content gives way to the next one and sends nothing any more: others get its farewell. The
   /// next one says what becomes of it if it is live, this once: it stays here, but ends if it has
   /// heard nothing; it goes along; or it ends. One that stays is added even beyond kMost. What was
-  /// asked to end is told of in the next one's panels.open.ended.
+  /// asked to end is named in the next one's panels.open.ended.
   void leave(std::unique_ptr<ViewContent> content, ViewContent& next);
   /// Their endpoints, as endpointsText(), the one that was shown last first.
   std::vector<std::string> names() const;
