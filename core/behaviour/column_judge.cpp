@@ -48,7 +48,7 @@ class ColumnJudge {
     until_ = end - from_;
   }
 
-  std::size_t judge(std::vector<RunFinding>& findings) {
+  void judge(std::vector<RunFinding>& findings) {
     for (std::size_t i = 0; i < run_.size(); ++i) {
       if (run_.isStated(i)) judgeOwn(run_.time(i), run_.value(i));
       if (failing_ == 0) endStretch(run_.time(i), run_, accepted_.front());
@@ -66,7 +66,6 @@ class ColumnJudge {
       if (absent_) noteAbsence(std::min(times_.end(), times_.runEnd()));
     }
     addFindings(findings);
-    return measures_.size();
   }
 
   std::uint64_t values() const { return values_; }
@@ -389,7 +388,7 @@ ColumnOutcome judgeColumn(const RunTimes& times, const std::string& item, const 
                           std::vector<RunFinding>& findings) {
   ColumnJudge judge(times, item, column, accepted, run);
   ColumnOutcome outcome;
-  outcome.measures = judge.judge(findings);
+  judge.judge(findings);
   outcome.values = judge.values();
   outcome.fastest = judge.fastest();
   return outcome;

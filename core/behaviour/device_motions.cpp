@@ -241,7 +241,6 @@ FastMotion judgeDevices(const RunTimes& times, const ParallelFor& parallel, RunJ
   for (DeviceToJudge& device : devices) {
     for (DeviceToJudge::Item& item : device.items) {
       std::ranges::move(item.findings, std::back_inserter(judged.findings));
-      judged.items += item.outcome.measures;
       judged.values += item.outcome.values;
       if (item.outcome.fastest.times_limit > fastest.times_limit) {
         fastest = std::move(item.outcome.fastest);
@@ -249,7 +248,6 @@ FastMotion judgeDevices(const RunTimes& times, const ParallelFor& parallel, RunJ
     }
     if (times.spec.isMaskedThroughout(device.name)) continue;
     judgeRate(times, device.name, judged.findings);
-    ++judged.items;
   }
   return fastest;
 }

@@ -64,7 +64,6 @@ struct FastMotion {
 };
 
 struct ColumnOutcome {
-  std::size_t measures = 0;  ///< position and turn of a pose are two
   std::uint64_t values = 0;  ///< that were compared
   FastMotion fastest;
 };

@@ -12,7 +12,15 @@ namespace {
 
 class ShapeReader {
  public:
-  explicit ShapeReader(const MotionShape& shape) : shape_(shape) {}
+  explicit ShapeReader(const MotionShape& shape)
+      : shape_(shape), first_(shape.first), last_(shape.last) {}
+
+  /// Of as much on both sides, too.
+  void widen() {
+    const std::size_t margin = shape_.last - shape_.first + 1;
+    first_ -= std::min(margin, first_);
+    last_ = std::min(last_ + margin, shape_.run.size() - 1);
+  }
 
   double run(double sample) const { return at(shape_.run, sample); }
   double accepted(double sample) const { return at(shape_.accepted, sample); }
@@ -22,7 +30,7 @@ class ShapeReader {
   double rms(Error error) const {
     double sum = 0;
     std::size_t count = 0;
-    for (std::size_t i = shape_.first; i <= shape_.last; ++i) {
+    for (std::size_t i = first_; i <= last_; ++i) {
       const double value = error(static_cast<double>(i));
       if (std::isnan(value)) continue;
       sum += value * value;
@@ -43,7 +51,10 @@ class ShapeReader {
   }
 
   const MotionShape& shape_;
+  std::size_t first_, last_;
 };
+
+constexpr double kMaxLate_s = 1;
 
 std::string frozenText(const MotionShape& shape, const ShapeReader& reader) {
   const double held = reader.run(static_cast<double>((shape.first + shape.last) / 2));
@@ -62,8 +73,9 @@ std::string frozenText(const MotionShape& shape, const ShapeReader& reader) {
   return fmt::format("frozen at {}{}", held < 0 ? "-" : "", figureText(std::abs(held), shape.unit));
 }
 
-std::string lateText(const MotionShape& shape, const ShapeReader& reader, double plain) {
-  constexpr double kMaxLate_s = 1;
+std::string lateText(const MotionShape& shape, const ShapeReader& reader) {
+  const double plain =
+      reader.rms([&](double i) { return reader.run(i) - reader.accepted(i); });
   double best = plain;
   double best_lag = 0;
   const double half = 0.5;
@@ -78,6 +90,19 @@ std::string lateText(const MotionShape& shape, const ShapeReader& reader, double
   if (best_lag == 0 || best > plain / 4) return {};
   return fmt::format("{} {}", figureText(std::abs(best_lag) * shape.step_s * 1e3, "ms"),
                      best_lag > 0 ? "late" : "early");
+}
+
+/// A step that comes late differs by as much all the while, as an offset does: but before and after
+/// nothing does.
+std::string lateStepText(const MotionShape& shape) {
+  const std::size_t samples = shape.last - shape.first + 1;
+  if (shape.first < samples || shape.last + samples >= shape.run.size() ||
+      static_cast<double>(samples) * shape.step_s > kMaxLate_s) {
+    return {};
+  }
+  ShapeReader wide(shape);
+  wide.widen();
+  return lateText(shape, wide);
 }
 
 double medianApart(const MotionShape& shape, const ShapeReader& reader) {
@@ -106,10 +131,11 @@ std::string howItDiffers(const MotionShape& shape) {
   const double spread =
       reader.rms([&](double i) { return reader.run(i) - reader.accepted(i) - offset; });
   if (spread < std::abs(offset) / 5) {
+    if (std::string late = lateStepText(shape); !late.empty()) return late;
     return fmt::format("offset by {}{}", offset < 0 ? "-" : "+",
                        figureText(std::abs(offset), shape.unit));
   }
-  return lateText(shape, reader, plain);
+  return lateText(shape, reader);
 }
 
 }  // namespace rocinante

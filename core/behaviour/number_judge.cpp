@@ -119,7 +119,6 @@ void judgeNumbers(const RunTimes& times, const ParallelFor& parallel, RunJudgeme
   for (NumberToJudge& number : numbers) {
     std::ranges::move(number.findings, std::back_inserter(judged.findings));
     if (number.is_blind) judged.coverage.left_out.leaveOut({"signal", number.item, kNoisySignal});
-    judged.items += number.outcome.measures;
     judged.values += number.outcome.values;
   }
 }

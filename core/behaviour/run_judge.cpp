@@ -86,7 +86,7 @@ bool judgeShare(const RunTimes& times, RunJudgement& judged) {
 /// there.
 void judgeEnd(const RunTimes& times, std::vector<RunFinding>& findings) {
   const Nanoseconds short_by(times.end() - times.runEnd());
-  if (short_by <= kTellsOfMore) return;
+  if (short_by.count() <= times.reachOf(times.spec.limits)) return;
   const Nanoseconds from = times.sinceOrigin(times.runEnd()) - kInterpolated;
   std::optional<Nanoseconds> first;
   for (const RunFinding& finding : findings) {
@@ -99,7 +99,10 @@ void judgeEnd(const RunTimes& times, std::vector<RunFinding>& findings) {
   finding.first_accepted = finding.at_accepted = *first;
   finding.first_run = finding.at_run = times.sinceRunOrigin(times.runEnd());
   finding.sorts_at = *first - Nanoseconds(1);
-  finding.what = fmt::format("the log ends {:.1f} s before the accepted one", secondsOf(short_by));
+  finding.what =
+      fmt::format("the log ends {} before the accepted one",
+                  short_by < std::chrono::seconds(1) ? figureText(secondsOf(short_by) * 1e3, "ms")
+                                                     : fmt::format("{:.1f} s", secondsOf(short_by)));
   findings.push_back(std::move(finding));
 }
 
@@ -151,11 +154,7 @@ void judgeMotion(const RunTimes& times, const ParallelFor& parallel, RunJudgemen
     }
     const std::size_t before = judged.findings.size();
     judgeFact(times, fact, judged.findings);
-    if (isFurtherPart(fact)) {
-      keepFirstPart(judged.findings, before);
-    } else {
-      ++judged.items;
-    }
+    if (isFurtherPart(fact)) keepFirstPart(judged.findings, before);
   }
   if (!is_short) judgeEnd(times, judged.findings);
 }
@@ -212,6 +211,8 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
   judged.until = first.end - first.origin;
   RunEvents events = judgeEvents(spec, accepted, run);
   judged.coverage = coverageOf(spec, accepted, run);
+  judged.items = static_cast<std::size_t>(std::ranges::count_if(
+      judged.coverage.judged, [](const std::string& item) { return !item.starts_with("event/"); }));
   judged.events = static_cast<std::size_t>(std::ranges::count_if(
       first.events, [&](const Event& event) { return !spec.isMaskedThroughout(itemOf(event)); }));
   const auto cannotAlign = [&](const EventAlignment& alignment) {

@@ -162,6 +162,22 @@ TEST_F(NumberSignals, ASetPointThatIsSentWhenItChangesMayBeLateAndNotDifferent) 
   ASSERT_EQ(other.findings.size(), 1U) << textOfFindings(other);
   EXPECT_NEAR(secondsOf(other.findings.front().first_run), 4, 0.03);
   EXPECT_EQ(judged(steps(0, 0.1), steps(0.1, 0.1)).findings.size(), 1U) << "100 ms late";
+  const auto one = [](double at_s) {
+    SaidSession session = drive([](double) { return 1; });
+    session.say("cell", 1, "signal arm target 0.2 m");
+    session.say("cell", at_s, "signals arm target=0.35");
+    return session;
+  };
+  for (const auto& [at_s, how] : {std::pair(3.4, "; 400 ms late"), std::pair(2.5, "; 500 ms early")}) {
+    const RunJudgement moved = judged(one(3), one(at_s));
+    EXPECT_TRUE(moved.rule.ends_with(how)) << textOfFindings(moved);
+  }
+  // Another value for as long is an offset.
+  SaidSession away = one(3);
+  away.say("cell", 4, "signals arm target=0.55");
+  away.say("cell", 4.4, "signals arm target=0.35");
+  const RunJudgement offset = judged(one(3), away);
+  EXPECT_TRUE(offset.rule.ends_with("; offset by +0.20 m")) << textOfFindings(offset);
 }
 
 TEST_F(NumberSignals, AConstantIsJudgedToTheBitThatCounts) {

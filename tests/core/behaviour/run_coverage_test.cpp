@@ -221,6 +221,18 @@ TEST_F(RunCoverageTest, TheEndOfALogComesBeforeWhatItCauses) {
   const auto moved = trackOf(cell, cut);
   ASSERT_TRUE(moved.ok());
   EXPECT_TRUE(judgeRun({}, {&*accepted}, *moved).rule.starts_with("gantry/x: "));
+  // However short what is missing is: an event that is not there any more.
+  SaidSession last = SaidSession::read(kDemo / "session.mcap");
+  last.say("arm", 19.85, "event \"parked\"");
+  cut = last;
+  std::erase_if(cut.packets, [](const SaidSession::Said& said) { return said.at_s > 19.7; });
+  const auto parked = trackOf(cell, last);
+  const auto early = trackOf(cell, cut);
+  ASSERT_TRUE(parked.ok() && early.ok());
+  const RunJudgement ended = judgeRun({}, {&*parked}, *early);
+  EXPECT_TRUE(ended.rule.starts_with("the log ends 3") &&
+              ended.rule.find(" ms before the accepted one") != std::string::npos)
+      << textOfFindings(ended);
 }
 
 /// Each layer is a fact and an item of its own.
