@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <string_view>
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
@@ -11,7 +9,9 @@
 #include "core/behaviour/track_cache.h"
 #include "core/bundle/private_folder.h"
 #include "core/check/check.h"
+#include "core/check/rules/rule_list.h"
 #include "core/cli/worker_threads.h"
+#include "core/report/account.h"
 #include "golden/approval/run_approval.h"
 #include "golden/command/commands.h"
 #include "golden/judge/suite_runs.h"
@@ -26,13 +26,6 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMostPrinted = 20;
-
-/// Runs are judged by links and joints: what is wrong with a mesh is wrong with pictures.
-bool isOfMeshFile(std::string_view rule) {
-  constexpr std::array<std::string_view, 5> kFamilies = {"collada", "mesh", "mtl", "obj", "stl"};
-  return rule == "model.missing-file" || rule == "model.unusable-mesh" ||
-         std::ranges::find(kFamilies, rule.substr(0, rule.find('.'))) != kFamilies.end();
-}
 
 /// Why a log should not be accepted, a sentence each.
 class Objections {
@@ -54,9 +47,9 @@ class Objections {
     const auto report = checkLog(session_.cell(), *reader);
     if (!report.ok()) return report.error();
     for (const Finding& finding : report->findings) {
-      if (report->isFailure(finding) && !isOfMeshFile(finding.rule)) {
+      if (report->isFailure(finding) && !isOfPicturesOnly(finding.rule)) {
         const std::string hint = finding.hint.empty() ? "" : " (" + plainText(finding.hint) + ")";
-        found_.push_back(fmt::format("{}{} [{}]", plainText(finding.text), hint, finding.rule));
+        found_.push_back(fmt::format("{}{} [{}]", plainText(sentenceOf(finding)), hint, finding.rule));
       }
     }
     if (report->verdict == CheckVerdict::nothing_judged && found_.empty()) {

@@ -196,18 +196,16 @@ class Golden:
 
 #: keywords of a session that say where models are
 _SEARCHES = ("search", "package", "search_env")
-#: what `check` says of meshes, which move nothing
-_OF_MESHES = re.compile(r"(collada|mesh|mtl|obj|stl)\.|model\.(missing-file|unusable-mesh)$")
 
 
 def _objection(new: pathlib.Path, cell: Any, more: Mapping[str, Any]) -> str:
-    """What `golden approve --run` refuses, too: errors that `check` finds, those of mesh files aside."""
+    """What `golden approve --run` refuses, too: errors that `check` finds, but for those of pictures."""
     searches = {name: more[name] for name in _SEARCHES if name in more}
     try:
         findings = check(new, **searches) if cell is None else check(cell, new, **searches)
     except Error as fault:
         return str(fault)
-    errors = [each for each in findings if each.severity == "error" and not _OF_MESHES.match(each.rule)]
+    errors = [each for each in findings if each.severity == "error" and not each.is_of_pictures_only]
     if not errors:
         return ""
     others = f" and {len(errors) - 1} more" if len(errors) > 1 else ""

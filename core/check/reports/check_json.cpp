@@ -26,6 +26,7 @@ Json jsonOf(const CheckReport& report, const Finding& finding) {
   json["hint"] = finding.hint;
   json["accepted"] = finding.accepted;
   if (const Rule* const rule = findRule(finding.rule)) json["title"] = std::string(rule->title);
+  if (isOfPicturesOnly(finding.rule)) json["pictures_only"] = true;
   if (!finding.when.counts().empty()) {
     json["when"] = {{"start_s", secondsOf(report, finding.when.start())},
                     {"bin_s", static_cast<double>(finding.when.width().count()) / 1e9},

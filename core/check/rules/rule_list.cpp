@@ -272,4 +272,10 @@ const Rule* findRule(std::string_view id) {
   return found != kRules.end() && found->id == id ? &*found : nullptr;
 }
 
+bool isOfPicturesOnly(std::string_view id) {
+  constexpr auto kFamilies = std::to_array<std::string_view>({"collada", "mesh", "mtl", "obj", "stl"});
+  return id == "model.missing-file" || id == "model.unusable-mesh" ||
+         std::ranges::find(kFamilies, id.substr(0, id.find('.'))) != kFamilies.end();
+}
+
 }  // namespace rocinante

@@ -65,6 +65,15 @@ TEST(RuleList, FindsEachRuleByItsIdAndNothingElse) {
   }
 }
 
+TEST(RuleList, KnowsWhatConcernsPicturesOnly) {
+  for (const char* id : {"mesh.texture", "obj.bad-number", "mtl.no-material", "model.missing-file"}) {
+    EXPECT_TRUE(isOfPicturesOnly(id)) << id;
+  }
+  for (const char* id : {"cell.missing-file", "urdf.xml", "joint.limit", "meshes.x", ""}) {
+    EXPECT_FALSE(isOfPicturesOnly(id)) << id;
+  }
+}
+
 TEST(RuleList, IsWrittenForPeople) {
   for (const Rule& rule : allRules()) {
     EXPECT_FALSE(rule.title.empty()) << rule.id;
