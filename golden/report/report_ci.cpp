@@ -244,29 +244,31 @@ std::string reportGithub(const SuiteReport& report) {
   return text;
 }
 
-std::string reportMarkdown(const SuiteReport& report, const std::string& page) {
-  const std::size_t fine =
-      static_cast<std::size_t>(std::ranges::count_if(report.frames, isFine, &JudgedFrame::verdict));
-  const std::size_t fine_runs =
-      static_cast<std::size_t>(std::ranges::count_if(report.runs, isFine, &JudgedRun::verdict));
-  std::string text = fmt::format("## {}: ", markdownText(report.suite));
+std::string asAcceptedText(const SuiteReport& report) {
+  const auto part = [](const auto& judged, auto verdict, const char* noun) {
+    return fmt::format("{} of {} as accepted", std::ranges::count_if(judged, isFine, verdict),
+                       countText(judged.size(), noun));
+  };
+  std::string text;
   if (!report.frames.empty() || report.runs.empty()) {
-    text += fmt::format("{} of {} as accepted", fine, countText(report.frames.size(), "frame"));
-    if (!report.runs.empty()) text += ", ";
+    text = part(report.frames, &JudgedFrame::verdict, "frame");
   }
-  if (!report.runs.empty()) {
-    text += fmt::format("{} of {} as accepted", fine_runs, countText(report.runs.size(), "run"));
-  }
-  text += "\n\n";
+  if (report.runs.empty()) return text;
+  return text + (text.empty() ? "" : ", ") + part(report.runs, &JudgedRun::verdict, "run");
+}
+
+std::string reportMarkdown(const SuiteReport& report, const std::string& page) {
+  std::string text = fmt::format("## {}: {}\n\n", markdownText(report.suite), asAcceptedText(report));
   addRunsMarkdown(report, text);
   addFramesMarkdown(report, text);
-  if (fine < report.frames.size() || fine_runs < report.runs.size()) {
+  const bool is_all_fine = std::ranges::all_of(report.frames, isFine, &JudgedFrame::verdict) &&
+                           std::ranges::all_of(report.runs, isFine, &JudgedRun::verdict);
+  if (!is_all_fine) {
     if (!page.empty()) text += sheetText(report, page);
     text += fmt::format("Repeat: {}\n\n", markdownCode(report.run_command));
-  }
-  const bool is_all_fine = fine == report.frames.size() && fine_runs == report.runs.size();
-  if (!is_all_fine && !report.approve_command.empty()) {
-    text += fmt::format("Accept all: {}\n\n", markdownCode(report.approve_command));
+    if (!report.approve_command.empty()) {
+      text += fmt::format("Accept all: {}\n\n", markdownCode(report.approve_command));
+    }
   }
   for (const std::string& note : report.notes) text += fmt::format("- {}\n", markdownText(note));
   if (!report.notes.empty()) text += "\n";

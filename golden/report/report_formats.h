@@ -18,6 +18,9 @@ Status writeReport(const SuiteReport& report, const std::filesystem::path& folde
 /// One self-contained page: no network, pictures inside. docs/golden-report.md.
 std::string reportHtml(const SuiteReport& report);
 
+/// "11 of 12 frames as accepted, 1 of 1 run as accepted".
+std::string asAcceptedText(const SuiteReport& report);
+
 /// SARIF 2.1.0: one result per frame that is not fine, at its case's line in the suite.
 std::string reportSarif(const SuiteReport& report);
 /// Workflow commands of GitHub Actions, one line per frame that is not fine.

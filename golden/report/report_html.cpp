@@ -188,6 +188,15 @@ Json environmentJson(const SuiteReport& report) {
   return entries;
 }
 
+template <class Judged>
+Json countsJson(const std::vector<Judged>& judged) {
+  Json counts = Json::object();
+  for (const FrameVerdict verdict : kFrameVerdicts) {
+    counts[std::string(nameOf(verdict))] = std::ranges::count(judged, verdict, &Judged::verdict);
+  }
+  return counts;
+}
+
 /// Verdicts that a person must look at are shown first.
 Json shownFirst(const SuiteReport& report) {
   Json verdicts = Json::array();
@@ -199,8 +208,7 @@ Json shownFirst(const SuiteReport& report) {
 
 /// Failures as text, for browsers without scripts.
 std::string plainHtml(const SuiteReport& report) {
-  std::string html = fmt::format("<p>{}: {}.</p>\n", nameOf(report.verdict()),
-                                 countText(report.frames.size(), "frame"));
+  std::string html = fmt::format("<p>{}: {}.</p>\n", nameOf(report.verdict()), asAcceptedText(report));
   const std::string cause = firstSentence(report);
   if (!cause.empty()) html = fmt::format("<p>{}</p>\n", xmlText(cause)) + html;
   html += "<ul>\n";
@@ -246,10 +254,6 @@ std::string filledPage(const std::vector<std::pair<std::string_view, std::string
 
 std::string reportHtml(const SuiteReport& report) {
   PagePictures pictures;
-  Json counts = Json::object();
-  for (const FrameVerdict verdict : kFrameVerdicts) {
-    counts[std::string(nameOf(verdict))] = report.count(verdict);
-  }
   Json frames = Json::array();
   for (const CauseGroup& group : causeGroups(report.frames)) {
     for (const JudgedFrame* const judged : group.frames) {
@@ -263,7 +267,8 @@ std::string reportHtml(const SuiteReport& report) {
       {"verdict", nameOf(report.verdict())},
       {"title", report.suite},
       {"cause", firstSentence(report)},
-      {"counts", counts},
+      {"counts", countsJson(report.frames)},
+      {"run_counts", countsJson(report.runs)},
       {"environment", environmentJson(report)},
       {"notes", report.notes},
       {"show_first", shownFirst(report)},

@@ -10,8 +10,12 @@
   find("suite").textContent = report.title;
   find("cause").hidden = !report.cause;
   find("cause").textContent = report.cause;
-  find("counts").append(...Object.entries(report.counts).filter(([, count]) => count > 0).map(([verdict, count]) =>
-    make("li", {}, make("span", { className: "verdict " + verdict, textContent: grouped(count) }), " " + verdict)));
+  // Of what is said, but for frames alone.
+  const addCounts = (counts, one, many) => find("counts").append(
+    ...Object.entries(counts).filter(([, count]) => count > 0).map(([verdict, count]) => make("li", {},
+      make("span", { className: "verdict " + verdict, textContent: grouped(count) }), ` ${verdict}${count === 1 ? one : many}`)));
+  addCounts(report.counts, ...(report.runs.length > 0 ? [" frame", " frames"] : ["", ""]));
+  addCounts(report.run_counts, " run", " runs");
   pairs(find("environment-list"), report.environment.map((entry) => [entry.name, entry.value, entry.command]));
 
   if (report.notes.length > 0) {

@@ -120,6 +120,18 @@ TEST_F(ReportTest, JsonHoldsTheFigures) {
   EXPECT_EQ(root["frames"][0]["log_time_ns"], 5);
 }
 
+TEST_F(ReportTest, PageTellsHowManyOfEach) {
+  add(FrameVerdict::same);
+  add(FrameVerdict::different);
+  JudgedRun run;
+  run.name = "swing";
+  run.verdict = FrameVerdict::same;
+  report_.runs.push_back(run);
+  const std::string page = reportHtml(report_);
+  EXPECT_THAT(page, HasSubstr("<p>different: 1 of 2 frames as accepted, 1 of 1 run as accepted.</p>"));
+  EXPECT_THAT(page, HasSubstr(R"("run_counts":{"different":0,)"));
+}
+
 TEST_F(ReportTest, JunitTellsFailuresFromErrors) {
   add(FrameVerdict::same);
   add(FrameVerdict::unstable);
