@@ -14,6 +14,7 @@
 #include "core/foreign/foxglove/foxglove_format.h"
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/foreign/ros_out/ros2_format.h"
+#include "core/report/account.h"
 #include "core/report/json_text.h"
 #include "recorder/export/exports.h"
 #include "recorder/log/command_support.h"
@@ -69,8 +70,8 @@ Result<std::vector<TimedNote>> findingsOf(const ExportArguments& arguments, cons
     const EventLevel level = finding.severity == Severity::error     ? EventLevel::error
                              : finding.severity == Severity::warning ? EventLevel::warning
                                                                      : EventLevel::info;
-    std::string text = cell.shown(finding.text);
-    if (finding.count > 1) text += fmt::format(" ({} times)", finding.count);
+    std::string text = cell.shown(sentenceOf(finding));
+    if (finding.count > 1 && finding.left_out.empty()) text += fmt::format(" ({} times)", finding.count);
     notes.push_back({finding.first.value_or(std::max(from, log->summary().start)), level,
                      finding.rule, std::move(text)});
   }

@@ -12,6 +12,7 @@
 #include "core/cell/cell.h"
 #include "core/check/check.h"
 #include "core/log/log_reader.h"
+#include "core/report/account.h"
 #include "core/session/timeline.h"
 #include "viewer/page/page_file.h"
 #include "viewer/page/page_layout.h"
@@ -59,7 +60,7 @@ std::string attachedText(const Bytes& bytes) {
 
 void noteFaults(const Cell& cell, PageReport& report) {
   for (const Finding& fault : cell.faults) {
-    report.warnings.push_back(fault.text + (fault.file.empty() ? "" : " (" + fault.file + ")"));
+    report.warnings.push_back(sentenceOf(fault) + (fault.file.empty() ? "" : " (" + fault.file + ")"));
     if (fault.severity == Severity::error) report.is_whole = false;
   }
 }

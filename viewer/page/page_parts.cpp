@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/data_file.h"
+#include "core/report/account.h"
 #include "core/report/json_text.h"
 
 namespace rocinante {
@@ -65,7 +66,7 @@ std::string pageFindings(const CheckReport& report) {
     Json one;
     one["severity"] = nameOf(finding.severity);
     one["rule"] = finding.rule;
-    one["text"] = pathless(finding.text, finding.file);
+    one["text"] = pathless(sentenceOf(finding), finding.file);
     if (!finding.hint.empty()) one["hint"] = pathless(finding.hint, finding.file);
     one["count"] = finding.count;
     if (!finding.subject.empty()) one["subject"] = pathless(finding.subject, finding.file);

@@ -16,6 +16,7 @@
 #include "core/check/log_account.h"
 #include "core/foreign/live/received_decoder.h"
 #include "core/log/log_reader.h"
+#include "core/report/account.h"
 #include "viewer/page/page_file.h"
 #include "viewer/page/page_parts.h"
 #include "viewer/serve/feed.h"
@@ -74,7 +75,7 @@ Result<Cell> loadServedCell(const ServeRequest& request, const ServeSurroundings
   auto cell = loadCellOrLog(request.cell, options);
   if (!cell) return cell;
   for (const Finding& fault : cell->faults) {
-    surroundings.notify(fault.text + (fault.file.empty() ? "" : " (" + fault.file + ")"));
+    surroundings.notify(sentenceOf(fault) + (fault.file.empty() ? "" : " (" + fault.file + ")"));
   }
   return cell;
 }

@@ -30,7 +30,7 @@ JunitCase testCase(const CheckReport& report, std::string_view rule,
   for (const Finding* finding : findings) {
     const bool fails = report.isFailure(*finding);
     if (fails && failures.empty()) {
-      test.message = finding->text;
+      test.message = sentenceOf(*finding);
       test.type = nameOf(finding->severity);
     }
     (fails ? failures : finding->accepted ? accepted : others) += paragraphOf(report, *finding);

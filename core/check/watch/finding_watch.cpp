@@ -12,6 +12,7 @@
 #include "core/base/plain_text.h"
 #include "core/check/check.h"
 #include "core/check/rules/rule_list.h"
+#include "core/report/account.h"
 #include "core/report/json_text.h"
 
 namespace rocinante {
@@ -212,7 +213,7 @@ std::string findingChangeText(const FindingChange& change) {
   const std::string place = finding.place();
   std::string text = fmt::format(
       "{} {}: {}{}{}: {} [{}]", momentText(change.at), change.begins ? "begins" : "ends", place,
-      place.empty() ? "" : ": ", nameOf(finding.severity), plainText(finding.text), finding.rule);
+      place.empty() ? "" : ": ", nameOf(finding.severity), plainText(sentenceOf(finding)), finding.rule);
   if (change.begins || !finding.first) return text;
   const auto lasted = std::chrono::floor<std::chrono::milliseconds>(*finding.last - *finding.first);
   return text +
@@ -233,7 +234,7 @@ std::string findingChangeJson(const FindingChange& change) {
   json["last"] = momentJson(finding.last);
   json["packet"] = orNull(finding.packet);
   json["subject"] = finding.subject;
-  json["text"] = finding.text;
+  json["text"] = sentenceOf(finding);
   json["example"] = finding.example;
   json["hint"] = finding.hint;
   if (const Rule* const rule = findRule(finding.rule)) json["title"] = std::string(rule->title);

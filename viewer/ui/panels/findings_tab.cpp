@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/duration_text.h"
+#include "core/report/account.h"
 #include "viewer/ui/commands/study_actions.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
@@ -25,11 +26,12 @@ void drawRow(ViewModel& model, const Finding& finding, std::size_t number, Stead
                                             severityColor(finding.severity), px(2));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + mark + px(6));
   const std::string when = finding.first ? secondsAt(model, *finding.first) + " s  " : "";
-  if (ImGui::Selectable((when + finding.text).c_str(), model.viewer.finding_shown == number)) {
+  const std::string text = sentenceOf(finding);
+  if (ImGui::Selectable((when + text).c_str(), model.viewer.finding_shown == number)) {
     showFinding(model, *model.cursor(), number, now);
   }
   if (ImGui::IsItemHovered()) {
-    showTip(finding.text.c_str());
+    showTip(text.c_str());
   }
 }
 
@@ -38,7 +40,7 @@ void drawExplanation(const ViewModel& model, const Finding& finding) {
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(severityColor(finding.severity)), "%s",
                      finding.rule.c_str());
-  ImGui::TextUnformatted(linesOf(finding.text).c_str());
+  ImGui::TextUnformatted(linesOf(sentenceOf(finding)).c_str());
   if (!finding.hint.empty()) ImGui::TextDisabled("%s", linesOf(finding.hint).c_str());
   std::string when = finding.first ? "at " + secondsAt(model, *finding.first) + " s" : "";
   if (finding.count > 1) when += fmt::format("{}{} times", when.empty() ? "" : ", ", finding.count);
