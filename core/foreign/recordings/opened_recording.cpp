@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be raised whenever the same recording would become another log.
-constexpr std::string_view kImportFormat = "rocinante-import-5";
+constexpr std::string_view kImportFormat = "rocinante-import-6";
 /// Hashing is about a tenth of the work.
 constexpr double kHashedPart = 0.1;
 
