@@ -8,6 +8,7 @@
 
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/report/finding.h"
-#include "core/report/json_text.h"
+#include "core/report/json_name.h"
 
 namespace rocinante {
 

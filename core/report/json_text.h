@@ -4,10 +4,9 @@
 #include <optional>
 #include <string>
 
-namespace rocinante {
+#include "core/report/json_name.h"
 
-/// Objects keep their keys in the order of insertion.
-using Json = nlohmann::ordered_json;
+namespace rocinante {
 
 /// JSON as programs print it, with LF. Names, payloads and paths come from strangers and need not
 /// be UTF-8: what is not becomes U+FFFD. `indent`: spaces a level; -1: all on one line.

@@ -9,6 +9,7 @@
 
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
+#include "core/report/json_text.h"
 #include "golden/suite/suite_case.h"
 #include "golden/why/run_pictures.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/report/json_text.h"
+#include "core/report/json_name.h"
 #include "core/report/junit.h"
 #include "golden/judge/judged_run.h"
 

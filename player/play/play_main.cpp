@@ -10,6 +10,7 @@
 #include "core/cli/program.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "core/report/account.h"
+#include "core/report/json_text.h"
 #include "player/control/command_slot.h"
 #include "player/control/control_socket.h"
 #include "player/control/control_thread.h"

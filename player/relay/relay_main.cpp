@@ -12,6 +12,7 @@
 #include "core/base/random_id.h"
 #include "core/cli/no_wait.h"
 #include "core/cli/program.h"
+#include "core/report/json_text.h"
 #include "player/relay/relay_program.h"
 
 namespace {

@@ -11,6 +11,7 @@
 #include "core/cli/no_wait.h"
 #include "core/cli/program.h"
 #include "core/foreign/recordings/opened_recording.h"
+#include "core/report/json_text.h"
 #include "player/source/joystick.h"
 #include "player/source/source.h"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/figure_text.h"
+#include "core/report/json_text.h"
 
 namespace rocinante::decode {
 

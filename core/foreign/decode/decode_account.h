@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/foreign/decode/datagram_decoders.h"
-#include "core/report/json_text.h"
+#include "core/report/json_name.h"
 
 namespace rocinante::decode {
 

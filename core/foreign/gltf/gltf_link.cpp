@@ -5,6 +5,7 @@
 #include "core/base/version.h"
 #include "core/foreign/session/link_frames.h"
 #include "core/math/transform.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/cell/posed_scene.h"
 #include "core/foreign/gltf/gltf_meshes.h"
-#include "core/report/json_text.h"
+#include "core/report/json_name.h"
 
 namespace rocinante {
 

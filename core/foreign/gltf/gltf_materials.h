@@ -8,6 +8,7 @@
 
 #include "core/foreign/gltf/gltf_binary.h"
 #include "core/mesh/mesh.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 

@@ -8,6 +8,7 @@
 
 #include "core/cell/posed_scene.h"
 #include "core/foreign/gltf/gltf_materials.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 

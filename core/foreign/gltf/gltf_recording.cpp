@@ -12,6 +12,7 @@
 #include "core/foreign/gltf/gltf_meshes.h"
 #include "core/foreign/session/link_frames.h"
 #include "core/math/transform.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/fault_list.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "core/math/transform.h"
 #include "core/mesh/glb_container.h"
+#include "core/report/json_text.h"
 #include "recorder/export/exports.h"
 #include "tests/recorder/export/written_session.h"
 #include "tests/support/temporary_folder.h"

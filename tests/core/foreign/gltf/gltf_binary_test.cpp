@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/glb_container.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {

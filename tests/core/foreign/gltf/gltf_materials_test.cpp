@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/math/srgb.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
