@@ -8,8 +8,8 @@
 
 #include "core/base/result.h"
 #include "core/cell/cell.h"
-#include "core/foreign/gltf/gltf_recording.h"
-#include "core/foreign/pcap/pcap_file.h"
+#include "recorder/gltf/gltf_recording.h"
+#include "recorder/pcap/pcap_file.h"
 #include "core/foreign/session/exported_mcap.h"
 #include "core/foreign/session/session_format.h"
 #include "core/foreign/table/session_table.h"

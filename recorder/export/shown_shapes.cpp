@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/foreign/gltf/gltf_link.h"
+#include "recorder/gltf/gltf_link.h"
 #include "core/foreign/session/link_frames.h"
 
 namespace rocinante {

@@ -13,7 +13,7 @@
 #include "core/copy/output_file.h"
 #include "core/foreign/foxglove/foxglove_format.h"
 #include "core/foreign/recordings/cell_and_log.h"
-#include "core/foreign/ros_out/ros2_format.h"
+#include "recorder/ros_out/ros2_format.h"
 #include "core/report/account.h"
 #include "core/report/json_text.h"
 #include "recorder/export/exports.h"

@@ -1,4 +1,4 @@
-#include "core/foreign/gltf/gltf_binary.h"
+#include "recorder/gltf/gltf_binary.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/foreign/gltf/gltf_binary.h"
+#include "recorder/gltf/gltf_binary.h"
 #include "core/mesh/mesh.h"
 #include "core/report/json_text.h"
 

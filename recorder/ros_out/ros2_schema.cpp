@@ -1,6 +1,6 @@
 #include <map>
 
-#include "core/foreign/ros_out/ros2_format.h"
+#include "recorder/ros_out/ros2_format.h"
 
 namespace rocinante {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/foreign/pcap/pcap_file.h"
+#include "recorder/pcap/pcap_file.h"
 
 #include <cassert>
 #include <cstdint>

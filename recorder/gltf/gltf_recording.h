@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/cell/posed_scene.h"
-#include "core/foreign/gltf/gltf_binary.h"
-#include "core/foreign/gltf/key_track.h"
+#include "recorder/gltf/gltf_binary.h"
+#include "recorder/gltf/key_track.h"
 #include "core/packet/session_state.h"
 
 namespace rocinante {

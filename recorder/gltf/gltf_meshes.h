@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/cell/posed_scene.h"
-#include "core/foreign/gltf/gltf_materials.h"
+#include "recorder/gltf/gltf_materials.h"
 #include "core/report/json_text.h"
 
 namespace rocinante {

@@ -1,4 +1,4 @@
-#include "core/foreign/gltf/gltf_recording.h"
+#include "recorder/gltf/gltf_recording.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 #include "core/base/figure_text.h"
 #include "core/base/version.h"
-#include "core/foreign/gltf/gltf_link.h"
-#include "core/foreign/gltf/gltf_meshes.h"
+#include "recorder/gltf/gltf_link.h"
+#include "recorder/gltf/gltf_meshes.h"
 #include "core/foreign/session/link_frames.h"
 #include "core/math/transform.h"
 #include "core/report/json_text.h"

@@ -1,4 +1,4 @@
-#include "core/foreign/ros_out/ros2_format.h"
+#include "recorder/ros_out/ros2_format.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/foreign/ros_out/cdr_writer.h"
+#include "recorder/ros_out/cdr_writer.h"
 #include "core/foreign/session/exported_mcap.h"
 #include "core/foreign/session/given_names.h"
 #include "core/packet/channel_names.h"

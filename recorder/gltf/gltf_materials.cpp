@@ -1,4 +1,4 @@
-#include "core/foreign/gltf/gltf_materials.h"
+#include "recorder/gltf/gltf_materials.h"
 
 #include <fmt/format.h>
 

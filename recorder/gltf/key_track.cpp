@@ -1,4 +1,4 @@
-#include "core/foreign/gltf/key_track.h"
+#include "recorder/gltf/key_track.h"
 
 #include <algorithm>
 #include <array>

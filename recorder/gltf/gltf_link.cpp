@@ -1,4 +1,4 @@
-#include "core/foreign/gltf/gltf_link.h"
+#include "recorder/gltf/gltf_link.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "core/foreign/gltf/gltf_meshes.h"
+#include "recorder/gltf/gltf_meshes.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/cell/posed_scene.h"
-#include "core/foreign/gltf/gltf_meshes.h"
+#include "recorder/gltf/gltf_meshes.h"
 #include "core/report/json_name.h"
 
 namespace rocinante {
