@@ -1,8 +1,5 @@
 #include "viewer/detail/detail_builder.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -11,12 +8,9 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/thread_priority.h"
+
 namespace rocinante {
-namespace {
-
-constexpr int kBackgroundNice = 10;
-
-}  // namespace
 
 struct DetailBuilder::Impl {
   std::vector<DetailInput> inputs;
@@ -40,8 +34,7 @@ struct DetailBuilder::Impl {
   }
 
   void work() {
-    // Linux sets the priority of this thread only. On failure it runs with normal priority.
-    static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kBackgroundNice));
+    lowerPriority();
     for (std::size_t i = next++; i < order.size() && !stop; i = next++) {
       ReadyDetail one{order[i], detailOf(inputs[order[i]])};
       const std::lock_guard lock(mutex);

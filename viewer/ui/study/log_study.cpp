@@ -7,13 +7,13 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/thread_priority.h"
 #include "core/log/log_reader.h"
 #include "core/series/positional_names.h"
 #include "core/session/timeline.h"
 #include "viewer/ui/study/log_scan.h"
 #include "viewer/ui/study/plotted_table.h"
 #include "viewer/ui/study/source_strips.h"
-#include "viewer/ui/study/study_thread.h"
 
 namespace rocinante {
 namespace {

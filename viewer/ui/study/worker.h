@@ -8,8 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/thread_priority.h"
 #include "core/base/time.h"
-#include "viewer/ui/study/study_thread.h"
 
 namespace rocinante {
 

@@ -5,8 +5,8 @@
 
 namespace rocinante {
 
-/// For a thread that works beside the one that draws. Linux sets the priority of this thread only;
-/// on failure it keeps the normal one.
+/// Gives way to the threads that draw or receive. Linux sets the priority of the calling thread
+/// only; on failure it keeps the normal one.
 inline void lowerPriority() {
   constexpr int kBackgroundNice = 10;
   static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kBackgroundNice));
