@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/json_read.h"
 #include "core/math/transform.h"
 #include "core/mesh/gltf_document.h"
 #include "core/mesh/gltf_materials.h"
@@ -195,7 +196,7 @@ class GltfAccount {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const std::string place = fmt::format("nodes[{}]", i);
       if (!is_drawn_[i] && nodes[i].contains("mesh")) {
-        leaveOut("node", gltfName(nodes[i]), place, "it is not in the scene that is drawn");
+        leaveOut("node", textIn(nodes[i], "name"), place, "it is not in the scene that is drawn");
       }
       nameRotation(nodes[i], place);
       const bool has_skin = nodes[i].contains("skin");
@@ -224,7 +225,7 @@ class GltfAccount {
     }
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       const std::string place = fmt::format("meshes[{}]", i);
-      if (!is_shown[i]) leaveOut("shape", gltfName(meshes[i]), place, "no node shows it");
+      if (!is_shown[i]) leaveOut("shape", textIn(meshes[i], "name"), place, "no node shows it");
       for (const GltfJson& primitive : meshes[i]["primitives"]) namePrimitive(primitive, place);
     }
   }
@@ -260,8 +261,8 @@ class GltfAccount {
       const auto surface = materials[i].find("pbrMetallicRoughness");
       if (surface == materials[i].end() || !surface->is_object()) continue;
       // These are as surfaces are drawn.
-      const bool is_paint = gltfNumber(*surface, "metallicFactor", 0) == 0;
-      const bool is_rough = gltfNumber(*surface, "roughnessFactor", 1) == 1;
+      const bool is_paint = numberIn<double>(*surface, "metallicFactor", 0) == 0;
+      const bool is_rough = numberIn<double>(*surface, "roughnessFactor", 1) == 1;
       name(*surface, place,
            {"baseColorFactor", "baseColorTexture", is_paint ? "metallicFactor" : "",
             is_rough ? "roughnessFactor" : ""});
@@ -291,7 +292,7 @@ class GltfAccount {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       const bool is_empty = !scenes[i].contains("nodes") || scenes[i]["nodes"].empty();
       if (i == drawn || is_empty) continue;
-      leaveOut("scene", gltfName(scenes[i]), fmt::format("scenes[{}]", i),
+      leaveOut("scene", textIn(scenes[i], "name"), fmt::format("scenes[{}]", i),
                "one scene of a file is drawn");
     }
   }

@@ -8,6 +8,7 @@
 
 #include "core/base/base64.h"
 #include "core/base/json_parse.h"
+#include "core/base/json_read.h"
 #include "core/document/fault_list.h"
 #include "core/mesh/glb_container.h"
 #include "core/search/file_search.h"
@@ -105,7 +106,7 @@ Result<GltfDocument> openGltf(ByteView bytes, const std::filesystem::path& path,
   BufferLoader loader(document, path, resolve);
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     const std::string place = fmt::format("buffers[{}]", i);
-    const auto stated = static_cast<std::size_t>(gltfNumber(buffers[i], "byteLength", 0));
+    const auto stated = static_cast<std::size_t>(numberIn<double>(buffers[i], "byteLength", 0));
     ByteView content = parts->binary;
     if (buffers[i].contains("uri")) {
       Result<ByteView> loaded = loader.load(buffers[i]["uri"].get<std::string>(), place);
@@ -145,11 +146,6 @@ std::string fileNameOfUri(std::string_view uri) {
   return name;
 }
 
-double gltfNumber(const GltfJson& object, const char* key, double otherwise) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : otherwise;
-}
-
 std::optional<std::size_t> gltfIndex(const GltfJson& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_number_unsigned()) return std::nullopt;
@@ -161,11 +157,6 @@ const GltfJson* gltfExtension(const GltfJson& object, const char* name) {
   if (extensions == object.end() || !extensions->is_object()) return nullptr;
   const auto found = extensions->find(name);
   return found == extensions->end() || !found->is_object() ? nullptr : &*found;
-}
-
-std::string gltfName(const GltfJson& object) {
-  const auto found = object.find("name");
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 std::size_t gltfComponentBytes(std::uint64_t type) {

@@ -48,12 +48,10 @@ bool isDataUri(std::string_view uri);
 /// file is called.
 std::string fileNameOfUri(std::string_view uri);
 
-/// Numbers of an object, with what they are when it has none or something else.
-double gltfNumber(const GltfJson& object, const char* key, double otherwise);
+/// Empty unless it is a whole number from 0.
 std::optional<std::size_t> gltfIndex(const GltfJson& object, const char* key);
 /// The extension of an object, or null.
 const GltfJson* gltfExtension(const GltfJson& object, const char* name);
-std::string gltfName(const GltfJson& object);
 
 /// Of a component type's number (5120 to 5126); 0 for others.
 std::size_t gltfComponentBytes(std::uint64_t type);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/json_read.h"
 #include "core/math/srgb.h"
 #include "core/math/trigonometry.h"
 #include "core/mesh/mtl_reader.h"
@@ -65,7 +66,7 @@ std::vector<Material> GltfMaterialReader::readAll() {
 
 Material GltfMaterialReader::read(const GltfJson& given) {
   Material material = plain();
-  material.name = gltfName(given);
+  material.name = textIn(given, "name");
   double opacity = 1;
   const auto surface = given.find("pbrMetallicRoughness");
   if (surface != given.end() && surface->is_object()) {
@@ -96,7 +97,7 @@ void GltfMaterialReader::readAlpha(const GltfJson& given, double opacity, Materi
     material.alpha_mode = AlphaMode::blend;
   } else if (mode == "MASK") {
     material.alpha_mode = AlphaMode::mask;
-    material.alpha_cutoff = finiteOr(gltfNumber(given, "alphaCutoff", 0.5), 1e30F);
+    material.alpha_cutoff = finiteOr(numberIn<double>(given, "alphaCutoff", 0.5), 1e30F);
   } else if (mode != "OPAQUE") {
     faults_.leaveOut(
         "value", mode, {},
@@ -116,7 +117,7 @@ void GltfMaterialReader::readTexture(const GltfJson& info, Material& material) {
     const double width = elementOf(*placed, "scale", 0, 1);
     const double height = elementOf(*placed, "scale", 1, 1);
     const double x = elementOf(*placed, "offset", 0, 0), y = elementOf(*placed, "offset", 1, 0);
-    const double angle = gltfNumber(*placed, "rotation", 0);
+    const double angle = numberIn<double>(*placed, "rotation", 0);
     // Around the picture's top left corner with v down; ours is around the bottom left, v up.
     const SineCosine turn = sineCosine(angle);
     material.map_scale = {finiteOr(width, 1), finiteOr(height, 1)};

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/json_read.h"
 #include "core/mesh/gltf_document.h"
 #include "core/mesh/gltf_materials.h"
 #include "core/mesh/gltf_placing.h"
@@ -69,7 +70,8 @@ class GltfReader {
       const std::size_t node = open.back();
       open.pop_back();
       places_[node] = places_[node] * matrixOfGltfNode(nodes[node]);
-      if (std::string name = gltfName(nodes[node]); !name.empty()) groups_[node] = std::move(name);
+      if (std::string name = textIn(nodes[node], "name"); !name.empty())
+        groups_[node] = std::move(name);
       eachChild(node, [&](std::size_t child) {
         places_[child] = places_[node];
         groups_[child] = groups_[node];

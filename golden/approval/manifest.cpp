@@ -8,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "core/base/json_parse.h"
+#include "core/base/json_read.h"
 #include "core/base/plain_text.h"
 #include "core/report/json_text.h"
 #include "golden/suite/merge_conflict.h"
@@ -20,24 +21,9 @@ namespace {
 constexpr char kFileName[] = "manifest.json";
 constexpr std::uint64_t kMaxGoldenManifestBytes = 64U << 20U;
 
-std::vector<std::string> textsIn(const Json& object, const char* key) {
-  std::vector<std::string> texts;
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_array()) return texts;
-  for (const Json& text : *found) {
-    if (text.is_string()) texts.push_back(text.get<std::string>());
-  }
-  return texts;
-}
-
 Error broken(const std::filesystem::path& file, std::string what) {
   return {ErrorKind::damaged, "the manifest of goldens is broken: " + std::move(what),
           file.string()};
-}
-
-std::string textIn(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 /// A picture that is read or replaced must be a PNG inside the folder.

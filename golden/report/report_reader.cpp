@@ -7,6 +7,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "core/base/json_parse.h"
+#include "core/base/json_read.h"
 #include "golden/report/report_pictures.h"
 #include "golden/report/report_runs.h"
 #include "golden/suite/suite_case.h"
@@ -26,36 +27,14 @@ Error brokenReport(const std::filesystem::path& file, std::string what) {
   return {ErrorKind::damaged, "is not a report of `golden run`: " + std::move(what), file.string()};
 }
 
-/// A field of an object, if it exists and has the right type.
-template <class T>
-T fieldOf(const ReportJson& object, const char* key, T otherwise = {}) {
-  const auto found = object.find(key);
-  if (found == object.end()) return otherwise;
-  if constexpr (std::is_same_v<T, std::string>) {
-    return found->is_string() ? found->get<T>() : otherwise;
-  } else {
-    return found->is_number() ? found->get<T>() : otherwise;
-  }
-}
-
-std::vector<std::string> textsOf(const ReportJson& object, const char* key) {
-  std::vector<std::string> texts;
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_array()) return texts;
-  for (const ReportJson& item : *found) {
-    if (item.is_string()) texts.push_back(item.get<std::string>());
-  }
-  return texts;
-}
-
 template <std::size_t N>
 std::optional<std::array<double, N>> numbersIn(const ReportJson& object, const char* key) {
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_array() || found->size() != N) return std::nullopt;
+  const ReportJson& list = arrayIn(object, key);
+  if (list.size() != N) return std::nullopt;
   std::array<double, N> numbers{};
   for (std::size_t i = 0; i < N; ++i) {
-    if (!(*found)[i].is_number()) return std::nullopt;
-    numbers[i] = (*found)[i].template get<double>();
+    if (!list[i].is_number()) return std::nullopt;
+    numbers[i] = list[i].template get<double>();
   }
   return numbers;
 }
@@ -63,158 +42,128 @@ std::optional<std::array<double, N>> numbersIn(const ReportJson& object, const c
 /// Skips what is no hash: hashes only explain failures and decide no verdict.
 FileHashes cellFilesOf(const ReportJson& root) {
   FileHashes files;
-  const auto found = root.find("cell_files");
-  if (found == root.end() || !found->is_object()) return files;
-  for (const auto& [name, hash] : found->items()) {
+  const ReportJson& found = fieldIn(root, "cell_files");
+  if (!found.is_object()) return files;
+  for (const auto& [name, hash] : found.items()) {
     if (hash.is_string() && hash.get_ref<const std::string&>().size() == 64) files[name] = hash;
   }
   return files;
 }
 
-/// The object in a field; empty when missing.
-ReportJson objectIn(const ReportJson& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_object() ? *found : ReportJson::object();
-}
-
-std::optional<FrameVerdict> verdictNamed(const std::string& name) {
-  for (const FrameVerdict verdict : kFrameVerdicts) {
-    if (nameOf(verdict) == name) return verdict;
-  }
-  return std::nullopt;
-}
-
 void readWhy(const ReportJson& entry, JudgedFrame& judged) {
-  const auto found = entry.find("why");
-  if (found == entry.end() || !found->is_object()) return;
+  const ReportJson& found = fieldIn(entry, "why");
+  if (!found.is_object()) return;
   auto why = std::make_shared<FrameWhy>();
-  const auto estimated = found->find("estimated");
-  const bool guessed = estimated == found->end() || *estimated != false;
-  why->basis = guessed ? GoldenBasis::guessed : GoldenBasis::redrawn;
-  why->blame.differing = fieldOf<std::int64_t>(*found, "differing");
-  why->files = textsOf(*found, "files");
-  const auto links = found->find("links");
-  for (const ReportJson& link :
-       links != found->end() && links->is_array() ? *links : ReportJson::array()) {
+  const bool is_redrawn = fieldIn(found, "estimated") == false;
+  why->basis = is_redrawn ? GoldenBasis::redrawn : GoldenBasis::guessed;
+  why->blame.differing = numberIn<std::int64_t>(found, "differing");
+  why->files = textsIn(found, "files");
+  for (const ReportJson& link : arrayIn(found, "links")) {
     if (!link.is_object()) continue;
     LinkChange& change = why->blame.changes.emplace_back();
-    change.name = {fieldOf<std::string>(link, "device"), fieldOf<std::string>(link, "link")};
-    change.pixels = fieldOf<std::int64_t>(link, "pixels");
-    const std::string kind = fieldOf<std::string>(link, "kind");
-    for (const ChangeKind one :
-         {ChangeKind::moved, ChangeKind::appeared, ChangeKind::vanished, ChangeKind::shape,
-          ChangeKind::color, ChangeKind::drawing, ChangeKind::camera}) {
-      if (nameOf(one) == kind) change.kind = one;
-    }
-    change.inset = fieldOf<std::string>(link, "inset");
-    change.camera = fieldOf<std::string>(link, "camera");
+    change.name = {textIn(link, "device"), textIn(link, "link")};
+    change.pixels = numberIn<std::int64_t>(link, "pixels");
+    change.kind = enumeratorNamed(textIn(link, "kind"), ChangeKind::camera).value_or(change.kind);
+    change.inset = textIn(link, "inset");
+    change.camera = textIn(link, "camera");
     change.moved_px = numbersIn<2>(link, "moved_px");
     change.color_shift = numbersIn<3>(link, "color_shift").value_or(std::array<double, 3>{});
   }
-  const auto state = found->find("state");
-  for (const ReportJson& item :
-       state != found->end() && state->is_array() ? *state : ReportJson::array()) {
+  for (const ReportJson& item : arrayIn(found, "state")) {
     if (!item.is_object()) continue;
     StateChange& change = why->state.emplace_back();
-    change.item = fieldOf<std::string>(item, "item");
-    change.text = fieldOf<std::string>(item, "text");
+    change.item = textIn(item, "item");
+    change.text = textIn(item, "text");
   }
-  why->causes = textsOf(*found, "causes");
-  why->common_cause = fieldOf<std::string>(*found, "common_cause");
+  why->causes = textsIn(found, "causes");
+  why->common_cause = textIn(found, "common_cause");
   judged.why = std::move(why);
 }
 
 void readFigures(const ReportJson& entry, JudgedFrame& judged) {
   Comparison& found = judged.comparison;
-  found.differing = fieldOf<std::int64_t>(entry, "differing");
-  found.max = fieldOf<int>(entry, "max");
-  const ReportJson worst = objectIn(entry, "worst");
-  found.worst_x = fieldOf<int>(worst, "x");
-  found.worst_y = fieldOf<int>(worst, "y");
-  found.worst_tile_mean = fieldOf<double>(entry, "worst_tile_mean");
-  found.worst_tile_over = fieldOf<std::int64_t>(entry, "worst_tile_over");
+  found.differing = numberIn<std::int64_t>(entry, "differing");
+  found.max = numberIn<int>(entry, "max");
+  const ReportJson& worst = fieldIn(entry, "worst");
+  found.worst_x = numberIn<int>(worst, "x");
+  found.worst_y = numberIn<int>(worst, "y");
+  found.worst_tile_mean = numberIn<double>(entry, "worst_tile_mean");
+  found.worst_tile_over = numberIn<std::int64_t>(entry, "worst_tile_over");
   found.rule = judged.rule;
-  const ReportJson over = objectIn(entry, "pixels_over");
-  found.over_1 = fieldOf<std::int64_t>(over, "1");
-  found.over_2 = fieldOf<std::int64_t>(over, "2");
-  found.over_8 = fieldOf<std::int64_t>(over, "8");
-  found.over_32 = fieldOf<std::int64_t>(over, "32");
-  judged.render_ms = fieldOf<double>(entry, "render_ms");
-  judged.judge_ms = fieldOf<double>(entry, "judge_ms");
+  const ReportJson& over = fieldIn(entry, "pixels_over");
+  found.over_1 = numberIn<std::int64_t>(over, "1");
+  found.over_2 = numberIn<std::int64_t>(over, "2");
+  found.over_8 = numberIn<std::int64_t>(over, "8");
+  found.over_32 = numberIn<std::int64_t>(over, "32");
+  judged.render_ms = numberIn<double>(entry, "render_ms");
+  judged.judge_ms = numberIn<double>(entry, "judge_ms");
 }
 
 void readLimits(const ReportJson& entry, JudgedFrame& judged) {
   Tolerance& tolerance = judged.tolerance;
-  tolerance.name = fieldOf<std::string>(entry, "tolerance");
-  judged.limit_from = fieldOf<std::string>(entry, "limit_from");
-  const ReportJson limits = objectIn(entry, "limits");
-  tolerance.exact = limits.empty();
-  tolerance.tile_mean = fieldOf<double>(limits, "tile_mean");
-  tolerance.tile_over = fieldOf<std::int64_t>(limits, "tile_over");
-  tolerance.level = fieldOf<int>(limits, "level", tolerance.level);
-  tolerance.percent = fieldOf<int>(limits, "percent", tolerance.percent);
-  const auto masks = entry.find("masks");
-  if (masks == entry.end() || !masks->is_array()) return;
-  for (const ReportJson& mask : *masks) {
+  tolerance.name = textIn(entry, "tolerance");
+  judged.limit_from = textIn(entry, "limit_from");
+  const ReportJson& limits = fieldIn(entry, "limits");
+  tolerance.exact = !limits.is_object() || limits.empty();
+  tolerance.tile_mean = numberIn<double>(limits, "tile_mean");
+  tolerance.tile_over = numberIn<std::int64_t>(limits, "tile_over");
+  tolerance.level = numberIn<int>(limits, "level", tolerance.level);
+  tolerance.percent = numberIn<int>(limits, "percent", tolerance.percent);
+  for (const ReportJson& mask : arrayIn(entry, "masks")) {
     if (!mask.is_object()) continue;
-    judged.masks.push_back(
-        {fieldOf<std::string>(mask, "mask"), fieldOf<std::int64_t>(mask, "pixels")});
-    const auto own = mask.find("own");
-    if (own != mask.end() && *own == true) judged.own_masks = judged.masks.size();
+    judged.masks.push_back({textIn(mask, "mask"), numberIn<std::int64_t>(mask, "pixels")});
+    if (fieldIn(mask, "own") == true) judged.own_masks = judged.masks.size();
   }
 }
 
 void readGolden(const ReportJson& entry, JudgedFrame& judged) {
-  const auto found = entry.find("golden");
-  if (found == entry.end() || !found->is_object()) return;
+  const ReportJson& found = fieldIn(entry, "golden");
+  if (!found.is_object()) return;
   AcceptedPicture& golden = judged.golden.emplace();
-  golden.key = fieldOf<std::string>(*found, "key", judged.key);  // older reports have none
-  golden.picture = fieldOf<std::string>(*found, "picture");
-  golden.pixels = fieldOf<std::string>(*found, "pixels");
-  golden.accepted_by = fieldOf<std::string>(*found, "accepted_by");
-  golden.accepted_at = fieldOf<std::string>(*found, "accepted_at");
-  golden.reason = fieldOf<std::string>(*found, "reason");
-  if (found->contains("coverage")) golden.coverage = textsOf(*found, "coverage");
+  golden.key = textIn(found, "key", judged.key);  // older reports have none
+  golden.picture = textIn(found, "picture");
+  golden.pixels = textIn(found, "pixels");
+  golden.accepted_by = textIn(found, "accepted_by");
+  golden.accepted_at = textIn(found, "accepted_at");
+  golden.reason = textIn(found, "reason");
+  if (found.contains("coverage")) golden.coverage = textsIn(found, "coverage");
   // The report only says whether they are equal.
-  const auto equal = [&](const char* key) {
-    const auto flag = found->find(key);
-    return flag != found->end() && *flag == true;
-  };
+  const auto equal = [&](const char* key) { return fieldIn(found, key) == true; };
   if (equal("inputs_equal")) golden.inputs = judged.inputs;
   if (equal("session_equal")) golden.session = judged.session;
   // Older reports know of no decoded packets.
-  if (!found->contains("decoded_equal") || equal("decoded_equal")) golden.decoded = judged.decoded;
+  if (!found.contains("decoded_equal") || equal("decoded_equal")) golden.decoded = judged.decoded;
 }
 
 Result<JudgedFrame> frameOf(const ReportJson& entry, const SuiteReport& report,
                             const std::filesystem::path& file) {
   if (!entry.is_object()) return brokenReport(file, "a frame is not an object");
   JudgedFrame judged;
-  judged.frame.name = fieldOf<std::string>(entry, "name");
+  judged.frame.name = textIn(entry, "name");
   // The name is also used in file names.
   if (judged.frame.name.empty() || judged.frame.name.size() > 240 ||
       judged.frame.name.front() == '.' || !isFileText(judged.frame.name)) {
     return brokenReport(file, "a frame's name cannot be a file name");
   }
-  const auto verdict = verdictNamed(fieldOf<std::string>(entry, "verdict"));
+  const auto verdict = enumeratorNamed(textIn(entry, "verdict"), FrameVerdict::unexpected);
   if (!verdict) return brokenReport(file, "frame " + judged.frame.name + " has no verdict");
   judged.verdict = *verdict;
-  judged.frame.case_name = fieldOf<std::string>(entry, "case");
-  judged.frame.camera = fieldOf<std::string>(entry, "camera");
-  judged.frame.tags = textsOf(entry, "tags");
-  judged.frame.place = fieldOf<std::size_t>(entry, "place");
-  judged.frame.line = fieldOf<int>(entry, "line");
+  judged.frame.case_name = textIn(entry, "case");
+  judged.frame.camera = textIn(entry, "camera");
+  judged.frame.tags = textsIn(entry, "tags");
+  judged.frame.place = numberIn<std::size_t>(entry, "place");
+  judged.frame.line = numberIn<int>(entry, "line");
   if (entry.contains("log_time_ns")) {
-    judged.frame.time = LogTime(Nanoseconds(fieldOf<std::int64_t>(entry, "log_time_ns")));
+    judged.frame.time = LogTime(Nanoseconds(numberIn<std::int64_t>(entry, "log_time_ns")));
   }
-  judged.rule = fieldOf<std::string>(entry, "rule");
-  judged.expectation = fieldOf<std::string>(entry, "expectation");
-  judged.key = fieldOf<std::string>(entry, "key");
-  judged.pixels = fieldOf<std::string>(entry, "pixels");
-  judged.inputs = fieldOf<std::string>(entry, "inputs");
+  judged.rule = textIn(entry, "rule");
+  judged.expectation = textIn(entry, "expectation");
+  judged.key = textIn(entry, "key");
+  judged.pixels = textIn(entry, "pixels");
+  judged.inputs = textIn(entry, "inputs");
   judged.session = report.session;
   judged.decoded = report.decoded;
-  judged.lacks = textsOf(entry, "lacks");
+  judged.lacks = textsIn(entry, "lacks");
   if (entry.contains("coverage")) judged.coverage = readCoverage(entry);
   readFigures(entry, judged);
   readLimits(entry, judged);
@@ -279,35 +228,35 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
     return Error{ErrorKind::unsupported, "the report has a format other than 1", file.string()};
   }
   SuiteReport report;
-  report.suite = fieldOf<std::string>(root, "suite");
-  report.cell = fieldOf<std::string>(root, "cell");
-  report.log = fieldOf<std::string>(root, "log");
-  report.renderer = fieldOf<std::string>(root, "renderer");
-  report.session = fieldOf<std::string>(root, "session");
-  report.decoded = fieldOf<std::string>(root, "decoded");
-  report.made_at = fieldOf<std::string>(root, "made_at");
-  report.run_command = fieldOf<std::string>(root, "run_command");
-  report.approve_command = fieldOf<std::string>(root, "approve_command");
-  report.run_one_command = fieldOf<std::string>(root, "run_one_command");
-  report.approve_one_command = fieldOf<std::string>(root, "approve_one_command");
-  report.approve_from_command = fieldOf<std::string>(root, "approve_from_command");
-  report.notes = textsOf(root, "notes");
+  report.suite = textIn(root, "suite");
+  report.cell = textIn(root, "cell");
+  report.log = textIn(root, "log");
+  report.renderer = textIn(root, "renderer");
+  report.session = textIn(root, "session");
+  report.decoded = textIn(root, "decoded");
+  report.made_at = textIn(root, "made_at");
+  report.run_command = textIn(root, "run_command");
+  report.approve_command = textIn(root, "approve_command");
+  report.run_one_command = textIn(root, "run_one_command");
+  report.approve_one_command = textIn(root, "approve_one_command");
+  report.approve_from_command = textIn(root, "approve_from_command");
+  report.notes = textsIn(root, "notes");
   report.cell_files = cellFilesOf(root);
-  if (const auto shard = root.find("shard"); shard != root.end() && shard->is_object()) {
-    report.shard = fieldOf<int>(*shard, "number", 1);
-    report.shards = fieldOf<int>(*shard, "of", 1);
+  if (const ReportJson& shard = fieldIn(root, "shard"); shard.is_object()) {
+    report.shard = numberIn<int>(shard, "number", 1);
+    report.shards = numberIn<int>(shard, "of", 1);
     if (report.shard < 1 || report.shard > report.shards || report.shards > kMaxShards) {
       return brokenReport(file, "its shard is not valid");
     }
   }
-  const auto frames = root.find("frames");
-  if (frames == root.end() || !frames->is_array()) return brokenReport(file, "it has no `frames`");
-  for (const ReportJson& entry : *frames) {
+  const ReportJson& frames = fieldIn(root, "frames");
+  if (!frames.is_array()) return brokenReport(file, "it has no `frames`");
+  for (const ReportJson& entry : frames) {
     auto judged = frameOf(entry, report, file);
     if (!judged.ok()) return judged.error();
     report.frames.push_back(std::move(*judged));
   }
-  if (const auto runs = root.find("runs"); runs != root.end()) report.runs = readRunsJson(*runs);
+  report.runs = readRunsJson(fieldIn(root, "runs"));
   return report;
 }
 

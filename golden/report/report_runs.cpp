@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/figure_text.h"
+#include "core/base/json_read.h"
 #include "core/base/plain_text.h"
 #include "core/report/json_text.h"
 #include "golden/suite/suite_case.h"
@@ -64,32 +65,9 @@ Json picturesJson(const JudgedRun& run) {
   return pictures;
 }
 
-std::string readText(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-template <class T>
-T readNumber(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<T>() : T{};
-}
-
-std::vector<std::string> readTexts(const nlohmann::json& object, const char* key) {
-  std::vector<std::string> texts;
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_array()) return texts;
-  for (const auto& item : *found) {
-    if (item.is_string()) texts.push_back(item.get<std::string>());
-  }
-  return texts;
-}
-
 std::vector<double> readNumbers(const nlohmann::json& object, const char* key) {
   std::vector<double> numbers;
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_array()) return numbers;
-  for (const auto& item : *found) {
+  for (const auto& item : arrayIn(object, key)) {
     if (numbers.size() == kMaxReadPoints) break;
     numbers.push_back(item.is_number() ? item.get<double>()
                                        : std::numeric_limits<double>::quiet_NaN());
@@ -108,24 +86,19 @@ Json coverageJson(const RunCoverage& coverage) {
 
 RunCoverage readCoverage(const nlohmann::json& judged) {
   RunCoverage coverage;
-  const auto found = judged.find("coverage");
-  if (found == judged.end() || !found->is_object()) return coverage;
+  const auto& found = fieldIn(judged, "coverage");
   const auto itemsIn = [&](const char* key) {
-    const auto items = readTexts(*found, key);
+    const auto items = textsIn(found, key);
     return std::set<std::string>(items.begin(), items.end());
   };
   coverage.judged = itemsIn("judged");
   coverage.lost = itemsIn("lost");
   coverage.masked = itemsIn("masked");
-  const auto left_out = found->find("left_out");
-  if (left_out == found->end() || !left_out->is_object()) return coverage;
-  const auto items = left_out->find("items");
-  if (items == left_out->end() || !items->is_array()) return coverage;
-  for (const auto& item : *items) {
+  for (const auto& item : arrayIn(fieldIn(found, "left_out"), "items")) {
     if (!item.is_object()) continue;
-    LeftOut one{readText(item, "kind"), readText(item, "name"), readText(item, "reason"),
-                readText(item, "first"), readNumber<std::uint64_t>(item, "count")};
-    if (readText(item, "severity") == nameOf(Severity::warning)) one.severity = Severity::warning;
+    LeftOut one{textIn(item, "kind"), textIn(item, "name"), textIn(item, "reason"),
+                textIn(item, "first"), numberIn<std::uint64_t>(item, "count")};
+    if (textIn(item, "severity") == nameOf(Severity::warning)) one.severity = Severity::warning;
     coverage.left_out.leaveOut(std::move(one));
   }
   return coverage;
@@ -135,33 +108,25 @@ namespace {
 
 RunFinding readFinding(const nlohmann::json& json) {
   RunFinding finding;
-  const std::string kind = readText(json, "kind");
-  for (const auto one :
-       {RunFinding::Kind::model, RunFinding::Kind::coverage, RunFinding::Kind::event,
-        RunFinding::Kind::rate, RunFinding::Kind::joint, RunFinding::Kind::pose,
-        RunFinding::Kind::signal, RunFinding::Kind::fact, RunFinding::Kind::drawing}) {
-    if (nameOf(one) == kind) finding.kind = one;
-  }
-  finding.item = readText(json, "item");
-  finding.what = readText(json, "what");
-  finding.accept = readText(json, "accept");
-  const auto time = [&](const char* key) {
-    return Nanoseconds(readNumber<std::int64_t>(json, key));
-  };
+  finding.kind =
+      enumeratorNamed(textIn(json, "kind"), RunFinding::Kind::drawing).value_or(finding.kind);
+  finding.item = textIn(json, "item");
+  finding.what = textIn(json, "what");
+  finding.accept = textIn(json, "accept");
+  const auto time = [&](const char* key) { return Nanoseconds(numberIn<std::int64_t>(json, key)); };
   finding.first_accepted = time("first_accepted_ns");
   finding.first_run = time("first_run_ns");
   finding.until_accepted = time("until_accepted_ns");
   if (json.contains("largest")) {
-    finding.unit = readText(json, "unit");
-    finding.largest = readNumber<double>(json, "largest");
-    finding.limit = readNumber<double>(json, "limit");
+    finding.unit = textIn(json, "unit");
+    finding.largest = numberIn<double>(json, "largest");
+    finding.limit = numberIn<double>(json, "limit");
     finding.at_accepted = time("largest_accepted_ns");
     finding.at_run = time("largest_run_ns");
   }
-  const auto curve = json.find("curve");
-  if (curve == json.end() || !curve->is_object()) return finding;
-  RunCurve read{readNumbers(*curve, "seconds"), readNumbers(*curve, "least"),
-                readNumbers(*curve, "most"), readNumbers(*curve, "value")};
+  const auto& curve = fieldIn(json, "curve");
+  RunCurve read{readNumbers(curve, "seconds"), readNumbers(curve, "least"),
+                readNumbers(curve, "most"), readNumbers(curve, "value")};
   const std::size_t count = read.seconds.size();
   if (read.least.size() == count && read.most.size() == count && read.value.size() == count) {
     finding.curve = std::move(read);
@@ -289,51 +254,45 @@ std::vector<JudgedRun> readRunsJson(const nlohmann::json& list) {
   for (const auto& json : list) {
     if (!json.is_object()) continue;
     JudgedRun run;
-    run.name = readText(json, "name");
+    run.name = textIn(json, "name");
     if (!isCaseName(run.name)) continue;
-    const std::string verdict = readText(json, "verdict");
+    const std::string verdict = textIn(json, "verdict");
     for (const FrameVerdict one : {FrameVerdict::same, FrameVerdict::different,
                                    FrameVerdict::missing, FrameVerdict::incomparable}) {
       if (nameOf(one) == verdict) run.verdict = one;
     }
-    run.rule = readText(json, "rule");
-    run.log = readText(json, "log");
-    run.log_bytes = readText(json, "log_bytes");
-    run.accepted = readTexts(json, "accepted");
-    run.align = readText(json, "align");
-    run.judge_ms = readNumber<double>(json, "judge_ms");
-    run.place = readNumber<std::size_t>(json, "place");
-    run.line = readNumber<int>(json, "line");
-    run.tags = readTexts(json, "tags");
-    run.changes = readTexts(json, "changes");
+    run.rule = textIn(json, "rule");
+    run.log = textIn(json, "log");
+    run.log_bytes = textIn(json, "log_bytes");
+    run.accepted = textsIn(json, "accepted");
+    run.align = textIn(json, "align");
+    run.judge_ms = numberIn<double>(json, "judge_ms");
+    run.place = numberIn<std::size_t>(json, "place");
+    run.line = numberIn<int>(json, "line");
+    run.tags = textsIn(json, "tags");
+    run.changes = textsIn(json, "changes");
     RunJudgement& judged = run.judgement;
     judged.comparable = run.verdict == FrameVerdict::same || run.verdict == FrameVerdict::different;
     judged.rule = run.rule;
     judged.accepted = run.accepted.size();
-    judged.items = readNumber<std::size_t>(json, "items");
-    judged.events = readNumber<std::size_t>(json, "events");
-    judged.values = readNumber<std::uint64_t>(json, "values");
-    judged.from = Nanoseconds(readNumber<std::int64_t>(json, "from_ns"));
-    judged.until = Nanoseconds(readNumber<std::int64_t>(json, "until_ns"));
-    judged.notes = readTexts(json, "notes");
+    judged.items = numberIn<std::size_t>(json, "items");
+    judged.events = numberIn<std::size_t>(json, "events");
+    judged.values = numberIn<std::uint64_t>(json, "values");
+    judged.from = Nanoseconds(numberIn<std::int64_t>(json, "from_ns"));
+    judged.until = Nanoseconds(numberIn<std::int64_t>(json, "until_ns"));
+    judged.notes = textsIn(json, "notes");
     judged.coverage = readCoverage(json);
-    const auto pictures = json.find("pictures");
-    if (pictures != json.end() && pictures->is_array()) {
-      for (const auto& picture : *pictures) {
-        if (!picture.is_object() || run.pictures.size() == kMaxRunPictures) break;
-        run.pictures.push_back({readText(picture, "device"),
-                                Nanoseconds(readNumber<std::int64_t>(picture, "run_ns")),
-                                Nanoseconds(readNumber<std::int64_t>(picture, "accepted_ns")),
-                                readTexts(picture, "left_out"),
-                                {}});
-      }
+    for (const auto& picture : arrayIn(json, "pictures")) {
+      if (!picture.is_object() || run.pictures.size() == kMaxRunPictures) break;
+      run.pictures.push_back({textIn(picture, "device"),
+                              Nanoseconds(numberIn<std::int64_t>(picture, "run_ns")),
+                              Nanoseconds(numberIn<std::int64_t>(picture, "accepted_ns")),
+                              textsIn(picture, "left_out"),
+                              {}});
     }
-    const auto findings = json.find("findings");
-    if (findings != json.end() && findings->is_array()) {
-      for (const auto& finding : *findings) {
-        if (judged.findings.size() == kMaxReadFindings) break;
-        if (finding.is_object()) judged.findings.push_back(readFinding(finding));
-      }
+    for (const auto& finding : arrayIn(json, "findings")) {
+      if (judged.findings.size() == kMaxReadFindings) break;
+      if (finding.is_object()) judged.findings.push_back(readFinding(finding));
     }
     runs.push_back(std::move(run));
   }

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <vector>
+
+#include "core/base/json_read.h"
+#include "golden/why/frame_why.h"
+
 namespace rocinante {
 namespace {
 
@@ -47,6 +53,44 @@ TEST(ParseReport, KeepsLimitsMasksFiguresAndCommands) {
   EXPECT_EQ(reportJson(*read), text);
   EXPECT_FALSE(read->frames[0].tolerance.exact);
   EXPECT_EQ(read->frames[0].own_masks, 1U);
+}
+
+/// Those that nameOf() knows.
+template <class Enum>
+std::vector<Enum> enumerators() {
+  std::vector<Enum> known;
+  constexpr auto kPastAll = static_cast<Enum>(31);
+  for (int number = 0; number < 31; ++number) {
+    const auto one = static_cast<Enum>(number);
+    if (enumeratorNamed(nameOf(one), kPastAll) == one) known.push_back(one);
+  }
+  return known;
+}
+
+TEST(ParseReport, KeepsEveryVerdictAndKind) {
+  SuiteReport report = shard(1, 1);
+  auto why = std::make_shared<FrameWhy>();
+  for (const ChangeKind kind : enumerators<ChangeKind>()) {
+    why->blame.changes.emplace_back().kind = kind;
+  }
+  ASSERT_EQ(why->blame.changes.size(), 7U);
+  report.frames[0].why = why;
+  for (const FrameVerdict verdict : enumerators<FrameVerdict>()) {
+    JudgedFrame& judged = report.frames.emplace_back();
+    judged.frame.name = nameOf(verdict);
+    judged.verdict = verdict;
+  }
+  ASSERT_EQ(report.frames.size(), 1 + kFrameVerdicts.size());
+  JudgedRun& run = report.runs.emplace_back();
+  run.name = "lift";
+  for (const auto kind : enumerators<RunFinding::Kind>()) {
+    run.judgement.findings.emplace_back().kind = kind;
+  }
+  ASSERT_EQ(run.judgement.findings.size(), 9U);
+  const std::string text = reportJson(report);
+  const auto read = parseReport(text, "report.json");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(reportJson(*read), text);
 }
 
 TEST(ParseReport, RefusesNamesThatLeadElsewhere) {
