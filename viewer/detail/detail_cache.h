@@ -37,8 +37,8 @@ class DetailCache {
   CacheFolder files_;
 };
 
-/// The bytes of one file of the cache: a header with the version of this layout, of meshoptimizer
-/// and the key, the parts, the indices, and the XXH3 of all of it. Little-endian.
+/// The bytes of one file of the cache, as StructWriter writes them: the versions of this layout and
+/// of meshoptimizer, the key, the parts, the indices; then the XXH3 of all of it. Little-endian.
 Bytes encodeDetail(const MeshDetail& detail, std::string_view key);
 
 /// Empty unless encodeDetail() wrote the bytes for this mesh: for another version or key, damage,

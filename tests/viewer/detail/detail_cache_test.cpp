@@ -4,7 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstring>
 #include <fstream>
+#include <functional>
+#include <limits>
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
@@ -51,8 +54,9 @@ TEST_F(DetailCacheFiles, AnyFlippedBitAndAnyCutIsAsNone) {
 }
 
 /// With its checksum made right again: what a hostile hand would do.
-Bytes forged(Bytes bytes, std::size_t at, std::byte value) {
-  bytes[at] = value;
+template <class Value>
+Bytes forged(Bytes bytes, std::size_t at, Value value) {
+  std::memcpy(bytes.data() + at, &value, sizeof value);
   const auto hash = xxh3(ByteView(bytes).first(bytes.size() - 16));
   std::copy(hash.begin(), hash.end(), bytes.end() - 16);
   return bytes;
@@ -73,6 +77,71 @@ TEST_F(DetailCacheFiles, ForgedNumbersNeverReachTheDriver) {
       }
     }
   }
+}
+
+TEST_F(DetailCacheFiles, ForgedLengthsAreRefusedBeforeMemoryIsTaken) {
+  const Bytes whole = encodeDetail(detail, key);
+  constexpr std::uint64_t kLarge = std::uint64_t{1} << 60U;
+  // The lengths of the key, of the parts and of the first part's versions.
+  for (const std::size_t at : {16U, 56U, 64U}) {
+    EXPECT_EQ(decodeDetail(forged(whole, at, kLarge), key, input), std::nullopt) << at;
+    EXPECT_EQ(decodeDetail(forged(whole, at, whole.size() - at - 24), key, input), std::nullopt)
+        << at;
+  }
+  const std::size_t indices_at = whole.size() - 16 - detail.indices.size() * 4 - 8;
+  ASSERT_EQ(
+      decodeDetail(forged(whole, indices_at, std::uint64_t{detail.indices.size()}), key, input),
+      detail);
+  for (const std::uint64_t count : {kLarge, std::uint64_t{detail.indices.size() + 1}}) {
+    EXPECT_EQ(decodeDetail(forged(whole, indices_at, count), key, input), std::nullopt) << count;
+  }
+}
+
+TEST_F(DetailCacheFiles, AnotherLayoutOrLibraryOrKeyIsAsNone) {
+  const Bytes whole = encodeDetail(detail, key);
+  constexpr std::size_t kLayoutAt = 8, kLibraryAt = 12;
+  EXPECT_EQ(decodeDetail(forged(whole, 0, 'r'), key, input), std::nullopt);
+  EXPECT_EQ(decodeDetail(forged(whole, kLayoutAt, std::uint32_t{1}), key, input), std::nullopt);
+  EXPECT_EQ(decodeDetail(forged(whole, kLibraryAt, std::uint32_t{1}), key, input), std::nullopt);
+  EXPECT_EQ(decodeDetail(whole, std::string(32, '0'), input), std::nullopt);
+}
+
+TEST_F(DetailCacheFiles, WhatDoesNotFitTheMeshIsAsNone) {
+  ASSERT_FALSE(detail.parts[0].empty());
+  using Versions = std::vector<CoarsePart>;
+  const auto isRefused = [&](const std::function<void(MeshDetail&, Versions&)>& change) {
+    MeshDetail changed = detail;
+    change(changed, changed.parts[0]);
+    return !decodeDetail(encodeDetail(changed, key), key, input);
+  };
+  EXPECT_FALSE(isRefused([](MeshDetail&, Versions&) {}));
+  EXPECT_TRUE(isRefused([&](MeshDetail& its, Versions&) {
+    its.indices.back() = static_cast<std::uint32_t>(mesh.vertices.size());
+  }));
+  EXPECT_TRUE(isRefused([](MeshDetail& its, Versions& versions) {
+    versions[0].first_index = static_cast<std::uint32_t>(its.indices.size());
+  }));
+  EXPECT_TRUE(isRefused([](MeshDetail&, Versions& versions) {
+    versions[0].first_index = 0xFFFF'FFFF;  // past 32 bits with the counts added
+  }));
+  EXPECT_TRUE(isRefused([](MeshDetail&, Versions& versions) { --versions[0].two_sided_count; }));
+  EXPECT_TRUE(isRefused([](MeshDetail&, Versions& versions) {
+    versions[0] = {versions[0].error_m, 0, 0, 1};
+  }));
+  EXPECT_TRUE(isRefused([](MeshDetail&, Versions& versions) { versions[0].error_m = -1; }));
+  EXPECT_TRUE(isRefused([](MeshDetail&, Versions& versions) {
+    versions[0].error_m = std::numeric_limits<double>::quiet_NaN();
+  }));
+  EXPECT_TRUE(isRefused([](MeshDetail&, Versions& versions) {
+    versions.push_back(versions.back());
+    versions.back().error_m /= 2;
+  }));
+  EXPECT_FALSE(isRefused(
+      [](MeshDetail&, Versions& versions) { versions.assign(64, CoarsePart(versions.front())); }));
+  EXPECT_TRUE(isRefused(
+      [](MeshDetail&, Versions& versions) { versions.assign(65, CoarsePart(versions.front())); }));
+  EXPECT_TRUE(isRefused([](MeshDetail& its, Versions&) { its.parts.pop_back(); }));
+  EXPECT_TRUE(isRefused([](MeshDetail& its, Versions&) { its.parts.emplace_back(); }));
 }
 
 TEST_F(DetailCacheFiles, AnotherMeshUnderThisNameIsAsNone) {
