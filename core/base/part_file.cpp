@@ -8,14 +8,16 @@
 
 #include <cerrno>
 #include <climits>
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <mutex>
-#include <random>
 #include <set>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "core/base/random_id.h"
 
 namespace rocinante {
 namespace {
@@ -35,10 +37,11 @@ Error cannotCreate(const fs::path& path, int number) {
 }
 
 std::string randomLetters() {
-  std::random_device chance;
-  std::uniform_int_distribution<std::size_t> letter(0, kLetters.size() - 1);
   std::string letters;
-  for (std::size_t i = 0; i < kRandomLetters; ++i) letters += kLetters[letter(chance)];
+  std::uint64_t number = randomNumber();
+  for (std::size_t i = 0; i < kRandomLetters; ++i, number /= kLetters.size()) {
+    letters += kLetters[number % kLetters.size()];
+  }
   return letters;
 }
 

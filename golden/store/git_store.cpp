@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <random>
+#include <cstdint>
 #include <thread>
 
 #include "core/base/atomic_file.h"
 #include "core/base/plain_text.h"
+#include "core/base/random_id.h"
 #include "golden/store/child_output.h"
 #include "golden/store/folder_lock.h"
 #include "golden/store/git_words.h"
@@ -90,10 +91,8 @@ Result<std::string> GitStore::git(std::vector<std::string> words) const {
 }
 
 void waitForOthers(int attempt) {
-  std::random_device chance;
-  const int most_ms = std::min(2000, 50 << std::min(attempt, 6));
-  std::this_thread::sleep_for(
-      std::chrono::milliseconds(std::uniform_int_distribution(10, most_ms)(chance)));
+  const auto most_ms = static_cast<std::uint64_t>(std::min(2000, 50 << std::min(attempt, 6)));
+  std::this_thread::sleep_for(std::chrono::milliseconds(10 + randomNumber() % (most_ms - 9)));
 }
 
 Status GitStore::needRemote() const {
