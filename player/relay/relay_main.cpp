@@ -50,7 +50,7 @@ void declare(cli::CommandLine app, Arguments& arguments) {
       .oneEach();
   cli::addNoWait(app, arguments.no_wait);
   app.addOption("--name", arguments.name,
-                "NAME of this relay, unique at a site; default the host's and four digits")
+                "NAME of this relay, unique at a site; default the host's and eight digits")
       .valueText("NAME");
   app.addOption("--source", arguments.sources, "pass these SOURCEs only (pattern); may be repeated")
       .valueText("PATTERN")
@@ -202,8 +202,8 @@ Status readEndpoints(const std::vector<std::string>& texts, std::vector<Endpoint
 
 std::string defaultName() {
   std::array<char, 200> host{};
-  if (::gethostname(host.data(), host.size() - 1) != 0 || host[0] == 0) return randomId(2);
-  return std::string(host.data()) + "-" + randomId(2);
+  if (::gethostname(host.data(), host.size() - 1) != 0 || host[0] == 0) return randomId(4);
+  return std::string(host.data()) + "-" + randomId(4);
 }
 
 Result<RelayProgramOptions> readOptions(const Arguments& arguments) {
