@@ -51,9 +51,4 @@ OutputTerminal outputTerminal() {
   return terminal;
 }
 
-std::string statusLine(std::string_view text) {
-  // Erased first: erasing at the end of a cut line would delete its last character.
-  return "\r\033[K\033[?7l" + std::string(text) + "\033[?7h";
-}
-
 }  // namespace rocinante::cli

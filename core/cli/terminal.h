@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-#include <string_view>
 
 namespace rocinante::cli {
 
@@ -20,9 +18,5 @@ struct OutputTerminal {
   std::size_t columns = 0;  ///< of the terminal; 0: none, or not known
 };
 OutputTerminal outputTerminal();
-
-/// `text` as a status line that replaces itself: it overwrites the previous one, and the terminal
-/// itself cuts it to its width, however it is resized.
-std::string statusLine(std::string_view text);
 
 }  // namespace rocinante::cli

@@ -1,7 +1,6 @@
 #include "golden/check/check_watch.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +12,7 @@
 #include "core/check/reports/report_formats.h"
 #include "core/check/watch/finding_watch.h"
 #include "core/cli/service_notice.h"
-#include "core/cli/terminal.h"
+#include "core/cli/status_line.h"
 #include "core/report/json_text.h"
 #include "golden/check/finding_command.h"
 #include "golden/check/live_input.h"
@@ -32,7 +31,7 @@ class Watcher {
       : options_(options),
         watch_(cell, options),
         command_(std::move(command)),
-        shows_status_(::isatty(STDERR_FILENO) == 1 && !options.quiet) {}
+        line_(!options.quiet) {}
 
   void take(LogTime time, const LiveDatagram& datagram) {
     // Time passes with datagrams, too: a file has no other.
@@ -62,9 +61,9 @@ class Watcher {
   }
 
   void showStatus(SteadyTime now) {
-    if (!shows_status_ || (shown_ && now - *shown_ < kStatusPeriod)) return;
+    if (!line_.isVisible() || (shown_ && now - *shown_ < kStatusPeriod)) return;
     shown_ = now;
-    cli::tell(cli::statusLine("watching " + status()));
+    line_.show("watching " + status());
   }
 
   cli::Exit finish() {
@@ -83,7 +82,7 @@ class Watcher {
       cli::warn(
           fmt::format("more than {} findings at a time: not all were told", FindingWatch::kMax));
     }
-    clearStatus();
+    line_.clear();
     const CheckVerdict verdict = watch_.failed()         ? CheckVerdict::incompatible
                                  : watch_.packets() == 0 ? CheckVerdict::nothing_judged
                                                          : CheckVerdict::compatible;
@@ -101,14 +100,10 @@ class Watcher {
     const std::string json = findingChangeJson(change);
     if (command_) command_->add(json);
     if (options_.quiet && !options_.json) return;
-    clearStatus();
+    line_.clear();
     cli::say(options_.json ? json : findingChangeText(change) + "\n");
     // A reader of the pipe sees it now.
     std::fflush(stdout);
-  }
-
-  void clearStatus() {
-    if (shows_status_ && shown_) cli::tell("\r\x1b[K");
   }
 
   std::string secondsShown() const {
@@ -156,7 +151,7 @@ class Watcher {
   const CheckWatchOptions& options_;
   FindingWatch watch_;
   std::optional<FindingCommand> command_;
-  bool shows_status_;
+  cli::StatusLine line_;
   std::optional<LogTime> began_, reached_;
   std::optional<SteadyTime> shown_;
 };

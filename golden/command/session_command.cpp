@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <iostream>
 #include <tuple>
 
 #include "core/cli/opened_session.h"
 #include "core/cli/search_options.h"
+#include "core/cli/status_line.h"
 #include "core/cli/worker_threads.h"
 #include "core/foreign/recordings/cell_and_log.h"
 #include "golden/command/commands.h"
@@ -118,12 +118,10 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& given) {
   CellOptions options;
   static_cast<ModelSearch&>(options) = arguments;
   options.parallel = cli::workerThreads();
-  const bool shows_progress = ::isatty(STDERR_FILENO) == 1;
-  const auto progress = [&](const std::string& what) {
-    if (shows_progress) fmt::print(stderr, "\r\033[K{} ", what);
-  };
-  auto comparison = judgeSessions(arguments.cell, options, *question, progress);
-  if (shows_progress) fmt::print(stderr, "\r\033[K");
+  cli::StatusLine line;
+  auto comparison = judgeSessions(arguments.cell, options, *question,
+                                  [&line](const std::string& what) { line.show(what); });
+  line.clear();
   if (!comparison.ok()) return fresh->named(accepted->named(comparison.error()));
   cli::warnOfAccount(arguments.a, nullptr);
   for (const std::string& log : arguments.more_accepted) cli::warnOfAccount(log, nullptr);

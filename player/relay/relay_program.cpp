@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <utility>
 
+#include "core/cli/status_line.h"
 #include "core/foreign/live/received_decoder.h"
 #include "core/net/hears.h"
 #include "core/signing/signed_datagram.h"
@@ -69,7 +68,8 @@ class RunningRelay {
         surroundings_(surroundings),
         sign_(signingWith(signer)),
         signature_bytes_(signer == nullptr ? 0 : kSignatureBytes),
-        relay_({options.name, options.run, options.restate, sign_, signature_bytes_}) {}
+        relay_({options.name, options.run, options.restate, sign_, signature_bytes_}),
+        line_(options.progress) {}
 
   Status open();
   Status run();
@@ -99,7 +99,7 @@ class RunningRelay {
   bool was_realtime_ = false;
   std::vector<pollfd> waiting_;
   SteadyTime began_{}, slept_{}, shown_{};
-  bool progress_shown_ = false;
+  cli::StatusLine line_;
   bool loop_told_ = false;
   std::uint64_t most_subscribers_ = 0;
 };
@@ -243,17 +243,14 @@ void RunningRelay::sleep() {
 }
 
 void RunningRelay::showProgress() {
-  if (!options_.progress || steadyNow() - shown_ < kProgress) return;
+  if (!line_.isVisible() || steadyNow() - shown_ < kProgress) return;
   shown_ = steadyNow();
-  progress_shown_ = true;
   std::size_t subscribers = 0;
   for (const auto& each : serve_) subscribers += each->desk().subscribers();
   const RelayReport so_far = report();
-  std::fputs(fmt::format("\r\x1b[K{:.0f} s: {} received, {} applied, {} subscribers, {} lost",
+  line_.show(fmt::format("{:.0f} s: {} received, {} applied, {} subscribers, {} lost",
                          so_far.seconds, so_far.counts.received, so_far.counts.applied, subscribers,
-                         so_far.lost())
-                 .c_str(),
-             stderr);
+                         so_far.lost()));
 }
 
 Status RunningRelay::run() {
@@ -286,7 +283,7 @@ Status RunningRelay::run() {
     showProgress();
     sleep();
   }
-  if (progress_shown_) std::fputs("\r\x1b[K", stderr);
+  line_.clear();
   for (const auto& each : sources_) {
     if (const auto text = neverAcceptedText(*each)) surroundings_.notify(*text);
   }

@@ -3,8 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "core/cli/program.h"
-#include "core/cli/terminal.h"
+#include "core/cli/status_line.h"
 
 namespace rocinante {
 
@@ -23,11 +22,11 @@ LiveLine::~LiveLine() {
 }
 
 void LiveLine::drawUntilStopped() {
+  cli::StatusLine line;
   std::unique_lock lock(mutex_);
   while (!stopping_.wait_for(lock, std::chrono::milliseconds(200), [this] { return stop_; })) {
-    cli::tell(cli::statusLine(text_()));
+    line.show(text_());
   }
-  cli::tell("\r\033[K");
 }
 
 }  // namespace rocinante

@@ -4,11 +4,10 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <cstdio>
-
 #include "core/base/duration_text.h"
 #include "core/base/figure_text.h"
 #include "core/cli/program.h"
+#include "core/cli/status_line.h"
 #include "core/cli/terminal.h"
 #include "core/cli/text_table.h"
 #include "core/recording/record_path.h"
@@ -44,11 +43,6 @@ class Terminal {
   bool was_there_;
 };
 
-/// Clears the status line at the bottom of a terminal.
-void clearStatusLine() {
-  if (::isatty(STDERR_FILENO) == 1) cli::tell("\r\x1b[K");
-}
-
 void tellReady(const RecordOptions& options, const std::vector<std::string>& endpoints,
                const std::string& log) {
   if (options.ring) {
@@ -65,7 +59,7 @@ void tellReady(const RecordOptions& options, const std::vector<std::string>& end
 }
 
 RecordEvents eventsFor(const RecordArguments& arguments, const RecordOptions& options,
-                       std::optional<Nanoseconds> status_period) {
+                       std::optional<Nanoseconds> status_period, cli::StatusLine& line) {
   RecordEvents events;
   const auto terminal = std::make_shared<Terminal>();
   events.stop_requested = [terminal] { return cli::stopRequested() || terminal->hungUp(); };
@@ -73,9 +67,9 @@ RecordEvents eventsFor(const RecordArguments& arguments, const RecordOptions& op
     return terminal->hungUp() ? 0U : cli::signalCount(SIGHUP);
   };
   events.triggers_requested = [] { return cli::signalCount(SIGUSR1); };
-  events.note = [quiet = arguments.quiet](const NoteBox::Note& note) {
+  events.note = [&line, quiet = arguments.quiet](const NoteBox::Note& note) {
     if (quiet && !note.is_trouble) return;
-    clearStatusLine();
+    line.clear();
     if (note.is_trouble) {
       cli::warn(note.text);
     } else {
@@ -86,19 +80,16 @@ RecordEvents eventsFor(const RecordArguments& arguments, const RecordOptions& op
   events.ready = [&](const std::vector<std::string>& endpoints, const std::string& log) {
     tellReady(options, endpoints, log);
   };
-  const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
-  if (!on_terminal && !status_period) return events;
-  events.progress = [=, status = RecordStatus(),
+  if (!line.isVisible() && !status_period) return events;
+  events.progress = [&line, status_period, status = RecordStatus(),
                      reported_at = Nanoseconds(0)](const RecordProgress& now) mutable {
     const std::string text = status.text(now);
     if (status_period && now.elapsed - reported_at >= *status_period) {
       reported_at = now.elapsed;
-      clearStatusLine();
+      line.clear();
       cli::tell(text + "\n");
     }
-    // Returns to the line's start and clears the rest of a longer line.
-    if (on_terminal) cli::tell(cli::statusLine(text));
-    std::fflush(stderr);
+    line.show(text);
   };
   return events;
 }
@@ -148,10 +139,11 @@ int main(int argc, char** argv) {
     cli::countSignal(SIGUSR1);
     // A reader that closes the pipe early (`| head`) must not end the recording.
     ::signal(SIGPIPE, SIG_IGN);
+    cli::StatusLine line(!arguments.quiet);
     const Result<RecordSummary> summary =
-        record(*options, eventsFor(arguments, *options, *status_period));
+        record(*options, eventsFor(arguments, *options, *status_period, line));
+    line.clear();
     if (!summary) return summary.error();
-    if (!arguments.quiet) clearStatusLine();
     if (arguments.json) {
       cli::say(summaryJson(*summary));
     } else if (!arguments.quiet) {
