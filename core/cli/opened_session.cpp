@@ -1,24 +1,54 @@
 #include "core/cli/opened_session.h"
 
+#include <utility>
+
 #include "core/check/log_account.h"
 #include "core/cli/import_progress.h"
 #include "core/cli/program.h"
 
 namespace rocinante::cli {
+namespace {
 
-Result<OpenedRecording> openSession(const std::filesystem::path& recording,
-                                    const std::filesystem::path& cell, const ModelSearch& search) {
+RecordingRequest requestOf(const std::filesystem::path& recording,
+                           const std::filesystem::path& cell, const ModelSearch& search) {
   RecordingRequest request;
   request.recording = recording;
   request.cell = cell;
   request.search = search;
-  request.progress = importProgress(recording.string());
-  const StopDeadline deadline("stopped while reading the session");
-  auto opened = openedRecording(request);
-  if (!opened.ok()) return opened;
-  for (const std::string& warning : opened->warnings) warn(warning);
-  if (!opened->not_kept.empty()) warn(opened->not_kept);
+  request.progress = importProgress((recording.empty() ? cell : recording).string());
+  return request;
+}
+
+}  // namespace
+
+void warnOf(const OpenedRecording& opened) {
+  for (const std::string& warning : opened.warnings) warn(warning);
+  if (!opened.not_kept.empty()) warn(opened.not_kept);
+}
+
+Result<OpenedRecording> openWithinDeadline(const std::filesystem::path& recording,
+                                           const std::filesystem::path& cell,
+                                           const ModelSearch& search) {
+  // The request goes first, and the line of its progress with it.
+  auto opened = openedRecording(requestOf(recording, cell, search));
+  if (opened.ok()) warnOf(*opened);
   return opened;
+}
+
+Result<OpenedRecording> openSession(const std::filesystem::path& recording,
+                                    const std::filesystem::path& cell, const ModelSearch& search) {
+  const StopDeadline deadline("stopped while reading the session");
+  return openWithinDeadline(recording, cell, search);
+}
+
+Result<OpenedRecording> openCellAndLog(std::filesystem::path& cell, std::filesystem::path& log,
+                                       ModelSearch& search) {
+  auto found = openedCellAndRecording(requestOf(log, cell, search));
+  if (!found) return found.error();
+  if (found->opened.imported && found->cell == found->log) search = {};
+  cell = std::move(found->cell);
+  log = std::move(found->log);
+  return std::move(found->opened);
 }
 
 void warnOfAccount(const std::filesystem::path& log, const Cell* cell) {

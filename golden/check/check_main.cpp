@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -9,14 +10,13 @@
 #include "core/check/drift/model_drift.h"
 #include "core/check/reports/baseline.h"
 #include "core/check/rules/without_cell.h"
-#include "core/cli/import_progress.h"
 #include "core/cli/load_progress.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/cli/progress_line.h"
 #include "core/cli/worker_threads.h"
 #include "core/foreign/live/received_decoder.h"
 #include "core/foreign/recordings/cell_and_log.h"
-#include "core/foreign/recordings/opened_recording.h"
 #include "core/log/log_profile.h"
 #include "golden/check/check_live.h"
 #include "golden/check/check_options.h"
@@ -69,22 +69,16 @@ Findings driftOf(const LogReader& log, const Cell& given, bool is_description) {
 
 /// The session's log: made of it where another program recorded it.
 Result<OpenedRecording> openSession(CheckArguments& arguments) {
-  RecordingRequest request;
-  request.recording = arguments.log;
-  request.cell = arguments.cell;
-  request.search = arguments;
-  request.progress = cli::importProgress(arguments.log.empty() ? arguments.cell : arguments.log);
   cli::catchStopSignals();
   const cli::StopDeadline deadline("stopped while reading the session");
-  const Result<CellAndRecording> found = openedCellAndRecording(std::move(request));
-  if (!found) return found.error();
-  if (!found->opened.not_kept.empty()) cli::warn(found->opened.not_kept);
-  const bool is_its_own = found->opened.imported && found->cell == found->log;
-  // Its meshes were looked for when it was imported.
-  if (is_its_own) static_cast<ModelSearch&>(arguments) = {};
-  arguments.cell = found->cell.string();
-  arguments.log = found->log.string();
-  return found->opened;
+  std::filesystem::path cell = arguments.cell, log = arguments.log;
+  auto opened = cli::openCellAndLog(cell, log, arguments);
+  if (!opened) return opened;
+  // Its other warnings are findings of the report.
+  if (!opened->not_kept.empty()) cli::warn(opened->not_kept);
+  arguments.cell = cell.string();
+  arguments.log = log.string();
+  return opened;
 }
 
 Result<CheckReport> judgeLog(const CheckArguments& arguments, const Cell& cell,

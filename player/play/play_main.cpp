@@ -5,10 +5,9 @@
 #include "core/base/atomic_file.h"
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
-#include "core/cli/import_progress.h"
 #include "core/cli/no_wait.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/program.h"
-#include "core/foreign/recordings/opened_recording.h"
 #include "core/report/account.h"
 #include "core/report/json_text.h"
 #include "player/control/command_slot.h"
@@ -239,13 +238,8 @@ Result<PlayReport> playWithControl(Arguments& arguments) {
   std::vector<OpenedRecording> opened;
   PlayOptions options = arguments.options;
   for (std::filesystem::path& log : options.logs) {
-    RecordingRequest request;
-    request.recording = log;
-    request.progress = cli::importProgress(log.string());
-    Result<OpenedRecording> found = openedRecording(request);
+    Result<OpenedRecording> found = cli::openWithinDeadline(log);
     if (!found) return found.error();
-    for (const std::string& warning : found->warnings) cli::warn(warning);
-    if (!found->not_kept.empty()) cli::warn(found->not_kept);
     // Topics without packets are played as they are.
     if (!found->left_out.empty()) cli::warn(accountSentence(found->left_out));
     log = found->log;

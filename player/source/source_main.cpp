@@ -7,10 +7,9 @@
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "core/check/log_account.h"
-#include "core/cli/import_progress.h"
 #include "core/cli/no_wait.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/program.h"
-#include "core/foreign/recordings/opened_recording.h"
 #include "core/report/json_text.h"
 #include "player/source/joystick.h"
 #include "player/source/source.h"
@@ -222,13 +221,8 @@ Result<PlayReport> send(Arguments& arguments) {
   if (!arguments.log.log.empty()) {
     const cli::StopDeadline deadline("stopped while reading the log");
     // What another program recorded becomes a log first.
-    RecordingRequest request;
-    request.recording = arguments.log.log;
-    request.progress = cli::importProgress(request.recording.string());
-    const Result<OpenedRecording> opened = openedRecording(request);
+    const Result<OpenedRecording> opened = cli::openWithinDeadline(arguments.log.log);
     if (!opened) return opened.error();
-    for (const std::string& warning : opened->warnings) cli::warn(warning);
-    if (!opened->not_kept.empty()) cli::warn(opened->not_kept);
     const auto account = logAccount(opened->log, nullptr);
     if (account && account->imported && !account->note().empty()) cli::warn(account->note());
     LogSourceOptions log = arguments.log;

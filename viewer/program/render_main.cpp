@@ -3,14 +3,13 @@
 #include <optional>
 #include <tuple>
 
-#include "core/cli/import_progress.h"
 #include "core/cli/load_progress.h"
+#include "core/cli/opened_session.h"
 #include "core/cli/program.h"
 #include "core/cli/progress_line.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "core/foreign/recordings/cell_and_log.h"
-#include "core/foreign/recordings/opened_recording.h"
 #include "core/report/json_text.h"
 #include "core/session/log_pieces.h"
 #include "viewer/backdrop/backdrop_options.h"
@@ -55,36 +54,17 @@ void printWarnings(const RenderReport& report) {
 
 /// Makes logs of other programs' recordings, and lets the job read those.
 Result<OpenedRecording> openRecordingOf(RenderJob& job) {
-  RecordingRequest request;
-  request.recording = job.log;
-  request.cell = job.cell;
-  request.search = job;
-  request.progress = cli::importProgress((job.log.empty() ? job.cell : job.log).string());
-  Result<CellAndRecording> found = openedCellAndRecording(std::move(request));
-  if (!found) return found.error();
-  for (const std::string& warning : found->opened.warnings) cli::warn(warning);
-  if (!found->opened.not_kept.empty()) cli::warn(found->opened.not_kept);
-  // Its meshes were looked for when it was imported.
-  if (found->opened.imported && found->cell == found->log) static_cast<ModelSearch&>(job) = {};
-  job.cell = found->cell;
-  job.log = found->log;
-  return std::move(found->opened);
+  auto opened = cli::openCellAndLog(job.cell, job.log, job);
+  if (opened) cli::warnOf(*opened);
+  return opened;
 }
 
 /// The same for the log beside.
 Result<OpenedRecording> openBeside(RenderJob& job) {
   if (job.beside.empty()) return OpenedRecording{};
-  RecordingRequest request;
-  request.recording = job.beside;
-  request.cell = job.cell;
-  request.search = job;
-  request.progress = cli::importProgress(job.beside.string());
-  auto opened = openedRecording(request);
-  if (!opened) return opened.error();
-  for (const std::string& warning : opened->warnings) cli::warn(warning);
-  const auto account = logAccount(opened->log, nullptr);
-  const std::string note = account ? account->note() : std::string();
-  if (!note.empty()) cli::warn(note);
+  auto opened = cli::openWithinDeadline(job.beside, job.cell, job);
+  if (!opened) return opened;
+  cli::warnOfAccount(opened->log, nullptr);
   job.beside = opened->log;
   return opened;
 }
