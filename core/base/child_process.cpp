@@ -12,11 +12,49 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "core/base/plain_text.h"
 
 namespace rocinante {
+namespace {
+
+/// A file in memory that is read from its beginning.
+Result<int> memoryFile(std::string_view text) {
+  const auto refusal = [] { return Error{ErrorKind::refused, std::strerror(errno), "memory"}; };
+  const int file = ::memfd_create("stream", MFD_CLOEXEC);
+  if (file < 0) return refusal();
+  while (!text.empty()) {
+    const ssize_t written = ::write(file, text.data(), text.size());
+    if (written <= 0) {
+      const Error error = refusal();
+      ::close(file);
+      return error;
+    }
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  ::lseek(file, 0, SEEK_SET);
+  return file;
+}
+
+/// Empty while the child runs, which `options` of waitpid() may allow.
+std::optional<ChildEnd> endOfChild(pid_t child, int options) {
+  int status = 0;
+  pid_t ended = 0;
+  do {
+    ended = ::waitpid(child, &status, options);
+  } while (ended < 0 && errno == EINTR);
+  if (ended == 0) return std::nullopt;
+  if (ended < 0) return ChildEnd{false, 255};  // somebody else has waited for it
+  if (WIFSIGNALED(status)) return ChildEnd{true, WTERMSIG(status)};
+  return ChildEnd{false, WEXITSTATUS(status)};
+}
+
+}  // namespace
+
+ChildEnd waitForChild(pid_t child) { return *endOfChild(child, 0); }
 
 Result<pid_t> startChild(const std::vector<std::string>& words, const ChildStreams& streams,
                          bool own_group) {
@@ -52,7 +90,7 @@ Result<pid_t> startChild(const std::vector<std::string>& words, const ChildStrea
                words.front()};
 }
 
-std::string ChildProcess::End::text() const {
+std::string ChildEnd::text() const {
   return fmt::format("{} {}", by_signal ? "signal" : "exit", code);
 }
 
@@ -60,21 +98,29 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& words,
                                          const Options& options) {
   ChildProcess made;
   made.last_signal_ = options.last_signal;
-  made.error_output_ = ::memfd_create("said", MFD_CLOEXEC);
-  if (made.error_output_ < 0) return Error{ErrorKind::refused, std::strerror(errno), words.front()};
+  if (!options.err) {
+    const Result<int> file = memoryFile({});
+    if (!file) return file.error();
+    made.error_output_ = *file;
+  }
   std::array<int, 2> ends{-1, -1};  // ours, and its
-  if (options.ours != Ours::none) {
+  if (options.input_text) {
+    const Result<int> file = memoryFile(*options.input_text);
+    if (!file) return file.error();
+    ends[1] = *file;
+  } else if (options.ours != Ours::none) {
     const int fault = options.ours == Ours::output
                           ? ::pipe2(ends.data(), O_CLOEXEC)
                           : ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data());
     if (fault != 0) return Error{ErrorKind::refused, std::strerror(errno), words.front()};
   }
   made.stream_ = ends[0];
-  const Result<pid_t> process =
-      startChild(words,
-                 {options.ours == Ours::input ? ends[1] : options.in,
-                  options.ours == Ours::output ? ends[1] : options.out, made.error_output_},
-                 options.own_group);
+  const bool reads_it = options.input_text || options.ours == Ours::input;
+  const Result<pid_t> process = startChild(
+      words,
+      {reads_it ? ends[1] : options.in, options.ours == Ours::output ? ends[1] : options.out,
+       options.err.value_or(made.error_output_)},
+      options.own_group);
   if (ends[1] >= 0) ::close(ends[1]);
   if (!process) return process.error();
   made.process_ = *process;
@@ -99,7 +145,7 @@ ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
 
 ChildProcess::~ChildProcess() {
   closeStream();
-  if (process_ > 0) {
+  if (process_ > 0 && last_signal_ != 0) {
     ::kill(process_, last_signal_);
     look(true);
   }
@@ -112,16 +158,10 @@ void ChildProcess::closeStream() {
 
 std::optional<ChildProcess::End> ChildProcess::look(bool wait) {
   if (process_ <= 0) return end_;
-  int outcome = 0;
-  pid_t ended = 0;
-  do {
-    ended = ::waitpid(process_, &outcome, wait ? 0 : WNOHANG);
-  } while (ended < 0 && errno == EINTR);
-  if (ended == 0) return std::nullopt;
+  const std::optional<End> end = endOfChild(process_, wait ? 0 : WNOHANG);
+  if (!end) return std::nullopt;
   process_ = -1;
-  const bool is_known = ended > 0;  // else somebody else has waited for it
-  end_.by_signal = is_known && WIFSIGNALED(outcome);
-  end_.code = !is_known ? 255 : end_.by_signal ? WTERMSIG(outcome) : WEXITSTATUS(outcome);
+  end_ = *end;
   return end_;
 }
 
@@ -139,6 +179,13 @@ std::string ChildProcess::errorOutput(std::size_t most_bytes) const {
   text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   text.erase(text.find_last_not_of(" \n") + 1);
   return text;
+}
+
+std::string programBeside(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
+  return fs::exists(beside, ignored) ? beside.string() : name;
 }
 
 std::string onOneLine(std::string text) {

@@ -2,17 +2,13 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
-#include "core/base/child_process.h"
 #include "core/cli/program.h"
 
 namespace rocinante {
@@ -34,31 +30,6 @@ bool isFound(const std::string& program) {
     if (isProgram(std::filesystem::path(folder.empty() ? "." : folder) / program)) return true;
   }
   return false;
-}
-
-Error systemError(const char* what) { return {ErrorKind::refused, std::strerror(errno), what}; }
-
-/// A file in memory that is read from its beginning.
-Result<int> memoryFile(const std::string& text) {
-  const int file = ::memfd_create("finding", MFD_CLOEXEC);
-  if (file < 0) return systemError("memfd_create");
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t written = ::write(file, text.data() + done, text.size() - done);
-    if (written <= 0) {
-      const Error error = systemError("memfd");
-      ::close(file);
-      return error;
-    }
-    done += static_cast<std::size_t>(written);
-  }
-  ::lseek(file, 0, SEEK_SET);
-  return file;
-}
-
-std::string howItEnded(int status) {
-  if (WIFEXITED(status)) return fmt::format("exited with {}", WEXITSTATUS(status));
-  return fmt::format("was ended by signal {}", WTERMSIG(status));
 }
 
 }  // namespace
@@ -87,12 +58,10 @@ void FindingCommand::add(std::string json) {
 }
 
 void FindingCommand::tend() {
-  std::erase_if(running_, [&](pid_t child) {
-    int status = 0;
-    const pid_t ended = ::waitpid(child, &status, WNOHANG);
-    if (ended == 0) return false;
-    if (ended == child && status != 0) noteFailure(howItEnded(status));
-    return true;
+  std::erase_if(running_, [&](ChildProcess& child) {
+    const auto end = child.poll();
+    if (end && !end->ok()) noteFailure("failed (" + end->text() + ")");
+    return end.has_value();
   });
   while (!waiting_.empty() && running_.size() < kRunning) {
     if (Status started = start(waiting_.front()); !started) noteFailure(started.error().text());
@@ -110,13 +79,14 @@ void FindingCommand::finish(int at_most_ms) {
 }
 
 Status FindingCommand::start(const std::string& json) {
-  const Result<int> input = memoryFile(json);
-  if (!input) return input.error();
   // In a group of its own: Ctrl-C ends the watch, not what it started.
-  const Result<pid_t> child = startChild(words_, {*input, STDERR_FILENO, STDERR_FILENO}, true);
-  ::close(*input);
+  Result<ChildProcess> child = ChildProcess::start(words_, {.out = STDERR_FILENO,
+                                                            .err = STDERR_FILENO,
+                                                            .input_text = json,
+                                                            .own_group = true,
+                                                            .last_signal = 0});
   if (!child) return child.error();
-  running_.push_back(*child);
+  running_.push_back(std::move(*child));
   return {};
 }
 

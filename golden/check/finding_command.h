@@ -1,13 +1,12 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/child_process.h"
 #include "core/base/result.h"
 
 namespace rocinante {
@@ -44,7 +43,7 @@ class FindingCommand {
 
   std::string text_;
   std::vector<std::string> words_;
-  std::vector<pid_t> running_;
+  std::vector<ChildProcess> running_;
   std::deque<std::string> waiting_;
   std::uint64_t failed_ = 0, dropped_ = 0;
 };

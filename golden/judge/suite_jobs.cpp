@@ -18,6 +18,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/child_process.h"
 #include "golden/judge/judged_frame.h"
 
 namespace rocinante {
@@ -105,14 +106,6 @@ struct Job {
   bool finished = false;
 };
 
-std::string howItEnded(::pid_t pid) {
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFSIGNALED(status) ? fmt::format("signal {}", WTERMSIG(status))
-                             : fmt::format("exit code {}", WEXITSTATUS(status));
-}
-
 /// Collects the results of jobs and reports them in suite order.
 class Gatherer {
  public:
@@ -181,7 +174,7 @@ class JobRunner {
         continue;
       }
       ::kill(job.pid, SIGKILL);
-      howItEnded(job.pid);
+      waitForChild(job.pid);
     }
   }
 
@@ -311,8 +304,10 @@ class JobRunner {
 
   void ended(Job& job) {
     ::close(std::exchange(job.pipe, -1));
-    const std::string how = howItEnded(std::exchange(job.pid, -1));
-    if (job.at) gatherer_.giveUp(*job.at, fmt::format("the job that drew it died ({})", how));
+    const ChildEnd end = waitForChild(std::exchange(job.pid, -1));
+    if (job.at) {
+      gatherer_.giveUp(*job.at, fmt::format("the job that drew it died ({})", end.text()));
+    }
   }
 
   SuiteSession& session_;

@@ -111,5 +111,44 @@ TEST(ChildProcess, HasOneStreamOfItsOwnerIfWanted) {
   EXPECT_EQ(listens->errorOutput(), "in");
 }
 
+TEST(ChildProcess, ReadsATextAndPassesItsErrorsOn) {
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe2(pipe.data(), O_CLOEXEC), 0);
+  auto child = ChildProcess::start({"sh", "-c", "cat >&2; kill -9 $$"},
+                                   {.err = pipe[1], .input_text = "from memory"});
+  ::close(pipe[1]);
+  ASSERT_TRUE(child.ok()) << child.error().text();
+  EXPECT_EQ(child->wait().text(), "signal 9");
+  std::array<char, 64> said{};
+  const ssize_t got = ::read(pipe[0], said.data(), said.size());
+  ::close(pipe[0]);
+  EXPECT_EQ(std::string(said.data(), static_cast<std::size_t>(got)), "from memory");
+  EXPECT_EQ(child->errorOutput(), "");
+  EXPECT_EQ(child->errorBytes(), 0U);
+}
+
+TEST(ChildProcess, GoesOnWithoutItsOwnerIfAsked) {
+  std::array<int, 2> in{}, out{};
+  ASSERT_EQ(::pipe2(in.data(), O_CLOEXEC), 0);
+  ASSERT_EQ(::pipe2(out.data(), O_CLOEXEC), 0);
+  {
+    const auto child = ChildProcess::start({"sh", "-c", "read line; echo \"$line\""},
+                                           {.in = in[0], .out = out[1], .last_signal = 0});
+    ASSERT_TRUE(child.ok()) << child.error().text();
+  }
+  ::close(out[1]);
+  EXPECT_EQ(::write(in[1], "on\n", 3), 3);
+  std::array<char, 64> said{};
+  EXPECT_EQ(::read(out[0], said.data(), said.size()), 3);
+  for (const int each : {in[0], in[1], out[0]}) ::close(each);
+  EXPECT_GT(::wait(nullptr), 0);
+}
+
+TEST(WaitForChild, TellsHowItEnded) {
+  const auto child = startChild({"sh", "-c", "exit 3"}, {});
+  ASSERT_TRUE(child.ok()) << child.error().text();
+  EXPECT_EQ(waitForChild(*child).text(), "exit 3");
+}
+
 }  // namespace
 }  // namespace rocinante

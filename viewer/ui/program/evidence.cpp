@@ -13,12 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path programBeside(const std::string& name) {
-  std::error_code ignored;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
-  return fs::exists(beside, ignored) ? beside : fs::path(name);
-}
-
 /// A message line without the program's name.
 std::string sentenceOf(std::string line, const std::string& program) {
   if (line.starts_with(program + ": ")) line.erase(0, program.size() + 2);
@@ -29,11 +23,11 @@ std::string firstSentence(const std::string& text, const std::string& program) {
   return sentenceOf(text.substr(0, text.find('\n')), program);
 }
 
+}  // namespace
+
 std::string lastSentence(const std::string& text, const std::string& program) {
   return sentenceOf(text.substr(text.rfind('\n') + 1), program);
 }
-
-}  // namespace
 
 std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
   std::vector<std::string> words{request.cell.string()};
@@ -94,12 +88,11 @@ Result<EvidenceRun> EvidenceRun::start(const EvidenceRequest& request) {
 
 Result<EvidenceRun> EvidenceRun::startProgram(const std::string& name,
                                               std::vector<std::string> words, fs::path output) {
-  const fs::path program = programBeside(name);
-  words.insert(words.begin(), program.string());
+  const std::string program = programBeside(name);
+  words.insert(words.begin(), program);
   Result<ChildProcess> process = ChildProcess::start(words, {});
   if (!process) {
-    return Error{ErrorKind::refused, "cannot start " + name + ": " + process.error().what,
-                 program.string()};
+    return Error{ErrorKind::refused, "cannot start " + name + ": " + process.error().what, program};
   }
   return EvidenceRun(std::move(*process), std::move(output), name);
 }

@@ -40,6 +40,9 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request);
 std::vector<std::string> caseArguments(const EvidenceRequest& request,
                                        const std::filesystem::path& suite, const std::string& name);
 
+/// The last line of what `program` of ours wrote to its standard error, without its name.
+std::string lastSentence(const std::string& text, const std::string& program);
+
 /// A finished picture.
 struct EvidenceMade {
   std::filesystem::path file;

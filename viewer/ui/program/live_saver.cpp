@@ -6,27 +6,14 @@
 
 #include "core/cli/search_options.h"
 #include "core/recording/record_path.h"
+#include "viewer/ui/program/evidence.h"
 
 namespace rocinante {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path logProgram() {
-  std::error_code ignored;
-  const fs::path beside =
-      fs::read_symlink("/proc/self/exe", ignored).parent_path() / "rocinante-log";
-  return fs::exists(beside, ignored) ? beside : fs::path("rocinante-log");
-}
-
-/// The last line that the program message, without its name.
-std::string lastLine(const ChildProcess& process) {
-  std::string text = process.errorOutput();
-  text.erase(0, text.rfind('\n') + 1);
-  constexpr std::string_view kName = "rocinante-log: ";
-  if (text.starts_with(kName)) text.erase(0, kName.size());
-  return text;
-}
+constexpr const char* kProgram = "rocinante-log";
 
 }  // namespace
 
@@ -47,7 +34,7 @@ Status LiveSaver::start(LiveKeeper& keeper, Request request) {
 }
 
 Status LiveSaver::run(const std::vector<std::string>& words) {
-  std::vector<std::string> all{logProgram().string()};
+  std::vector<std::string> all{programBeside(kProgram)};
   all.insert(all.end(), words.begin(), words.end());
   Result<ChildProcess> process = ChildProcess::start(all, {});
   if (!process) {
@@ -100,7 +87,7 @@ std::optional<Result<LiveSaver::Saved>> LiveSaver::look(LiveKeeper& keeper) {
   }
   const auto ended = process_->poll();
   if (!ended) return std::nullopt;
-  const std::string message = lastLine(*process_);
+  const std::string message = lastSentence(process_->errorOutput(), kProgram);
   process_.reset();
   if (ended->by_signal || ended->code > 1) {
     return end(keeper, Error{ErrorKind::refused,
