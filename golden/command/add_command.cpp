@@ -13,6 +13,7 @@
 #include "golden/suite/suite_append.h"
 #include "viewer/picture/picture_options.h"
 #include "viewer/view/render_style.h"
+#include "viewer/view/scene_options.h"
 
 namespace rocinante {
 namespace {
@@ -179,9 +180,8 @@ cli::CommandLine addCaseCommand(cli::CommandLine app, AddArguments& arguments) {
   command.addOption("--size", arguments.size, "picture size in pixels, as 640x480");
   command.addOption("--scale", arguments.scale, "of text and lines: 0.5 to 4");
   command.addOption("--samples", arguments.samples, "1 or 4");
-  list("--layer", arguments.layers, "draw only this layer; repeatable");
-  list("--hide", arguments.hide, "do not draw PATH; repeatable");
-  list("--show", arguments.show, "draw PATH even if hidden; repeatable");
+  addLayersOption(command, arguments.layers);
+  addVisibilityOptions(command, arguments.hide, arguments.show);
   list("--inset", arguments.insets, "CAMERA[:CORNER][:SIZE], in place of the cell's; repeatable");
   command.addFlag("--no-insets", arguments.no_insets, "leave out the cell's insets");
   command.addFlag("--overlay", arguments.overlay, "with a panel of times and values");

@@ -171,12 +171,7 @@ int main(int argc, char** argv) {
       .required();
   app.addOption("LOG", job.log,
                 "the session: a log, or a bag, capture or table; without one, the cell at rest");
-  const cli::Option second =
-      app.addOption("--beside", job.beside,
-                    "another log of the same cell: its devices as ghosts, where they stand "
-                    "at another place")
-          .valueName("LOG");
-  addAlignOption(app, second, job.align);
+  addBesideOptions(app, job.beside, job.align);
   app.addOption(
          "--at", job.moments.at,
          "a moment: 12.5, 1m02.5s, -1s from the end, RFC 3339, or an event's text; repeatable")
@@ -228,18 +223,10 @@ int main(int argc, char** argv) {
       .within(0, kCoarsestRung)
       .showDefault();
   addJointsOption(app, job.joints);
-  app.addOption("--hide", job.look.hide,
-                "do not draw PATH: DEVICE, DEVICE/LINK, layer/NAME; repeatable")
-      .oneEach();
-  app.addOption("--show", job.look.show, "draw PATH even if packets hide it; repeatable").oneEach();
-  app.addOption("--layers", job.layers, "draw only these layers, separated by commas")
-      .valueText("NAME,...")
-      .separatedBy(',')
-      .oneEach();
+  addVisibilityOptions(app, job.look.hide, job.look.show);
+  addLayersOption(app, job.layers);
   addLooks(app, looks);
-  app.addOption("--profile", profile, "reproducible: the same bits everywhere; fast: any driver")
-      .oneOf({"reproducible", "fast"})
-      .showDefault();
+  addProfileOption(app, profile);
   app.addOption("--caps", caps, "the processor features that the reproducible profile uses")
       .oneOf(pinnableCaps())
       .showDefault();

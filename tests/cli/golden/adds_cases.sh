@@ -6,7 +6,8 @@ rocinante golden add new.toml --case front || echo "exit $?"
 rocinante golden add new.toml --cell box.urdf --case front --size 64x48 --samples 1
 printf '# a comment that stays\n[tolerance.lax]\ntile_mean = 9.0   # and this one' >>new.toml
 cp new.toml before.toml
-rocinante golden add new.toml --case side --camera map --hide layer/grid --mask layer/labels --tolerance lax \
+rocinante golden add new.toml --case side --camera map --layers labels,grid --layers points \
+  --hide layer/grid --mask layer/labels --tolerance lax \
   --style edges=only --style shadows --tag slow --expect different --reason 'say "why"'
 head -c "$(wc -c <before.toml)" new.toml | cmp - before.toml && echo "the old bytes are there"
 tail -n +9 new.toml

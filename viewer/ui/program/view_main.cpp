@@ -165,12 +165,7 @@ int viewMain(int argc, char** argv) {
       "a *.cell.toml, a .urdf, an .obj, or a log or bag that carries its cell; without it "
       "the window says how to open one");
   app.addOption("LOG", content.log, "a recorded session: a log, or a bag, capture or table");
-  const cli::Option beside =
-      app.addOption("--beside", content.beside,
-                    "another log of the cell: its devices as ghosts where they stand at "
-                    "another place, and its curves")
-          .valueName("LOG");
-  addAlignOption(app, beside, content.align);
+  addBesideOptions(app, content.beside, content.align, ", and its curves");
   const cli::Option live =
       app.addOption("--live", arguments.live,
                     "show live packets; EP as in `rocinante record`, default: the "
@@ -203,10 +198,7 @@ int viewMain(int argc, char** argv) {
   app.addOption("--as", arguments.as,
                 "the SOURCE name of --publish and --drive; default of --drive: hand")
       .valueText("NAME");
-  app.addOption("--profile", arguments.profile,
-                "fast: the driver as it is; reproducible: the same bits everywhere")
-      .oneOf({"fast", "reproducible"})
-      .showDefault();
+  addProfileOption(app, arguments.profile);
   app.addOption("--camera", content.camera, "a camera of the cell or a view of the session");
   const cli::Option at =
       app.addOption("--at", content.at,
@@ -238,8 +230,7 @@ int viewMain(int argc, char** argv) {
   app.addOption("--samples", options.samples, "multisampling: 1, 2, 4 or 8")
       .oneOf({1, 2, 4, 8})
       .showDefault();
-  app.addOption("--hide", content.hide, "do not show DEVICE, DEVICE/LINK or layer/NAME");
-  app.addOption("--show", content.show, "show DEVICE, DEVICE/LINK or layer/NAME even if hidden");
+  addVisibilityOptions(app, content.hide, content.show);
   content.where.search_environment = true;
   cli::addSearchFolderOptions(app, content.where);
   app.addOption("--frame-times", options.frame_times,
