@@ -244,6 +244,12 @@ int viewMain(int argc, char** argv) {
       .excludes(script);
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<Exit> {
     if (arguments.leftovers || arguments.forget_leftovers) return lookAtLeftovers(arguments);
+    // Before the first thread; Mesa reads the environment when the first context is made.
+    if (arguments.profile == "reproducible") {
+      pinRendererEnvironment();
+    } else {
+      avoidShaderCacheOnFullDisk();
+    }
     cli::catchStopSignals();
     const cli::StopDeadline until_stopped("stopped");
     arguments.is_live = live.given();
@@ -256,26 +262,7 @@ int viewMain(int argc, char** argv) {
   });
 }
 
-/// The profile must be known before the first thread, so before the arguments are parsed.
-bool wantsReproducible(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word == "--profile=reproducible") return true;
-    if (word == "--profile" && i + 1 < argc && std::string_view(argv[i + 1]) == "reproducible") {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 }  // namespace rocinante
 
-int main(int argc, char** argv) {
-  if (rocinante::wantsReproducible(argc, argv)) {
-    rocinante::pinRendererEnvironment();
-  } else {
-    rocinante::avoidShaderCacheOnFullDisk();
-  }
-  return rocinante::viewMain(argc, argv);
-}
+int main(int argc, char** argv) { return rocinante::viewMain(argc, argv); }
