@@ -68,7 +68,7 @@ rocinante_web_sources(viewer/passes backdrop_pass background_pass caster_draw co
 rocinante_web_sources(viewer/render fitted_cameras frame_maker identity_frame inset_frame
   renderer renderer_light renderer_numbers scaled_view source_rates stage_times)
 rocinante_web_sources(viewer/model link_poses)
-rocinante_web_sources(viewer/shown joint_rows plot_scale plot_shape signal_rows turntable)
+rocinante_web_sources(viewer/shown joint_rows plot_scale plot_shape signal_rows turntable value_text)
 rocinante_web_sources(viewer/web web_context web_fold web_live web_main web_plots web_session)
 rocinante_web_sources(viewer/web/port not_in_a_page)
 

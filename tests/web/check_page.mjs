@@ -51,7 +51,7 @@ await check("poses equal `model fk --json` as text", async () => {
 await check("devices are listed with their joints", async () => {
   const text = await page.locator("#devices").innerText();
   assert.match(text, /arm/);
-  assert.match(text, /\d\u00b0/);
+  assert.match(text, /\d\.\d\d\u00b0/);  // as a window has it
 });
 await check("dragging the time line scrubs", async () => {
   const before = await pixels();
@@ -115,12 +115,14 @@ await check("a click selects what is there: list, outline, link and place; Escap
   assert.equal(await page.locator("#devices dt.link").innerText(), at.link);
   assert.match(page.url(), new RegExp("select=arm%2F" + at.link));
   const fk = JSON.parse(await page.evaluate(() => window.rocinante.calls.poses(window.rocinante.now())));
-  const place = (await page.locator("#devices dd.link").innerText()).split(" ").slice(0, 3).map(Number);
+  const place = await page.locator("#devices dd.link").innerText();
+  assert.match(place, /^at( -?\d+\.\d){3} mm$/);
+  const metres = place.split(" ").slice(1, 4).map((each) => each / 1000);
   const name = Object.keys(fk).find((key) => key.endsWith("arm/" + at.link));
   assert.ok(name, "fk has " + Object.keys(fk).join(", "));
   const text = JSON.stringify(fk[name]);
   const numbers = (text.match(/-?[0-9.]+(e-?[0-9]+)?/g) || []).map(Number);
-  place.forEach((each) => assert.ok(numbers.some((number) => Math.abs(number - each) < 6e-4), each + " in " + text));
+  metres.forEach((each) => assert.ok(numbers.some((number) => Math.abs(number - each) < 6e-5), each + " in " + text));
   await page.waitForFunction((old) => document.querySelector("#rocinante-canvas").toDataURL() !== old, before);
   await page.keyboard.press("Escape");
   assert.equal(await page.locator("#devices h2.selected").count(), 0);

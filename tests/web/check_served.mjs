@@ -77,7 +77,7 @@ await check("a live page follows what is sent", async () => {
     await send(`joints arm ${value} 0 0 0 0 0`);
     await joint(["arm", value]);
   }
-  await live.page.waitForFunction(() => /43\.0\u00b0/.test(document.querySelector("#devices").innerText));
+  await live.page.waitForFunction(() => /42\.97\u00b0/.test(document.querySelector("#devices").innerText));
 });
 await check("its signals are those of now", async () => {
   await send('signal arm load 5 kg\nsignal arm mode "auto"\nsignal - estop true');

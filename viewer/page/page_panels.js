@@ -9,11 +9,6 @@ function rocinantePanels(page) {
     return it;
   };
 
-  function jointText(joint) {
-    if (joint.kind === "angle") return (joint.value * 180 / Math.PI).toFixed(1) + "\u00b0";
-    return joint.value.toFixed(4) + (joint.kind === "length" ? " m" : "");
-  }
-
   function signalRows(device) {
     const rows = [];
     for (const signal of device.signals || []) {
@@ -36,10 +31,10 @@ function rocinantePanels(page) {
     const list = made("dl");
     if (device.link) {
       list.append(made("dt", "link", device.link.name));
-      list.append(made("dd", "link", device.link.place.map((each) => each.toFixed(3)).join(" ") + " m"));
+      list.append(made("dd", "link", device.link.text));
     }
     for (const joint of device.joints) {
-      list.append(made("dt", "", joint.name), made("dd", joint.outside ? "outside" : "", jointText(joint)));
+      list.append(made("dt", "", joint.name), made("dd", joint.outside ? "outside" : "", joint.text));
     }
     list.append(...signalRows(device));
     box.append(title, list);
@@ -53,7 +48,7 @@ function rocinantePanels(page) {
     if (devices.error) return null;
     if (!element("devices").hidden) element("devices").replaceChildren(...devices.map(deviceBox));
     const selected = devices.find((device) => device.name === page.selectedDevice());
-    return selected ? new Map([...selected.joints.map((joint) => [joint.name, jointText(joint)]),
+    return selected ? new Map([...selected.joints.map((joint) => [joint.name, joint.text]),
       ...(selected.signals || []).map((signal) => [signal.series, signal.text])]) : null;
   }
 

@@ -12,6 +12,7 @@
 #include "viewer/render/renderer.h"
 #include "viewer/shown/joint_rows.h"
 #include "viewer/shown/signal_rows.h"
+#include "viewer/shown/value_text.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/view/inset_layout.h"
 #include "viewer/web/web_context.h"
@@ -25,14 +26,14 @@ std::string text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+/// Those that a window begins with.
+constexpr Units kUnits{};
+
 Json jointJson(const JointRow& row) {
   Json json;
   json["name"] = row.name;
   json["value"] = row.value;
-  json["kind"] = row.kind == ValueKind::angle    ? "angle"
-                 : row.kind == ValueKind::length ? "length"
-                                                 : "number";
-  json["said"] = row.is_stated;
+  json["text"] = jointValueText(row.kind, row.value, kUnits);
   json["outside"] = row.outside();
   return json;
 }
@@ -207,8 +208,9 @@ Result<std::string> WebSession::devicesJson(std::int64_t ns) {
     if (selected_ && selected_->path.first == device.name && !selected_->path.second.empty()) {
       const auto link = device.model->findLink(selected_->path.second);
       if (link) {
-        const Vec3 place = positionOf(device.link_world[*link]);
-        one["link"] = {{"name", selected_->path.second}, {"place", {place.x, place.y, place.z}}};
+        const Vec3 position = positionOf(device.link_world[*link]);
+        one["link"] = {{"name", selected_->path.second},
+                       {"text", positionText(position, kUnits.length)}};
       }
     }
     if (device_state != nullptr) addSignalsOf(one, device.name, device_state->signals);

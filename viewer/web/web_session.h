@@ -57,11 +57,12 @@ class WebSession {
   std::string aboutJson();
   /// JSON: events and marks, each with ns (from the origin) and text.
   std::string eventsJson();
-  /// JSON: devices at that moment, each with its joints' names, values and kinds, its signals'
-  /// names, texts and kinds, and of the selected link its place in the world. The last has no name
-  /// and the signals of no device, if there are any. At most 256 signals of a device and 4,096 of
-  /// all, with the others as the number `unlisted`, and 1,024 devices that the cell has not, behind
-  /// which one has the number of the others, `more`, alone. The selected device is always there.
+  /// JSON: devices at that moment, each with its joints' names, values and texts, its signals'
+  /// names, texts and kinds, and of the selected link the text of its position in the world, all
+  /// worded as in a window. The last has no name and the signals of no device, if there are any. At
+  /// most 256 signals of a device and 4,096 of all, with the others as the number `unlisted`, and
+  /// 1,024 devices that are not in the cell, behind which one has the number of the others, `more`,
+  /// alone. The selected device is always there.
   Result<std::string> devicesJson(std::int64_t ns);
   /// What `rocinante model fk --json` prints for that moment.
   Result<std::string> posesJson(std::int64_t ns);

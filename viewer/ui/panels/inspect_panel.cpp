@@ -6,6 +6,7 @@
 #include "core/base/duration_text.h"
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
+#include "viewer/shown/value_text.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
@@ -80,19 +81,19 @@ void drawFound(const ViewModel& model, const PacketBehind& packet, bool& shows_b
 
 void drawPosition(ViewModel& model, const Selection& shown, const Vec3& at) {
   const LengthUnit unit = model.hand.units.length;
-  const std::string x = "at " + lengthNumber(at.x, unit), y = lengthNumber(at.y, unit);
-  const std::string text = x + " " + y + " " + lengthText(at.z, unit);
+  const std::string text = positionText(at, unit);
   if (!poseKeyOf(model, shown, "x")) {
     ImGui::TextUnformatted(text.c_str());
     return;
   }
   // The number that was pressed is dragged.
+  const std::size_t x_ends = text.find(' ', 3), y_ends = text.find(' ', x_ends + 1);
   const float pressed = ImGui::GetIO().MouseClickedPos[0].x - ImGui::GetCursorScreenPos().x;
   const float gap = ImGui::CalcTextSize(" ").x / 2;
   const char* part = "z";
-  if (pressed < ImGui::CalcTextSize(x.c_str()).x + gap) {
+  if (pressed < ImGui::CalcTextSize(text.c_str(), text.c_str() + x_ends).x + gap) {
     part = "x";
-  } else if (pressed < ImGui::CalcTextSize((x + " " + y).c_str()).x + gap) {
+  } else if (pressed < ImGui::CalcTextSize(text.c_str(), text.c_str() + y_ends).x + gap) {
     part = "y";
   }
   drawDraggable(model, "position", text, ImGuiCol_Text, {*poseKeyOf(model, shown, part)});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viewer/shown/joint_rows.h"
+#include "viewer/shown/value_text.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/panels/plot_parts.h"
@@ -44,18 +45,6 @@ std::vector<HandRow> handRows(const ViewModel& model, const PosedDevice& device,
   return rows;
 }
 
-std::string shownValue(const JointRow& row, double value, const Units& units) {
-  switch (row.kind) {
-    case ValueKind::angle:
-      return angleText(value, units.angle);
-    case ValueKind::length:
-      return lengthText(value, units.length);
-    case ValueKind::turn:
-      break;
-  }
-  return fmt::format("{:.4f}", value);
-}
-
 /// Empty when the text is not a value of that kind.
 std::optional<double> parsedValue(const JointRow& row, std::string_view text, const Units& units) {
   switch (row.kind) {
@@ -80,10 +69,10 @@ std::string rowTip(const HandRow& one, const Units& units, bool settable) {
     tip += "\nnothing said: the model's own place";
   }
   if (row.lower && row.upper) {
-    tip += fmt::format("\nlimits {} to {}", shownValue(row, *row.lower, units),
-                       shownValue(row, *row.upper, units));
+    tip += fmt::format("\nlimits {} to {}", jointValueText(row.kind, *row.lower, units),
+                       jointValueText(row.kind, *row.upper, units));
   }
-  if (one.by_hand) tip += "\nby hand; otherwise " + shownValue(row, one.received, units);
+  if (one.by_hand) tip += "\nby hand; otherwise " + jointValueText(row.kind, one.received, units);
   tip += fmt::format("\n{:.4f} in packets{}", row.value,
                      row.kind == ValueKind::angle    ? ", which have radians"
                      : row.kind == ValueKind::length ? ", which have metres"
@@ -230,7 +219,7 @@ void drawValue(ViewModel& model, const PosedDevice& device, const HandRow& one, 
   if (edit && edit->device == device.name && edit->value_name == row.name) {
     return drawEdit(model, row, now);
   }
-  const std::string text = shownValue(row, row.value, model.hand.units);
+  const std::string text = jointValueText(row.kind, row.value, model.hand.units);
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(room, 0.0F));
   const PanelColor color = row.outside() ? PanelColor::beyond_limit
