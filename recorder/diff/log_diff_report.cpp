@@ -3,7 +3,7 @@
 #include "core/base/duration_text.h"
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
-#include "core/report/json_text.h"
+#include "recorder/diff/diff_place_json.h"
 #include "recorder/diff/log_diff.h"
 
 namespace rocinante {
@@ -80,14 +80,6 @@ void addState(std::string& out, const LogDiff& diff) {
                      state.ends_differ ? "the ends differ too" : "the ends are the same");
   addItems(out, "only in a", state.only_a, state.items_only_a);
   addItems(out, "only in b", state.only_b, state.items_only_b);
-}
-
-Json placeJson(const std::optional<DiffPlace>& place) {
-  if (!place) return nullptr;
-  return {{"number", place->number},
-          {"log_time_ns", place->time.time_since_epoch().count()},
-          {"channel", place->topic},
-          {"payload_begins", place->payload}};
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
-#include "core/report/json_text.h"
+#include "recorder/diff/diff_place_json.h"
 #include "recorder/diff/replay_diff.h"
 
 namespace rocinante {
@@ -27,14 +27,6 @@ std::string partingText(const std::optional<DiffPlace>& place, LogTime origin) {
 
 std::string msText(std::uint64_t us) {
   return fmt::format("{:.3f}", static_cast<double>(us) / 1000);
-}
-
-Json partingJson(const std::optional<DiffPlace>& place) {
-  if (!place) return nullptr;
-  return {{"number", place->number},
-          {"log_time_ns", place->time.time_since_epoch().count()},
-          {"channel", place->topic},
-          {"payload_begins", place->payload}};
 }
 
 }  // namespace
@@ -94,8 +86,8 @@ std::string replayJson(const ReplayDiff& diff) {
                         {{"p50", source.error_p50_us},
                          {"p99", source.error_p99_us},
                          {"max", source.error_max_us}}},
-                       {"first_a", partingJson(source.first_a)},
-                       {"first_b", partingJson(source.first_b)}});
+                       {"first_a", placeJson(source.first_a)},
+                       {"first_b", placeJson(source.first_b)}});
   }
   Json out;
   out["format"] = 1;
