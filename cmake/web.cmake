@@ -38,7 +38,7 @@ rocinante_web_sources(core/packet packet text_name text_number header_reader sta
   item_text joint_order restatement)
 rocinante_web_sources(core/mcap append_record byte_sink chunk_expander chunk_head no_lz4_frame open_chunk
   parse_record record_probe records record_stepper summary tail_reserve torn_chunk)
-rocinante_web_sources(core/log other_format captured_range chunk_indexes clock_message file_order
+rocinante_web_sources(core/log other_format captured_range chunk_indexes clock_message damage_text file_order
   foreign_file growing_index import_record last_message log_end log_index log_index_summary log_index_walk log_profile
   log_reader log_types loss_message mapped_file message_span octets_before recorded_losses settled_walk span_cache
   span_damage span_merge)

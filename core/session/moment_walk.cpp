@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/duration_text.h"
+#include "core/log/damage_text.h"
 
 namespace rocinante {
 
@@ -65,7 +66,7 @@ std::vector<std::string> MomentWalk::damage() const {
   const std::vector<DamageSpan>& most =
       log.damage().size() > reader_.damage().size() ? log.damage() : reader_.damage();
   for (const DamageSpan& span : most) {
-    sentences.push_back(fmt::format("{} ({}, byte {})", span.cause, log.name(), span.from));
+    sentences.push_back(damageText(span, log.name()));
   }
   return sentences;
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/copy/log_selection.h"
+#include "core/log/damage_text.h"
 #include "recorder/contents/log_cat.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/commands.h"
@@ -35,7 +36,7 @@ Result<cli::Exit> runCat(CatCommandOptions& options) {
       return range ? nothingChosen(*reader, selection, *range) : range.error();
     }
     for (const DamageSpan& span : reader->damage()) {
-      cli::warn(fmt::format("{} ({}, byte {})", span.cause, log, span.from));
+      cli::warn(damageText(span, log));
       exit = cli::Exit::no;
     }
   }

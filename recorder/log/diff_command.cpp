@@ -1,9 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/base/duration_text.h"
 #include "core/cli/opened_session.h"
+#include "core/log/damage_text.h"
 #include "recorder/diff/log_diff.h"
 #include "recorder/diff/replay_diff.h"
 #include "recorder/log/command_support.h"
@@ -37,7 +36,7 @@ Error nothingToCompare(const std::string& log) {
 bool tellDamage(const LogReader& a, const LogReader& b) {
   for (const LogReader* reader : {&a, &b}) {
     for (const DamageSpan& span : reader->damage()) {
-      cli::warn(fmt::format("{} ({}, byte {})", span.cause, reader->name(), span.from));
+      cli::warn(damageText(span, reader->name()));
     }
   }
   return !a.damage().empty() || !b.damage().empty();

@@ -13,8 +13,9 @@
 #include "core/copy/output_file.h"
 #include "core/foreign/foxglove/foxglove_format.h"
 #include "core/foreign/recordings/cell_and_log.h"
-#include "recorder/ros_out/ros2_format.h"
+#include "core/log/damage_text.h"
 #include "core/report/account.h"
+#include "recorder/ros_out/ros2_format.h"
 #include "core/report/json_text.h"
 #include "recorder/export/exports.h"
 #include "recorder/log/command_support.h"
@@ -154,7 +155,7 @@ Result<ExportAccount> exportToPcap(const ExportArguments& arguments, const TimeR
   account.contents["datagrams"] = report->datagrams;
   account.gaps = std::move(report->gaps);
   for (const DamageSpan& span : log->damage()) {
-    account.gaps.push_back(fmt::format("{} ({}, byte {})", span.cause, arguments.log, span.from));
+    account.gaps.push_back(damageText(span, arguments.log));
   }
   account.notes = std::move(report->notes);
   account.left_out = std::move(report->left_out);

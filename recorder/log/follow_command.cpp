@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/base/plain_text.h"
+#include "core/log/damage_text.h"
 #include "recorder/contents/log_follow.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/commands.h"
@@ -62,7 +63,7 @@ Result<cli::Exit> runFollow(FollowCommandOptions& options) {
     return !cli::stopRequested();
   };
   events.damaged = [&](const DamageSpan& span) {
-    cli::warn(fmt::format("{} ({}, byte {})", span.cause, options.log, span.from));
+    cli::warn(damageText(span, options.log));
     exit = cli::Exit::no;
   };
   const Result<std::uint64_t> shown = followLog(*log, options.follow, events, toFlushedOutput);

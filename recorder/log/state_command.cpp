@@ -2,6 +2,7 @@
 
 #include "core/base/duration_text.h"
 #include "core/cli/opened_session.h"
+#include "core/log/damage_text.h"
 #include "core/session/moment_name.h"
 #include "core/session/timeline.h"
 #include "recorder/contents/log_state.h"
@@ -51,7 +52,7 @@ Result<cli::Exit> runState(StateCommandOptions options) {
                           options.log));
   }
   for (const DamageSpan& span : session->log().damage()) {
-    cli::warn(fmt::format("{} ({}, byte {})", span.cause, options.log, span.from));
+    cli::warn(damageText(span, options.log));
   }
   cli::warnOfAccount(options.log, nullptr);
   const bool is_whole = session->log().damage().empty() && session->keyframeFaults().empty();

@@ -7,6 +7,7 @@
 #include "core/base/figure_text.h"
 #include "core/base/plain_text.h"
 #include "core/foreign/recordings/recording_bytes.h"
+#include "core/log/damage_text.h"
 
 namespace rocinante {
 namespace {
@@ -157,7 +158,7 @@ class LcmLog final : public ros::BagReader {
     }
     std::string sentence = what;
     if (until > from) sentence += ": " + countText(until - from, "byte") + " skipped";
-    damage_.push_back(sentence + " (" + name_ + ", byte " + std::to_string(from) + ")");
+    damage_.push_back(damageText(sentence, name_, from));
   }
 
   RecordingBytes bytes_;

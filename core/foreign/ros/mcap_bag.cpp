@@ -2,6 +2,7 @@
 
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/expanded_messages.h"
+#include "core/log/damage_text.h"
 #include "core/log/log_profile.h"
 #include "core/log/log_reader.h"
 
@@ -64,8 +65,7 @@ class McapBag final : public BagReader {
       if (span.messages_lost && *span.messages_lost > 0) {
         sentence += ": " + std::to_string(*span.messages_lost) + " messages lost";
       }
-      sentences.push_back(sentence + " (" + reader_.name() + ", byte " + std::to_string(span.from) +
-                          ")");
+      sentences.push_back(damageText(sentence, reader_.name(), span.from));
     }
     return sentences;
   }

@@ -4,6 +4,7 @@
 #include "core/foreign/ros/bag_reader.h"
 #include "core/foreign/ros/ros1_chunk.h"
 #include "core/foreign/ros/ros1_record.h"
+#include "core/log/damage_text.h"
 #include "core/log/mapped_file.h"
 #include "core/mcap/chunk_expander.h"
 
@@ -100,7 +101,7 @@ class Ros1Bag final : public BagReader {
       ++untold_;
       return;
     }
-    damage_.push_back(std::string(what) + " (" + name_ + ", byte " + std::to_string(at) + ")");
+    damage_.push_back(damageText(what, name_, at));
   }
 
   /// Reads the next chunk, or the next record outside one. False at the end.
