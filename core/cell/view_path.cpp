@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/hex_digit.h"
 #include "core/base/pattern.h"
 
 namespace rocinante {
 namespace {
-
-int pathHexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
 
 std::optional<std::string> decodedName(std::string_view text) {
   std::string name;
@@ -22,11 +16,9 @@ std::optional<std::string> decodedName(std::string_view text) {
       name += text[i];
       continue;
     }
-    if (i + 2 >= text.size()) return std::nullopt;
-    const int high = pathHexDigit(text[i + 1]);
-    const int low = pathHexDigit(text[i + 2]);
-    if (high < 0 || low < 0) return std::nullopt;
-    name += static_cast<char>(high * 16 + low);
+    const std::optional<char> byte = percentByte(text, i);
+    if (!byte) return std::nullopt;
+    name += *byte;
     i += 2;
   }
   if (name.empty()) return std::nullopt;

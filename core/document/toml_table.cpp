@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/hex_digit.h"
 #include "core/base/name_hint.h"
 #include "core/document/fault_list.h"
 #include "core/math/transform.h"
@@ -15,13 +16,6 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kLongestName = 255;
-
-int hexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
 
 /// Scaled to unit length, unless the length is already 1 within rounding: a rotation that a program
 /// wrote is then read back to the bit.

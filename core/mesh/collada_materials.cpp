@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/hex_digit.h"
 #include "core/mesh/mtl_reader.h"
 
 namespace rocinante {
@@ -18,21 +19,12 @@ float clampedComponent(double value) { return static_cast<float>(std::clamp(valu
 /// "file:///C:/a%20b.png" -> "/C:/a b.png"; other escapes stay as they are.
 std::string pathOfUri(std::string_view uri) {
   if (uri.starts_with("file://")) uri.remove_prefix(7);
-  const auto digit = [](char c) {
-    return c >= '0' && c <= '9'                 ? c - '0'
-           : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10
-                                                : -1;
-  };
   std::string path;
   for (std::size_t i = 0; i < uri.size(); ++i) {
-    const int high = uri[i] == '%' && i + 2 < uri.size() ? digit(uri[i + 1]) : -1;
-    const int low = high >= 0 ? digit(uri[i + 2]) : -1;
-    if (low < 0 || high * 16 + low == 0) {
-      path += uri[i];
-    } else {
-      path += static_cast<char>(high * 16 + low);
-      i += 2;
-    }
+    const std::optional<char> byte = percentByte(uri, i);
+    const bool is_escape = byte && *byte != 0;
+    path += is_escape ? *byte : uri[i];
+    if (is_escape) i += 2;
   }
   return path;
 }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/base/base64.h"
+#include "core/base/hex_digit.h"
 #include "core/base/json_parse.h"
 #include "core/base/json_read.h"
 #include "core/document/fault_list.h"
@@ -17,12 +18,6 @@ namespace rocinante {
 namespace {
 
 constexpr std::uint64_t kMaxBuffersTogether = std::uint64_t{2} << 30;
-
-int valueOfHexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
 
 /// Reads the buffers that are not in the file, each URI once.
 class BufferLoader {
@@ -131,20 +126,7 @@ std::optional<Bytes> bytesOfDataUri(std::string_view uri) {
   return bytesOfBase64(uri.substr(comma + 1));
 }
 
-std::string fileNameOfUri(std::string_view uri) {
-  std::string name;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const int high = uri[i] == '%' && i + 2 < uri.size() ? valueOfHexDigit(uri[i + 1]) : -1;
-    const int low = high >= 0 ? valueOfHexDigit(uri[i + 2]) : -1;
-    if (low >= 0) {
-      name += static_cast<char>(high * 16 + low);
-      i += 2;
-    } else {
-      name += uri[i];
-    }
-  }
-  return name;
-}
+std::string fileNameOfUri(std::string_view uri) { return percentDecoded(uri); }
 
 std::optional<std::size_t> gltfIndex(const GltfJson& object, const char* key) {
   const auto found = object.find(key);

@@ -1,19 +1,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/hex_digit.h"
 #include "core/net/endpoint_text.h"
 
 namespace rocinante {
 namespace {
 
 constexpr std::string_view kFilter = "filter=";
-
-std::optional<unsigned> hexDigit(char c) {
-  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
-  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a' + 10);
-  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A' + 10);
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -22,11 +16,9 @@ std::optional<std::string> decodePercent(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     char byte = text[i];
     if (byte == '%') {
-      if (text.size() - i < 3) return std::nullopt;
-      const auto high = hexDigit(text[i + 1]);
-      const auto low = hexDigit(text[i + 2]);
-      if (!high || !low) return std::nullopt;
-      byte = static_cast<char>(*high * 16 + *low);
+      const std::optional<char> decoded = percentByte(text, i);
+      if (!decoded) return std::nullopt;
+      byte = *decoded;
       i += 2;
     }
     if (byte == '\0' || byte == '\n' || byte == '\r') return std::nullopt;

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/hex_digit.h"
 #include "core/base/plain_text.h"
 #include "core/packet/packet_limits.h"
 #include "core/packet/packet_text.h"
-#include "core/packet/text_number.h"
 
 namespace rocinante {
 namespace {
@@ -46,13 +46,9 @@ std::optional<std::string_view> decodeName(std::string_view raw, TextArena& aren
       arena.append(raw[i]);
       continue;
     }
-    if (raw[i] != '%' || raw.size() - i < 3) return std::nullopt;
-    const int high = hexDigit(raw[i + 1]);
-    const int low = hexDigit(raw[i + 2]);
-    if (high < 0 || low < 0) return std::nullopt;
-    const char byte = static_cast<char>(high * 16 + low);
-    if (isControl(byte)) return std::nullopt;
-    arena.append(byte);
+    const std::optional<char> byte = percentByte(raw, i);
+    if (!byte || isControl(*byte)) return std::nullopt;
+    arena.append(*byte);
     i += 2;
   }
   const std::string_view name = arena.since(mark);

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/hex_digit.h"
 #include "core/base/plain_text.h"
 
 namespace rocinante {
@@ -165,13 +166,6 @@ std::optional<std::int64_t> readSeconds(std::string_view text) {
   constexpr auto kMax = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (!seconds || *seconds > (kMax - fraction) / kNanoseconds) return std::nullopt;
   return static_cast<std::int64_t>(*seconds * kNanoseconds + fraction);
-}
-
-int hexDigit(char character) {
-  if (isDigit(character)) return character - '0';
-  if (character >= 'a' && character <= 'f') return character - 'a' + 10;
-  if (character >= 'A' && character <= 'F') return character - 'A' + 10;
-  return -1;
 }
 
 std::optional<std::uint64_t> readHex(std::string_view text, std::size_t digits) {

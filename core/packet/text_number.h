@@ -23,9 +23,6 @@ std::optional<std::uint64_t> readUnsigned(std::string_view digits);
 /// "12.5": seconds with up to nine decimals as nanoseconds; no sign, no exponent.
 std::optional<std::int64_t> readSeconds(std::string_view text);
 
-/// 0 to 15, or -1.
-int hexDigit(char character);
-
 /// Reads exactly `digits` hexadecimal digits.
 std::optional<std::uint64_t> readHex(std::string_view text, std::size_t digits);
 

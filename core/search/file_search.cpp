@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/base/hex_digit.h"
 #include "core/base/plain_text.h"
 #include "core/search/found_file.h"
 #include "core/search/package_names.h"
@@ -30,26 +31,6 @@ struct ParsedName {
 
 bool startsWith(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
-}
-
-std::string decodedPercent(std::string_view text) {
-  const auto digit = [](char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-  };
-  std::string decoded;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '%' && i + 2 < text.size() && digit(text[i + 1]) >= 0 &&
-        digit(text[i + 2]) >= 0) {
-      decoded += static_cast<char>(digit(text[i + 1]) * 16 + digit(text[i + 2]));
-      i += 2;
-    } else {
-      decoded += text[i];
-    }
-  }
-  return decoded;
 }
 
 ParsedName parsedName(std::string name) {
@@ -252,14 +233,14 @@ FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside,
   fs::path from = canonicalOf(beside.empty() ? fs::path(".") : beside, error);
   if (error) from = beside;
   FoundFile best;
-  for (const std::string& name : {given, decodedPercent(given)}) {
+  for (const std::string& name : {given, percentDecoded(given)}) {
     const ParsedName parsed = parsedName(name);
     const auto package = std::find_if(packages_.begin(), packages_.end(), [&](const Package& each) {
       return each.name == parsed.package;
     });
     if (!parsed.package.empty() && package != packages_.end()) {
       FoundFile found = lookInPackage(*package, parsed.path);
-      if (found.why == FoundFile::Why::found || name == decodedPercent(given)) return found;
+      if (found.why == FoundFile::Why::found || name == percentDecoded(given)) return found;
       continue;
     }
     std::vector<Root> roots = roots_;

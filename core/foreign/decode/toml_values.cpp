@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/base/hex_digit.h"
 #include "core/base/name_hint.h"
-#include "core/packet/text_number.h"
 
 namespace rocinante::decode {
 
