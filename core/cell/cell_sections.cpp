@@ -126,7 +126,7 @@ std::optional<CellCamera> readCamera(TomlTable& table, CellNames& names) {
       table.error("cell.bad-number", "fov_deg", "`fov_deg` must be between 0 and 180");
     }
   }
-  camera.ortho_height_m = readPositive(table, "ortho_height_m");
+  camera.ortho_height_m = table.positiveNumber("ortho_height_m");
   if (table.has("fov_deg") && table.has("ortho_height_m")) {
     table.error("cell.two-projections", "ortho_height_m",
                 "the camera has both fov_deg and ortho_height_m");
@@ -284,7 +284,7 @@ void readScene(TomlTable& root, Cell& cell) {
   };
   for (const Length& length : {Length{"grid_size_m", cell.scene.grid_size_m},
                                Length{"grid_step_m", cell.scene.grid_step_m}}) {
-    if (const auto given = readPositive(*table, length.key)) length.value = *given;
+    if (const auto given = table->positiveNumber(length.key)) length.value = *given;
   }
   if (cell.scene.grid_size_m > 1000.0 * cell.scene.grid_step_m) {
     table->error("cell.bad-number", "grid_step_m",

@@ -39,13 +39,6 @@ bool readPath(TomlTable& table, const Cell& cell, CellSignal& signal) {
   return false;
 }
 
-std::optional<double> positive(TomlTable& table, std::string_view key) {
-  const auto number = table.number(key);
-  if (!number || *number > 0) return number;
-  table.error("cell.bad-number", key, fmt::format("`{}` must be above 0", key));
-  return std::nullopt;
-}
-
 std::string_view trimmed(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
@@ -96,8 +89,8 @@ void readSignals(TomlTable& root, Cell& cell) {
     }
     signal.label = table.text("label").value_or("");
     signal.range = table.range("range");
-    signal.jump = positive(table, "jump");
-    signal.stuck_s = positive(table, "stuck_s");
+    signal.jump = table.positiveNumber("jump");
+    signal.stuck_s = table.positiveNumber("stuck_s");
     signal.rate_hz = table.range("rate_hz");
     if (signal.rate_hz && signal.rate_hz->first < 0) {
       table.error("cell.bad-range", "rate_hz", "`rate_hz` must not be below 0");

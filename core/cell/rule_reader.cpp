@@ -106,19 +106,12 @@ void readRules(TomlTable& root, Cell& cell) {
   readFamily(*root.node("rules"), "", root.faults(), cell.rules);
 }
 
-std::optional<double> readPositive(TomlTable& table, std::string_view key) {
-  const std::optional<double> value = table.number(key);
-  if (!value || *value > 0.0) return value;
-  table.error("cell.bad-number", key, fmt::format("`{}` must be above 0", key));
-  return std::nullopt;
-}
-
 SourceLimits readSourceLimits(TomlTable& table) {
   SourceLimits limits;
-  limits.silence_s = readPositive(table, "silence_s");
-  limits.restate_s = readPositive(table, "restate_s");
-  limits.clock_skew_s = readPositive(table, "clock_skew_s");
-  limits.jitter_ms = readPositive(table, "jitter_ms");
+  limits.silence_s = table.positiveNumber("silence_s");
+  limits.restate_s = table.positiveNumber("restate_s");
+  limits.clock_skew_s = table.positiveNumber("clock_skew_s");
+  limits.jitter_ms = table.positiveNumber("jitter_ms");
   return limits;
 }
 

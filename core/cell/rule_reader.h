@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-
 #include "core/cell/cell.h"
 #include "core/cell/cell_rules.h"
 #include "core/document/toml_table.h"
@@ -11,8 +8,6 @@ namespace rocinante {
 
 /// Reads `[rules]` of one file of a cell into `cell`.
 void readRules(TomlTable& root, Cell& cell);
-/// A number above 0; a fault for any other.
-std::optional<double> readPositive(TomlTable& table, std::string_view key);
 /// The keys of SourceLimits of a `[[source]]`.
 SourceLimits readSourceLimits(TomlTable& table);
 

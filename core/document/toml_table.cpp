@@ -115,6 +115,13 @@ std::optional<double> TomlTable::number(std::string_view key) {
   return std::nullopt;
 }
 
+std::optional<double> TomlTable::positiveNumber(std::string_view key) {
+  const auto value = number(key);
+  if (!value || *value > 0) return value;
+  error("cell.bad-number", key, fmt::format("`{}` must be above 0", key));
+  return std::nullopt;
+}
+
 std::optional<bool> TomlTable::flag(std::string_view key) {
   const TomlNode* value = find(key, TomlNode::Kind::flag);
   if (value == nullptr) return std::nullopt;

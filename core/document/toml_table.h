@@ -35,6 +35,8 @@ class TomlTable {
   /// A name of at most 255 bytes, not empty, without a slash.
   std::optional<std::string> requiredName(std::string_view key);
   std::optional<double> number(std::string_view key);
+  /// A number above 0; a fault for any other.
+  std::optional<double> positiveNumber(std::string_view key);
   std::optional<bool> flag(std::string_view key);
   std::optional<Vec3> vector(std::string_view key);
   std::optional<Vec3> requiredVector(std::string_view key);
