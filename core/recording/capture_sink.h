@@ -34,7 +34,8 @@ struct CapturedDatagram {
 };
 
 /// The output of a recording: one log, a sequence of pieces, or a ring in memory from which files
-/// are written. Called in time order, on the writing thread alone; reads no clock.
+/// are written. Called in time order, on the writing thread alone; reads no clock. A sink that is
+/// one log needs neither seams nor triggers.
 class CaptureSink {
  public:
   virtual ~CaptureSink() = default;
@@ -45,8 +46,8 @@ class CaptureSink {
 
   /// True when data from `time` on belongs to a new piece: the caller must then write the losses
   /// and clock steps up to `time`, which belong to the old piece, and call seam().
-  virtual bool seamDue(LogTime time) = 0;
-  virtual Status seam(LogTime time) = 0;
+  virtual bool seamDue(LogTime /*time*/) { return false; }
+  virtual Status seam(LogTime /*time*/) { return {}; }
 
   /// After an error the recording is over: nothing more will be kept.
   virtual Status write(const CapturedDatagram& datagram) = 0;
@@ -63,16 +64,16 @@ class CaptureSink {
   virtual Status close(const std::string& reason) = 0;
 
   /// Asks for a new piece as soon as possible (SIGHUP).
-  virtual void askForSeam() = 0;
+  virtual void askForSeam() {}
   /// Saves the contents of a ring, as of `moment`; `why` is for users.
-  virtual void trigger(LogTime moment, const std::string& why) = 0;
+  virtual void trigger(LogTime /*moment*/, const std::string& /*why*/) {}
 
   /// All bytes ever written, including those in deleted files. Grows whenever a file grows.
   virtual std::uint64_t bytesWritten() const = 0;
   /// By flow: datagrams given to write() that the disk refused. Exact after flushAll() and close().
   virtual std::vector<std::uint64_t> refusedByFlow() const = 0;
-  /// Complete after close().
-  virtual RecordedFiles files() const = 0;
+  /// Complete after close(). Empty for a sink whose files its owner knows.
+  virtual RecordedFiles files() const { return {}; }
   /// How much of the session a ring holds in memory.
   virtual Nanoseconds held() const { return Nanoseconds(0); }
 };

@@ -48,7 +48,6 @@ class PieceSequence final : public CaptureSink {
   Status flushAll() override { return piece_->flushAll(); }
   Status close(const std::string& reason) override;
   void askForSeam() override { asked_ = true; }
-  void trigger(LogTime, const std::string&) override {}
   std::uint64_t bytesWritten() const override { return shelf_.bytesEver() + piece_->bytes(); }
   std::vector<std::uint64_t> refusedByFlow() const override;
   RecordedFiles files() const override;

@@ -41,8 +41,6 @@ class RingRecording final : public CaptureSink {
   RingRecording(Options options, NoteBox& notes);
 
   Status begin(const SessionState& preceding, LogTime moment) override;
-  bool seamDue(LogTime) override { return false; }
-  Status seam(LogTime) override { return {}; }
   /// None of these fails: a file that cannot be created or written is noted, and the ring
   /// continues.
   Status write(const CapturedDatagram& datagram) override;
@@ -51,7 +49,6 @@ class RingRecording final : public CaptureSink {
   Status flush(LogTime reached, SteadyTime now) override;
   Status flushAll() override { return {}; }
   Status close(const std::string& reason) override;
-  void askForSeam() override {}
   void trigger(LogTime moment, const std::string& why) override;
   std::uint64_t bytesWritten() const override {
     return shelf_.bytesEver() + (file_ ? file_->bytes() : 0);

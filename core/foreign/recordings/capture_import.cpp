@@ -56,8 +56,6 @@ class CaptureLog final : public CaptureSink {
   Status begin(const SessionState& preceding, LogTime moment) override {
     return piece_.begin(preceding, moment, std::nullopt);
   }
-  bool seamDue(LogTime) override { return false; }
-  Status seam(LogTime) override { return {}; }
   Status write(const CapturedDatagram& datagram) override {
     FlowTally& flow = tally_->flows[datagram.flow];
     if (flow.topic.empty()) flow.topic = datagram.channel->topic;
@@ -85,15 +83,12 @@ class CaptureLog final : public CaptureSink {
     tally_->bytes = piece_.bytes();
     return closed;
   }
-  void askForSeam() override {}
-  void trigger(LogTime, const std::string&) override {}
   std::uint64_t bytesWritten() const override { return piece_.bytes(); }
   std::vector<std::uint64_t> refusedByFlow() const override {
     std::vector<std::uint64_t> refused;
     piece_.addRefused(refused);
     return refused;
   }
-  RecordedFiles files() const override { return {}; }
 
  private:
   PieceLog piece_;

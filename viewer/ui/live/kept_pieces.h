@@ -49,13 +49,10 @@ class KeptPieces final : public CaptureSink {
   Status flush(LogTime reached, SteadyTime now) override;
   Status flushAll() override { return piece_ ? piece_->flushAll() : Status{}; }
   Status close(const std::string& reason) override;
-  void askForSeam() override {}
-  void trigger(LogTime, const std::string&) override {}
   std::uint64_t bytesWritten() const override {
     return bytes_ever_ + (piece_ ? piece_->bytes() : 0);
   }
   std::vector<std::uint64_t> refusedByFlow() const override;
-  RecordedFiles files() const override { return {}; }
 
  private:
   Status openPiece(LogTime time);
