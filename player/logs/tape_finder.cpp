@@ -12,6 +12,13 @@ constexpr std::size_t kMaxKept = 1024;
 constexpr std::uint64_t kMaxKeptBytes = std::uint64_t{64} << 20U;
 constexpr std::uint64_t kHeaviest = kMaxKeptBytes / 16;
 
+Status addEventTimes(Timeline& timeline, std::vector<LogTime>& times) {
+  const Result<const std::vector<Event>*> events = timeline.events();
+  if (!events) return events.error();
+  for (const Event& event : **events) times.push_back(event.time);
+  return {};
+}
+
 std::uint64_t bytesOfKept(const SessionState& state) { return sizeof(state) + state.weight(); }
 
 }  // namespace
@@ -93,12 +100,14 @@ Result<MultiLogReader::Earlier> TapeFinder::back(TapePosition place, std::uint64
 Result<const std::vector<LogTime>*> TapeFinder::eventTimes() {
   if (!event_times_) {
     std::vector<LogTime> times;
-    for (const auto& path : paths_) {
-      Result<Timeline> timeline = Timeline::open(path);
-      if (!timeline) return timeline.error();
-      const Result<const std::vector<Event>*> events = timeline->events();
-      if (!events) return events.error();
-      for (const Event& event : **events) times.push_back(event.time);
+    if (timeline_) {
+      if (Status added = addEventTimes(*timeline_, times); !added) return added.error();
+    } else {
+      for (const auto& path : paths_) {
+        Result<Timeline> timeline = Timeline::open(path);
+        if (!timeline) return timeline.error();
+        if (Status added = addEventTimes(*timeline, times); !added) return added.error();
+      }
     }
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
