@@ -45,7 +45,7 @@ rocinante_web_sources(core/log other_format captured_range chunk_indexes clock_m
 rocinante_web_sources(core/session keyframe keyframe_finder log_fold log_pieces marks message_folder
   moment_walk session_time state_cache state_damage timeline)
 rocinante_web_sources(core/report json_text)
-rocinante_web_sources(core/series derived_value placed_links positional_names said_values series_key series_scan series_store signal_series value_bins)
+rocinante_web_sources(core/series derived_value placed_links positional_names series_key series_scan series_store signal_series stated_values value_bins)
 rocinante_web_sources(core/mesh mesh mesh_builder polygon shapes smooth_normals)
 rocinante_web_sources(core/kinematics model joint_values kinematics mesh_scale)
 rocinante_web_sources(core/cell cell cell_names device_appearance layer_index posed_lookup posed_scene view_path)

@@ -141,7 +141,7 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
     FaultList faults(cell.faults, path.string());
     auto mesh = meshes.load(path.filename().string(), folderOf(path), 1.0, UpAxis::z, {}, faults);
     if (mesh || !options.geometry) {
-      if (!saysItsUnit(path)) {
+      if (!statesUnit(path)) {
         faults.note("cell.assumed-unit", {}, "the file is taken as metres with z up",
                     "a cell with a [[model]] can say otherwise");
       }

@@ -103,7 +103,7 @@ std::string CellModels::use(const std::string& name, const TomlTable& table,
     key = (folder.lexically_relative(main_folder_) / name).lexically_normal().string();
   }
   if (used_.contains(key)) return key;
-  if (endsIn(name, ".urdf") || endsIn(name, ".sdf") || (isMeshFile(name) && saysItsUnit(name))) {
+  if (endsIn(name, ".urdf") || endsIn(name, ".sdf") || (isMeshFile(name) && statesUnit(name))) {
     used_.emplace(key, readModelFile(name, folder, table.place("model"), table.faults()));
     return key;
   }

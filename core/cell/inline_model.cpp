@@ -85,7 +85,7 @@ class InlineModelReader {
     const auto file = table_.requiredText(kind);
     std::optional<double> unit = 1.0;
     std::optional<UpAxis> up = UpAxis::z;
-    if (!file || !saysItsUnit(*file)) {
+    if (!file || !statesUnit(*file)) {
       unit = readUnit(table_);
       up = readUp(table_);
     } else {

@@ -107,8 +107,8 @@ std::string LogAccount::sentence(std::size_t most_listed) const {
 
 std::string LogAccount::note() const {
   const bool all_at_rest = movable > 0 && at_rest.size() == movable;
-  const bool is_told = no_packets || all_at_rest || !not_in_cell.empty();
-  if (!is_told && (!imported || empty())) return {};
+  const bool is_reported = no_packets || all_at_rest || !not_in_cell.empty();
+  if (!is_reported && (!imported || empty())) return {};
   const bool is_whole = left_out.leftOut().size() <= kMostInNote && left_out.unlisted() == 0;
   return sentence(kMostInNote) + (is_whole ? "" : "; rocinante check lists all");
 }

@@ -225,14 +225,14 @@ void SessionCheck::reportMissing(const SessionRoster& roster, Findings& findings
     if (!roster.missing.contains(source.name)) continue;
     // A device that no source drives reports that itself.
     std::string instead;
-    bool is_told = false;
+    bool is_reported = false;
     for (const std::string& name : source.devices) {
       const auto device = devices_.find(name);
       if (device == devices_.end()) continue;
-      is_told = is_told || device->second.isUndriven();
+      is_reported = is_reported || device->second.isUndriven();
       if (instead.empty()) instead = device->second.stranger();
     }
-    if (is_told) continue;
+    if (is_reported) continue;
     std::string text =
         fmt::format("the cell expects source {}, which never sent a packet", source.name);
     if (!instead.empty()) text += fmt::format("; {} writes its devices", instead);

@@ -83,27 +83,27 @@ void onCountedSignal(int signal_number) {
 }
 
 // Keys of notices that were printed, one a line; guarded, since threads print.
-std::mutex told_mutex;
-std::string told_notices;
+std::mutex reported_mutex;
+std::string reported_notices;
 
 /// Remembers the notices of readers that this output states.
-void noteTold(std::string_view output) {
+void noteReported(std::string_view output) {
   if (!hasReaderNotices()) return;
   for (const ReaderNotice& notice : readerNotices()) {
     if (output.find(notice.key) == output.npos) continue;
-    const std::lock_guard lock(told_mutex);
-    told_notices += notice.key + '\n';
+    const std::lock_guard lock(reported_mutex);
+    reported_notices += notice.key + '\n';
   }
 }
 
 /// Prints what the program left unsaid; true when there is any notice.
 bool tellNotices() {
   for (const ReaderNotice& notice : readerNotices()) {
-    const bool is_told = [&] {
-      const std::lock_guard lock(told_mutex);
-      return told_notices.find(notice.key + '\n') != told_notices.npos;
+    const bool is_reported = [&] {
+      const std::lock_guard lock(reported_mutex);
+      return reported_notices.find(notice.key + '\n') != reported_notices.npos;
     }();
-    if (!is_told) warn(notice.text);
+    if (!is_reported) warn(notice.text);
   }
   return hasReaderNotices();
 }
@@ -129,7 +129,7 @@ int run(const Program& program, int argc, char** argv, std::string_view examples
   }
   try {
     const Result<Exit> outcome = body();
-    if (!outcome) noteTold(outcome.error().text());
+    if (!outcome) noteReported(outcome.error().text());
     const bool is_doubtful = tellNotices();
     if (!outcome) {
       warn(outcome.error().text());
@@ -206,12 +206,12 @@ void warn(std::string_view text) {
 }
 
 void say(std::string_view text) {
-  noteTold(text);
+  noteReported(text);
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
 void tell(std::string_view text) {
-  noteTold(text);
+  noteReported(text);
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

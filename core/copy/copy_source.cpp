@@ -55,7 +55,7 @@ Status CopySource::findOpening() {
   const LogTime moment = (*keyframe)->log_time;
   preceding_.emplace();
   preceding_->moment = shifted(moment);
-  if (selection_.wantsAll() && options_.shift == Nanoseconds(0)) {
+  if (selection_.selectsAll() && options_.shift == Nanoseconds(0)) {
     Result<SessionState> whole = KeyframeReader().read(payload, moment);
     if (!whole) return whole.error();
     preceding_->state = std::move(*whole);
@@ -69,8 +69,8 @@ Status CopySource::findPreceding(const CopyProgress& progress) {
   const LogTime from = options_.range.from;
   const SessionState opening = preceding_ ? std::move(preceding_->state) : SessionState{};
   Result<Preceding> found =
-      selection_.wantsAll() ? precedingOf(reader_.name(), from)
-                            : precedingBySelection(reader_, selection_, opening, from, progress);
+      selection_.selectsAll() ? precedingOf(reader_.name(), from)
+                              : precedingBySelection(reader_, selection_, opening, from, progress);
   if (!found) return found.error();
   preceding_ = std::move(*found);
   if (!preceding_->damage.empty()) {

@@ -119,7 +119,7 @@ SessionState wantedKeyframeState(ByteView payload, LogTime moment, const Selecti
     const std::size_t end = rest.find("\n\n");
     const Packet* const packet = decoder.decode(bytesOf(rest.substr(0, end)));
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 2);
-    if (packet == nullptr || !selection.wantsRestated(*packet)) continue;
+    if (packet == nullptr || !selection.selectsRestated(*packet)) continue;
     statements.assign(packet->statements.begin(), packet->statements.end());
     for (Statement& statement : statements) {
       if (statement.kind == StatementKind::seen) statement.seen_ns += shift.count();

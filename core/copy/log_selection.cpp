@@ -115,7 +115,7 @@ Selection::Selection(const SelectionOptions& options, const std::vector<LogChann
   if (!options.anyChoice()) return;
   decoder_ = std::make_unique<PacketTextDecoder>();
   // An opening keyframe may state more than the channels of this log do.
-  wants_all_ = sources_.empty() && devices_.empty();
+  selects_all_ = sources_.empty() && devices_.empty();
   std::set<std::string> wanted_sources;
   std::set<std::string> unwanted_sources;
   for (const LogChannel& channel : channels) {
@@ -126,7 +126,7 @@ Selection::Selection(const SelectionOptions& options, const std::vector<LogChann
   joinDecoded(channels, options);
   for (const LogChannel& channel : channels) {
     const Answer answer = by_channel_[channel.id];
-    if (channel.folded() && answer != Answer::yes) wants_all_ = false;
+    if (channel.folded() && answer != Answer::yes) selects_all_ = false;
     const auto source = channel.metadata.find("source");
     if (!channel.folded() || source == channel.metadata.end()) continue;
     (answer == Answer::no ? unwanted_sources : wanted_sources).insert(source->second);
@@ -173,8 +173,8 @@ void Selection::joinDecoded(const std::vector<LogChannel>& channels,
       const bool left_out = anyPatternMatches(options.not_channels, octets.topic) ||
                             !allows(options.encodings, octets.encoding);
       if (left_out) answer = Answer::no;
-      const bool by_what_it_says = !sources_.empty() || !devices_.empty();
-      if (by_what_it_says && answer != Answer::no) waits_[octets.id] = true;
+      const bool by_contents = !sources_.empty() || !devices_.empty();
+      if (by_contents && answer != Answer::no) waits_[octets.id] = true;
     }
   }
 }
@@ -190,19 +190,19 @@ bool Selection::includes(const LogMessage& message) {
   if (answer == Answer::no || answer == Answer::yes) return answer == Answer::yes;
   const Packet* const packet = decoder_->decode(message.payload);
   if (packet == nullptr) return false;
-  return answer == Answer::by_packet ? wantsPacket(*packet) : wantsRestated(*packet);
+  return answer == Answer::by_packet ? selectsPacket(*packet) : selectsRestated(*packet);
 }
 
-bool Selection::wantsPacket(const Packet& packet) const {
+bool Selection::selectsPacket(const Packet& packet) const {
   if (!allows(sources_, std::string(packet.header.source))) return false;
   return devices_.empty() || std::ranges::any_of(packet.statements, [&](const Statement& each) {
            return isAboutDevice(each, devices_);
          });
 }
 
-bool Selection::wantsRestated(const Packet& packet) const {
+bool Selection::selectsRestated(const Packet& packet) const {
   if (std::ranges::binary_search(gone_sources_, std::string(packet.header.source))) return false;
-  return wantsPacket(packet);
+  return selectsPacket(packet);
 }
 
 Error nothingChosen(const LogReader& log, const SelectionOptions& selection,

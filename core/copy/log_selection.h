@@ -69,18 +69,18 @@ class Selection {
   /// True for octets on whose packet it depends whether both are wanted.
   bool waitsForPacket(const LogMessage& octets) const;
   /// The same for a datagram inside a keyframe, which has no channel.
-  bool wantsRestated(const Packet& packet) const;
+  bool selectsRestated(const Packet& packet) const;
   /// True when no folded message can be left out.
-  bool wantsAll() const { return wants_all_; }
+  bool selectsAll() const { return selects_all_; }
 
  private:
   enum class Answer : std::uint8_t { no, yes, by_packet, by_restated };
 
   Answer answerFor(const LogChannel& channel, const SelectionOptions& options) const;
   void joinDecoded(const std::vector<LogChannel>& channels, const SelectionOptions& options);
-  bool wantsPacket(const Packet& packet) const;
+  bool selectsPacket(const Packet& packet) const;
 
-  bool wants_all_ = true;
+  bool selects_all_ = true;
   std::vector<Answer> by_channel_;         ///< by channel id
   std::vector<bool> waits_;                ///< by channel id: see waitsForPacket()
   std::vector<std::string> sources_;       ///< patterns; empty: any

@@ -99,7 +99,7 @@ Status PieceWriter::sayAgain(const SessionState& state, LogTime time) {
   for (const std::string& datagram : restateAll(state, options)) {
     ++counts_.restated;
     countBytes(datagram.size());
-    if (Status written = session_.write(*channel, said_again_++, time,
+    if (Status written = session_.write(*channel, restated_count_++, time,
                                         time.time_since_epoch().count(), bytesOf(datagram));
         !written) {
       return written;

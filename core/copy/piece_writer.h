@@ -86,7 +86,7 @@ class PieceWriter {
   OctetsBefore octets_before_;
   PieceCounts counts_;
   bool begun_ = false;
-  std::uint32_t said_again_ = 0;
+  std::uint32_t restated_count_ = 0;
   std::uint64_t chunk_start_ = 0;    ///< bytes written before the open chunk
   std::uint64_t pending_bytes_ = 0;  ///< of records in the open chunk
   std::uint64_t index_bytes_ = 0;    ///< of indexes still to be written

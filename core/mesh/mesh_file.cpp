@@ -112,14 +112,14 @@ Result<Mesh> readByEnding(ByteView bytes, const std::filesystem::path& path,
 
 }  // namespace
 
-bool saysItsUnit(const std::filesystem::path& path) {
+bool statesUnit(const std::filesystem::path& path) {
   const std::string ending = endingOfMesh(path);
   return ending == ".dae" || ending == ".gltf" || ending == ".glb";
 }
 
 bool isMeshFile(const std::filesystem::path& path) {
   const std::string ending = endingOfMesh(path);
-  return ending == ".obj" || ending == ".stl" || ending == ".stlb" || saysItsUnit(path);
+  return ending == ".obj" || ending == ".stl" || ending == ".stlb" || statesUnit(path);
 }
 
 Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,

@@ -33,7 +33,7 @@ inline constexpr std::size_t kMaxSceneTriangles = std::size_t{1} << 24;
 /// By the file's ending: .obj .stl .stlb .dae .gltf .glb.
 bool isMeshFile(const std::filesystem::path& path);
 /// True for COLLADA and glTF; OBJ and STL state neither unit nor up axis.
-bool saysItsUnit(const std::filesystem::path& path);
+bool statesUnit(const std::filesystem::path& path);
 
 /// Reads .obj (with .mtl), .stl, binary and ASCII, .dae, .gltf or .glb by the file's ending. Faults
 /// of the file are added to `faults` with their lines and as much as is sound is returned; an error

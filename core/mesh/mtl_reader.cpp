@@ -94,7 +94,7 @@ class MtlReader {
       keepMaterial();
       material_ = Material{};
       material_.name = scan_.restOfLine();
-      opacity_said_ = false;
+      has_opacity_ = false;
       begun_ = true;
       begun_line_ = line_;
       return;
@@ -131,8 +131,8 @@ class MtlReader {
       }
       if (readNumber(given, value)) {
         // Some exporters write the opacity into Tr too: where both are given, d is used.
-        if (keyword == "tr" && opacity_said_) return;
-        opacity_said_ = opacity_said_ || keyword == "d";
+        if (keyword == "tr" && has_opacity_) return;
+        has_opacity_ = has_opacity_ || keyword == "d";
         const double opacity = keyword == "d" ? value : 1.0 - value;
         material_.diffuse.a = static_cast<float>(std::clamp(opacity, 0.0, 1.0));
       }
@@ -281,7 +281,7 @@ class MtlReader {
   std::set<std::string> names_;
   Material material_;
   bool begun_ = false;
-  bool opacity_said_ = false;  // by d
+  bool has_opacity_ = false;  // by d
   int begun_line_ = 0;
   int line_ = 0;
 };

@@ -130,7 +130,7 @@ RouteSocket::Changes RouteSocket::takeChanges() {
     if (length < 0 && errno == ENOBUFS) {
       // The kernel dropped notifications: too many at once.
       changes.any = true;
-      changes.told_everything = false;
+      changes.is_complete = false;
       continue;
     }
     if (length <= 0) return changes;
@@ -195,20 +195,20 @@ unsigned GroupMembership::wanted() const {
 GroupMembership::Change GroupMembership::look() {
   const RouteSocket::Changes changes = routes_.takeChanges();
   if (!changes.any && !moved_) return Change::none;
-  const bool lost = !changes.told_everything || std::find(changes.gone.begin(), changes.gone.end(),
-                                                          joined_) != changes.gone.end();
+  const bool lost = !changes.is_complete || std::find(changes.gone.begin(), changes.gone.end(),
+                                                      joined_) != changes.gone.end();
   if (lost) joined_ = 0;
   const unsigned now = wanted();
   moved_ = now != 0 && now != joined_;
   if (moved_) {
-    gone_told_ = false;
+    gone_reported_ = false;
     return Change::moved;
   }
   // Without an interface name the group may still arrive through the former interface.
   const bool gone = now == 0 && (!endpoint_.interface.empty() || joined_ == 0);
-  if (!gone || last_ == 0 || gone_told_) return Change::none;
+  if (!gone || last_ == 0 || gone_reported_) return Change::none;
   joined_ = 0;
-  gone_told_ = true;
+  gone_reported_ = true;
   return Change::gone;
 }
 

@@ -14,9 +14,9 @@ namespace rocinante {
 class RouteSocket {
  public:
   struct Changes {
-    bool any = false;             ///< interfaces, addresses or routes changed
-    bool told_everything = true;  ///< false: more may have happened than `gone` lists
-    std::vector<unsigned> gone;   ///< indexes of removed interfaces
+    bool any = false;            ///< interfaces, addresses or routes changed
+    bool is_complete = true;     ///< false: more may have happened than `gone` lists
+    std::vector<unsigned> gone;  ///< indexes of removed interfaces
   };
 
   RouteSocket();
@@ -66,7 +66,7 @@ class GroupMembership {
   RouteSocket routes_;
   unsigned joined_ = 0;
   unsigned last_ = 0;  ///< the last index joined, also when the interface is gone
-  bool gone_told_ = false;
+  bool gone_reported_ = false;
   bool moved_ = false;
 };
 

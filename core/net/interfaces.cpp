@@ -60,10 +60,10 @@ Status waitForInterfaces(std::span<const Endpoint> endpoints, Nanoseconds longes
                          const std::function<void(const std::string&)>& notify,
                          const std::function<bool()>& stop) {
   const auto give_up = std::chrono::steady_clock::now() + longest;
-  for (bool is_told = false;; is_told = true) {
+  for (bool is_reported = false;; is_reported = true) {
     const std::string missing = missingInterfaces(endpoints);
     if (missing.empty()) return {};
-    if (!is_told) notify("waiting for the network interface " + missing);
+    if (!is_reported) notify("waiting for the network interface " + missing);
     if (stop()) {
       return Error{ErrorKind::refused, "interrupted while waiting for a network interface",
                    missing};

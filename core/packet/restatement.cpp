@@ -112,8 +112,8 @@ class OwnedTexts {
  private:
   bool includes(std::string_view owner) const { return !only_ || *only_ == owner; }
 
-  template <class Said>
-  void addTo(Stage stage, const Said& item) {
+  template <class Stated>
+  void addTo(Stage stage, const Stated& item) {
     owned_[item.owner()].add(stage, item.ofDevice(), statementText(item));
   }
   void add(const PresenceItem& item) {

@@ -227,12 +227,12 @@ class PcapSource final : public DatagramSource {
   /// Watches an interface again after it was removed and has returned.
   std::optional<std::string> maintain() override {
     if (handle_) return std::nullopt;
-    if (!gone_told_) {
-      gone_told_ = true;
+    if (!gone_reported_) {
+      gone_reported_ = true;
       return fmt::format("{} is gone; nothing is captured until it returns", endpoint_.text());
     }
     if (::if_nametoindex(endpoint_.interface.c_str()) == 0 || !begin()) return std::nullopt;
-    gone_told_ = false;
+    gone_reported_ = false;
     return fmt::format("watching {} again", endpoint_.text());
   }
 
@@ -298,7 +298,7 @@ class PcapSource final : public DatagramSource {
   Handle handle_;  ///< null while the interface is gone
   LinkType link_ = LinkType::raw_ip;
   FrameReader reader_;
-  bool gone_told_ = false;
+  bool gone_reported_ = false;
   DropCounter drops_;
   std::uint64_t drops_before_ = 0;  ///< of the interface before it was removed
   InputCounts counts_before_;

@@ -101,7 +101,7 @@ Status PieceLog::flush(SteadyTime now) {
 }
 
 std::optional<Error> PieceLog::newDisturbance() {
-  if (!disturbance_ || std::exchange(disturbance_told_, true)) return std::nullopt;
+  if (!disturbance_ || std::exchange(disturbance_reported_, true)) return std::nullopt;
   return disturbance_;
 }
 

@@ -56,7 +56,7 @@ class PieceLog {
   PieceFile file_;
   SteadyTime looked_{};
   std::optional<Error> disturbance_;
-  bool disturbance_told_ = false;
+  bool disturbance_reported_ = false;
   std::vector<std::optional<ChannelId>> channels_;                          ///< by flow
   std::map<std::pair<std::size_t, std::size_t>, ChannelId> made_channels_;  ///< by flow, decoder
   std::optional<ChannelId> clock_channel_;

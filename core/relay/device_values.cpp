@@ -61,15 +61,15 @@ std::vector<std::string> DeviceValues::texts(bool restating, SentOrders& sent_or
     if (key.kind == ItemKind::positions || key.kind == ItemKind::order) {
       const std::string& owner = *ownerOf(state_, key);
       const DeviceState& device = *state_.findDevice(key.name);
-      const bool was_told = sent_orders.erase({key.name, owner}) > 0;
+      const bool was_sent = sent_orders.erase({key.name, owner}) > 0;
       const auto order = device.orders.find(owner);
       const bool is_ordered = order != device.orders.end();
       // The text cancels the order itself where it restates, or where the state has one.
-      if (key.kind == ItemKind::positions && was_told && !restating && !is_ordered) {
+      if (key.kind == ItemKind::positions && was_sent && !restating && !is_ordered) {
         text.insert(0, orderText(key.name, {}) + '\n');
       }
-      const bool says_order = is_ordered && (key.kind == ItemKind::order || !restating);
-      if (style_.by_order && says_order)
+      const bool states_order = is_ordered && (key.kind == ItemKind::order || !restating);
+      if (style_.by_order && states_order)
         sent_orders[{key.name, owner}] = orderTag(order->second.value);
     }
     add(before, key, std::move(text));

@@ -186,8 +186,8 @@ void FilteredOutput::forgetOrders(std::string_view device) {
   std::erase_if(sent_orders_, [&](const auto& each) { return each.first.first == device; });
 }
 
-bool FilteredOutput::saysOrder(const SessionState& state,
-                               const SentOrders::key_type& device_and_source) const {
+bool FilteredOutput::statesOrder(const SessionState& state,
+                                 const SentOrders::key_type& device_and_source) const {
   const auto& [name, source] = device_and_source;
   const DeviceState* const device = state.findDevice(name);
   return device != nullptr &&
@@ -261,7 +261,7 @@ void FilteredOutput::restate(const SessionState& state, const ThroughBySource& t
   restating_.emplace(state, std::move(options));
   pending_.sweep(state);
   // Listeners forget an order that a whole restatement does not repeat.
-  std::erase_if(sent_orders_, [&](const auto& each) { return !saysOrder(state, each.first); });
+  std::erase_if(sent_orders_, [&](const auto& each) { return !statesOrder(state, each.first); });
   std::size_t most = RestatingPace::kMaxWithParts;
   if (options_.bytes_per_second) {
     const double bytes = *options_.bytes_per_second * secondsOf(RestatingPace::kLongest) /

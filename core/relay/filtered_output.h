@@ -96,7 +96,7 @@ class FilteredOutput {
   void sendReady(const Step& step, RelayDraft& draft);
   void sendUnit(const Step& step, RelayDraft& draft);
   void forgetOrders(std::string_view device);
-  bool saysOrder(const SessionState& state, const SentOrders::key_type& device_and_source) const;
+  bool statesOrder(const SessionState& state, const SentOrders::key_type& device_and_source) const;
   void sendPaced(const Step& step);
   void sendRestating(const Step& step);
   void repeatErases(const Step& step);

@@ -23,7 +23,7 @@ Stage stageOf(const SessionState& state, const ItemKey& key) {
   return value.presence == Presence::removed ? removals : items;
 }
 
-bool isToldWithValues(const SessionState& state, const ItemKey& key, const ItemStyle& style) {
+bool isStatedWithValues(const SessionState& state, const ItemKey& key, const ItemStyle& style) {
   return key.kind == ItemKind::order &&
          !orderOfValues(*state.findDevice(key.name), key.second, style).empty();
 }
@@ -73,7 +73,7 @@ Restating::Restating(const SessionState& state, Options options) : options_(std:
     }
     if (isDeviceValue(key)) {
       values[*owner].push_back(std::move(key));
-    } else if (!isToldWithValues(state, key, options_.style)) {
+    } else if (!isStatedWithValues(state, key, options_.style)) {
       plan(*owner, {std::move(key)});
     }
   });
@@ -142,7 +142,7 @@ std::vector<RelayDraft> Restating::next(const SessionState& state, std::vector<I
     if (owner == nullptr || *owner != part.source) continue;
     if (!part.removals && stageOf(state, key) == removals) continue;
     if (!passes(options_.filters, state, key)) continue;
-    if (isToldWithValues(state, key, options_.style)) continue;
+    if (isStatedWithValues(state, key, options_.style)) continue;
     together.push_back(key);
   }
   say();

@@ -271,7 +271,7 @@ FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside,
       if (isAnswer(place, {})) return best;
     }
     if (!parsed.package.empty()) {
-      for (const fs::path& folder : saidPackages(parsed.package, from, roots)) {
+      for (const fs::path& folder : declaredPackages(parsed.package, from, roots)) {
         if (isAnswer(folder / parsed.path, folder)) return best;
       }
       if (best.why == FoundFile::Why::missing && name == given) {

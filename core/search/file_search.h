@@ -79,8 +79,8 @@ class FileSearch {
   /// Folders above the bare model that are the package: its roots.
   void addPackagesAbove(const std::string& name, std::vector<Root>& roots) const;
   /// Folders near `from` and the roots whose package.xml declares this package.
-  Folders saidPackages(const std::string& name, const std::filesystem::path& from,
-                       const std::vector<Root>& roots) const;
+  Folders declaredPackages(const std::string& name, const std::filesystem::path& from,
+                           const std::vector<Root>& roots) const;
   /// Describes what was looked for in a package, and what is nearby.
   void explain(const std::string& name, const std::string& path, const std::filesystem::path& from,
                const std::vector<Root>& roots, FoundFile& missing) const;

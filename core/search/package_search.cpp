@@ -106,8 +106,8 @@ FoundFile FileSearch::lookInPackage(const Package& package, const std::string& p
   return found;
 }
 
-FileSearch::Folders FileSearch::saidPackages(const std::string& name, const fs::path& from,
-                                             const std::vector<Root>& roots) const {
+FileSearch::Folders FileSearch::declaredPackages(const std::string& name, const fs::path& from,
+                                                 const std::vector<Root>& roots) const {
   const auto isHeld = [&](const fs::path& folder) {
     return std::any_of(roots.begin(), roots.end(),
                        [&](const Root& root) { return root.holds(folder); });

@@ -31,7 +31,7 @@ double secondsBetween(LogTime from, LogTime until) {
 
 /// A part of a derived value. What it says of a moment: nothing, a gap, or a number.
 struct DerivedValue::Node {
-  using Said = std::optional<std::optional<double>>;
+  using Stated = std::optional<std::optional<double>>;
   /// A quantity by time, straight between entries: a mean is its change over the time that passed.
   struct Entry {
     LogTime time;
@@ -56,7 +56,7 @@ struct DerivedValue::Node {
   std::vector<Node> of;
   Nanoseconds over{};
 
-  Said pending;                 ///< of a stated value
+  Stated pending;               ///< of a stated value
   std::optional<double> now;    ///< the newest number of it, or of what it is made of
   std::optional<Entry> before;  ///< of a rate: the sample before
   std::deque<Entry> entries;    ///< of a mean
@@ -81,7 +81,7 @@ struct DerivedValue::Node {
   }
 
   /// `sampled`: with what was stated; else of a moment between samples.
-  Said at(LogTime time, bool sampled) {
+  Stated at(LogTime time, bool sampled) {
     if (!how) return sampled ? std::exchange(pending, std::nullopt) : std::nullopt;
     switch (*how) {
       case Derivation::How::rate:
@@ -98,7 +98,7 @@ struct DerivedValue::Node {
     return std::nullopt;
   }
 
-  Said rateAt(LogTime time, const Said& stated) {
+  Stated rateAt(LogTime time, const Stated& stated) {
     if (!stated) return std::nullopt;
     if (!*stated) {
       before.reset();
@@ -117,7 +117,7 @@ struct DerivedValue::Node {
   }
 
   /// `held`: of a value that holds from sample to sample; else of one whose rate is asked for.
-  Said meanAt(LogTime time, const Said& stated, bool held) {
+  Stated meanAt(LogTime time, const Stated& stated, bool held) {
     if (!stated) return held && due && *due <= time ? betweenAt(time) : std::nullopt;
     due.reset();
     if (!*stated) {
@@ -137,7 +137,7 @@ struct DerivedValue::Node {
     entries.back().held = value;
     now = value;
     dropBefore(time - over, held);
-    const Said mean = meanUntil(entries.back());
+    const Stated mean = meanUntil(entries.back());
     if (entries.size() > kMostEntries) thinOut();
     if (!mean) return held ? stated : std::nullopt;
     const bool ends = time > LogTime::max() - 2 * over;
@@ -146,18 +146,18 @@ struct DerivedValue::Node {
   }
 
   /// Behind the last sample, whose value holds: what it was before leaves the mean.
-  Said betweenAt(LogTime time) {
+  Stated betweenAt(LogTime time) {
     const Entry& last = entries.back();
     const LogTime settled = last.time + over;
     const double held = *now * secondsBetween(last.time, time);
     dropBefore(time - over, true);
-    const Said mean = meanUntil({time, last.amount + held});
+    const Stated mean = meanUntil({time, last.amount + held});
     due = time < settled ? std::optional(std::min(time + stepOver(), settled)) : std::nullopt;
     return mean;
   }
 
   /// `end`: the last entry, or one behind it. Empty where no time has passed.
-  Said meanUntil(const Entry& end) {
+  Stated meanUntil(const Entry& end) {
     const LogTime from = end.time - over;
     const Entry& first = entries.front();
     double begin = first.amount;
@@ -207,7 +207,7 @@ struct DerivedValue::Node {
     entries = std::move(kept);
   }
 
-  Said differenceAt(const Said& first, const Said& second) {
+  Stated differenceAt(const Stated& first, const Stated& second) {
     if (!first && !second) return std::nullopt;
     if (first) now = *first;
     if (second) other = *second;

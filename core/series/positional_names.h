@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/cell/cell.h"
-#include "core/series/said_values.h"
+#include "core/series/stated_values.h"
 
 namespace rocinante {
 

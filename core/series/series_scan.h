@@ -13,10 +13,10 @@
 #include "core/cell/cell.h"
 #include "core/log/log_types.h"
 #include "core/packet/session_state.h"
-#include "core/series/said_values.h"
 #include "core/series/series_key.h"
 #include "core/series/series_store.h"
 #include "core/series/signal_series.h"
+#include "core/series/stated_values.h"
 #include "core/series/value_bins.h"
 #include "core/session/message_folder.h"
 

@@ -14,7 +14,7 @@ namespace rocinante {
 /// What one value did in one stretch of time. Single precision: for pictures, not for judging.
 struct ValueBin {
   using Value = float;
-  using Said = double;
+  using Stated = double;
   float low = std::numeric_limits<float>::infinity();
   float high = -std::numeric_limits<float>::infinity();
   float last = 0;     ///< as the stretch ends; unused without a sample
@@ -23,7 +23,7 @@ struct ValueBin {
   bool hasSample() const { return low <= high; }
   /// Nothing happened: the value of the bin before holds.
   bool holds() const { return !hasSample() && !ends; }
-  void take(Said value) {
+  void take(Stated value) {
     const auto sample = static_cast<Value>(value);
     if (sample < low) low = sample;
     if (sample > high) high = sample;
@@ -37,7 +37,7 @@ struct ValueBin {
 /// Which states a value had in one stretch of time, by their numbers: none is lost.
 struct StateBin {
   using Value = std::uint8_t;
-  using Said = Value;
+  using Stated = Value;
   static constexpr std::size_t kStates = 64;
   std::uint64_t seen = 0;  ///< a bit for each
   Value last = 0;          ///< as the stretch ends; unused without a sample
@@ -46,7 +46,7 @@ struct StateBin {
   bool hasSample() const { return seen != 0; }
   bool holds() const { return !hasSample() && !ends; }
   /// Below kStates.
-  void take(Said state) {
+  void take(Stated state) {
     seen |= std::uint64_t{1} << state;
     last = state;
     ends = false;
@@ -75,7 +75,7 @@ class TimeBins {
   TimeBins(LogTime start, Nanoseconds width, std::size_t max_bins);
 
   /// Times must not go back; earlier ones count in the last bin.
-  void add(LogTime time, typename Bin::Said value) { binAt(time).take(value); }
+  void add(LogTime time, typename Bin::Stated value) { binAt(time).take(value); }
   /// From `time` on there is no value.
   void end(LogTime time) { binAt(time).ends = true; }
 

@@ -31,7 +31,7 @@ void KeyframeFinder::findChannel() {
   if (count > 1) {
     // The logs were merged by a tool that ignores keyframes: each keyframe has part of the state.
     channel_.reset();
-    if (std::exchange(several_told_, true)) return;
+    if (std::exchange(several_reported_, true)) return;
     faults_.push_back({reader_.summary().start,
                        "the log has several keyframe channels, so none of them is used"});
   }

@@ -48,7 +48,7 @@ class KeyframeFinder {
   LogReader& reader_;
   KeyframeReader keyframes_;
   std::optional<ChannelId> channel_;
-  bool several_told_ = false;
+  bool several_reported_ = false;
 
   /// From the time of each keyframe found: until when it is known to be the last. The earliest time
   /// means that there is none.

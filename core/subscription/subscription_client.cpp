@@ -111,12 +111,12 @@ void SubscriptionClient::watchLease(SteadyTime now) {
 void SubscriptionClient::watchPatience(SteadyTime now) {
   if (phase_ != Phase::asking || now - asking_since_ < kPatience) return;
   if (untrusted_) {
-    tell(Told::untrusted,
+    tell(Report::untrusted,
          fmt::format("the answers of {} are not trusted ({}); nothing is received until {}",
                      relay_.text(), nameOf(*untrusted_), remedyOf(*untrusted_)));
     return;
   }
-  tell(Told::unanswered,
+  tell(Report::unanswered,
        fmt::format("{} does not answer; nothing is received until it does", relay_.text()));
 }
 
@@ -193,10 +193,10 @@ void SubscriptionClient::accept(SteadyTime now, const SubscriptionMessage& answe
   const bool is_known = run == relay_run_;
   const bool is_first = relay_run_.empty();
   relay_run_ = run;
-  if (is_known && reported_ == Told::subscribed) return;
-  reported_ = Told::nothing;
+  if (is_known && reported_ == Report::subscribed) return;
+  reported_ = Report::nothing;
   const std::string relay = shown(answer.relay);
-  tell(Told::subscribed,
+  tell(Report::subscribed,
        is_first ? fmt::format("subscribed to relay {} at {}", relay, relay_.text())
        : is_known
            ? fmt::format("subscribed to relay {} at {} again", relay, relay_.text())
@@ -210,15 +210,15 @@ void SubscriptionClient::refuse(SteadyTime now, const std::string& sentence) {
   due_ = now + kAfterRefusal;
   // A refusal is an answer.
   asking_since_ = due_;
-  if (reported_ == Told::refused && told_sentence_ == sentence) return;
-  told_sentence_ = sentence;
-  reported_ = Told::nothing;
-  tell(Told::refused, fmt::format("{} refused: {}; asking again every {} s", relay_.text(),
-                                  sentence.empty() ? "no reason given" : shown(sentence),
-                                  kAfterRefusal / std::chrono::seconds(1)));
+  if (reported_ == Report::refused && last_refusal_ == sentence) return;
+  last_refusal_ = sentence;
+  reported_ = Report::nothing;
+  tell(Report::refused, fmt::format("{} refused: {}; asking again every {} s", relay_.text(),
+                                    sentence.empty() ? "no reason given" : shown(sentence),
+                                    kAfterRefusal / std::chrono::seconds(1)));
 }
 
-void SubscriptionClient::tell(Told what, std::string sentence) {
+void SubscriptionClient::tell(Report what, std::string sentence) {
   if (reported_ == what) return;
   reported_ = what;
   news_ = std::move(sentence);
@@ -234,7 +234,7 @@ SubscriptionOutcome SubscriptionClient::outcome() const {
     return {{},
             fmt::format("never accepted, its answers are not trusted ({})", nameOf(*untrusted_))};
   }
-  if (!told_sentence_.empty()) return {{}, "never accepted, it refused: " + shown(told_sentence_)};
+  if (!last_refusal_.empty()) return {{}, "never accepted, it refused: " + shown(last_refusal_)};
   return {{}, cookie_.empty() ? "never answered" : "never accepted"};
 }
 

@@ -62,7 +62,7 @@ class SubscriptionClient {
  private:
   enum class Phase : std::uint8_t { asking, subscribed };
   /// What the user was told last.
-  enum class Told : std::uint8_t { nothing, subscribed, unanswered, untrusted, refused };
+  enum class Report : std::uint8_t { nothing, subscribed, unanswered, untrusted, refused };
 
   void askAnew(SteadyTime now);
   void watchLease(SteadyTime now);
@@ -71,7 +71,7 @@ class SubscriptionClient {
   void accept(SteadyTime now, const SubscriptionMessage& answer);
   void refuse(SteadyTime now, const std::string& sentence);
   void extendLease(std::uint32_t lease_s);
-  void tell(Told what, std::string sentence);
+  void tell(Report what, std::string sentence);
   bool spendToken(SteadyTime now);
   SubscriptionMessage request(SubscriptionVerb verb);
 
@@ -96,8 +96,8 @@ class SubscriptionClient {
   SteadyTime tokens_at_;
   SteadyTime opened_;                          ///< the first request was due
   std::optional<Nanoseconds> accepted_after_;  ///< from opened_ to the first acceptance
-  Told reported_ = Told::nothing;
-  std::string told_sentence_;  ///< of the last refusal
+  Report reported_ = Report::nothing;
+  std::string last_refusal_;  ///< its sentence
   std::optional<std::string> news_;
 };
 

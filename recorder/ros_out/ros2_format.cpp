@@ -165,7 +165,7 @@ class Ros2Format final : public SessionFormat {
   }
 
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
-                 std::span<const StatedSignal> signals, bool /*wants_all*/) override {
+                 std::span<const StatedSignal> signals, bool /*all_requested*/) override {
     constexpr std::array<const char*, 3> kTypes = {"std_msgs/msg/Float64", "std_msgs/msg/Bool",
                                                    "std_msgs/msg/String"};
     for (const StatedSignal& signal : signals) {

@@ -238,15 +238,15 @@ std::string LookDrift::shapeText(const Visual& was, const Visual& is) {
 }
 
 void LookDrift::compareMaterials(const Visual& was, const Visual& is, const std::string& name,
-                                 bool color_told, DriftList& drift) {
+                                 bool is_color_reported, DriftList& drift) {
   const std::vector<const Material*> before = materialsOf(was), after = materialsOf(is);
   const Material plain;
-  bool texture_told = false;
+  bool is_texture_reported = false;
   for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
     const Material& a = before[i] != nullptr ? *before[i] : plain;
     const Material& b = after[i] != nullptr ? *after[i] : plain;
-    if (!color_told && !isSameColor(a, b)) {
-      color_told = true;
+    if (!is_color_reported && !isSameColor(a, b)) {
+      is_color_reported = true;
       drift.add("drift.material",
                 fmt::format("the material of {} has changed, its colour from {} to {}", name,
                             colorText(a), colorText(b)));
@@ -254,15 +254,15 @@ void LookDrift::compareMaterials(const Visual& was, const Visual& is, const std:
     // Without texture and opacity no alpha mode shows.
     const bool has_alpha = !a.diffuse_map.empty() || !b.diffuse_map.empty() || a.diffuse.a < 1.0F ||
                            b.diffuse.a < 1.0F;
-    if (!color_told && has_alpha && alphaText(a) != alphaText(b)) {
-      color_told = true;
+    if (!is_color_reported && has_alpha && alphaText(a) != alphaText(b)) {
+      is_color_reported = true;
       drift.add("drift.material", fmt::format("the opacity of {} was {}, and is {}", name,
                                               alphaText(a), alphaText(b)));
     }
     const bool same_texture =
         textureOf(a) == textureOf(b) && (a.diffuse_map.empty() || isMappedAlike(a, b));
-    if (!texture_told && !same_texture) {
-      texture_told = true;
+    if (!is_texture_reported && !same_texture) {
+      is_texture_reported = true;
       drift.add("drift.texture",
                 fmt::format("the texture of {} {}", name,
                             a.diffuse_map.empty()   ? "is new"

@@ -29,9 +29,9 @@ class LookDrift {
   std::string shapeDrift(const std::vector<Visual>& was, const std::vector<Visual>& is);
   /// How two meshes differ: groups of an OBJ, triangles, size.
   std::string shapeText(const Visual& was, const Visual& is);
-  /// `color_told`: a changed colour is already reported.
+  /// `is_color_reported`: a changed colour is already reported.
   void compareMaterials(const Visual& was, const Visual& is, const std::string& name,
-                        bool color_told, DriftList& drift);
+                        bool is_color_reported, DriftList& drift);
   /// For meshes with vertex colours (OBJ, COLLADA, glTF). True when it reported something: losing
   /// vertex colours also changes the default material.
   bool comparePointColors(const Visual& was, const Visual& is, const std::string& name,

@@ -181,7 +181,7 @@ void DeviceJudge::judgeNamed(std::span<const std::string_view> names,
   for (std::size_t i = 0; i < names.size() && i < values.size(); ++i) {
     const std::size_t value = valueNamed(names[i], place);
     if (value == kNoValue) continue;
-    if (values_[value].said_in == statements_ && repeated_joint_.hit(place)) {
+    if (values_[value].stated_in == statements_ && repeated_joint_.hit(place)) {
       repeated_joint_name_ = names[i];
     }
     judgeValue(value, values[i], place);
@@ -235,7 +235,7 @@ std::size_t DeviceJudge::valueNamed(std::string_view value_name, const PacketPla
 
 void DeviceJudge::judgeValue(std::size_t number, double q, const PacketPlace& place) {
   Value& value = values_[number];
-  value.said_in = statements_;
+  value.stated_in = statements_;
   two_drivers_.note(value.writer, place);
   value.judge.judge(q, place);
 }
@@ -245,7 +245,7 @@ void DeviceJudge::judgeUnitQuaternions(const PacketPlace& place) {
     double square = 0;
     bool is_whole = true;
     for (std::size_t i = first; i < first + 4; ++i) {
-      is_whole = is_whole && values_[i].said_in == statements_;
+      is_whole = is_whole && values_[i].stated_in == statements_;
       square += values_[i].judge.value() * values_[i].judge.value();
     }
     if (is_whole && std::abs(std::sqrt(square) - 1) > kUnitSlack) not_unit_.hit(place);

@@ -98,7 +98,7 @@ class DeviceJudge {
   struct Value {
     JointJudge judge;
     std::uint32_t writer = kNobody;
-    std::uint64_t said_in = 0;  ///< number of the last statement that gave it
+    std::uint64_t stated_in = 0;  ///< number of the last statement that gave it
   };
   /// The order of each source's `joints`: indices into `values_`, kNoValue for an unknown name.
   struct Order {

@@ -79,7 +79,7 @@ void SourceJudge::take(const PacketHeader& header, Applied applied, const Source
   watchPath(header, counts, place);
   if (applied != Applied::yes) return;
   if (place.is_restated) {
-    said_again_ = place.time;
+    restated_at_ = place.time;
     if (own) cadence_.takeRestatement(place);
     return;
   }
@@ -110,22 +110,22 @@ void SourceJudge::watchNumbers(const SourceCounts& counts, const PacketPlace& pl
 void SourceJudge::takeStatement(const Statement& statement, const PacketPlace& place) {
   statics_.take(statement, place.time);
   if (!StaticItems::isStatic(statement)) return;
-  if (!has_statics_ && !place.is_restated) said_again_ = place.time;
+  if (!has_statics_ && !place.is_restated) restated_at_ = place.time;
   has_statics_ = true;
 }
 
 LogTime SourceJudge::lastRestated() const {
-  return std::max(said_again_, statics_.oldest().value_or(said_again_));
+  return std::max(restated_at_, statics_.oldest().value_or(restated_at_));
 }
 
 void SourceJudge::judgeRestatement(const PacketPlace& place) {
-  if (!has_statics_ || secondsOf(place.time - said_again_) <= restate_s_) return;
-  said_again_ = lastRestated();
-  const double since_s = secondsOf(place.time - said_again_);
+  if (!has_statics_ || secondsOf(place.time - restated_at_) <= restate_s_) return;
+  restated_at_ = lastRestated();
+  const double since_s = secondsOf(place.time - restated_at_);
   if (since_s <= restate_s_) return;
   unrestated_.hit(place);
   longest_unrestated_s_ = std::max(longest_unrestated_s_, since_s);
-  said_again_ = place.time;
+  restated_at_ = place.time;
 }
 
 void SourceJudge::dropFindings() {

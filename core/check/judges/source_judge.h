@@ -103,7 +103,7 @@ class SourceJudge {
   CadenceJudge cadence_;
   StaticItems statics_;
   bool has_statics_ = false;
-  LogTime said_again_{};  ///< when static state was last restated, or first sent
+  LogTime restated_at_{};  ///< when static state was last restated, or first sent
   Tally unrestated_;
   double longest_unrestated_s_ = 0;
 };

@@ -260,11 +260,11 @@ class FoxgloveFormat final : public SessionFormat {
     return true;
   }
 
-  bool wantsAllSignals() const override { return signal_messages_ == SignalMessages::whole; }
+  bool requestsAllSignals() const override { return signal_messages_ == SignalMessages::whole; }
 
   Status signals(MessageSink& out, LogTime time, const SignalOwner& owner,
-                 std::span<const StatedSignal> signals, bool wants_all) override {
-    return signals_.write(out, time, owner, signals, wants_all || wantsAllSignals());
+                 std::span<const StatedSignal> signals, bool all_requested) override {
+    return signals_.write(out, time, owner, signals, all_requested || requestsAllSignals());
   }
 
   void addLeftOut(Account& account) const override { account.add(signals_.leftOut()); }

@@ -33,12 +33,12 @@ void SignalTopics::know(const KnownSignals& known) {
 }
 
 Status SignalTopics::write(MessageSink& out, LogTime time, const SignalOwner& owner,
-                           std::span<const StatedSignal> signals, bool wants_all) {
+                           std::span<const StatedSignal> signals, bool all_requested) {
   const auto found = topics_.find(owner);
   if (found == topics_.end()) return {};
   Topic& topic = found->second;
-  const std::string message = topic.json.message(signals, !wants_all);
-  if (!wants_all && message == "{}") return {};
+  const std::string message = topic.json.message(signals, !all_requested);
+  if (!all_requested && message == "{}") return {};
   if (!topic.schema) {
     const std::string text = topic.json.schema();
     const ByteView bytes = bytesOf(text);

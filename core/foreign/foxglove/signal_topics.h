@@ -21,7 +21,7 @@ class SignalTopics {
   void know(const KnownSignals& known);
   /// A message of what is new, or of all; nothing of what is not known.
   Status write(MessageSink& out, LogTime time, const SignalOwner& owner,
-               std::span<const StatedSignal> signals, bool wants_all);
+               std::span<const StatedSignal> signals, bool all_requested);
 
   /// Channels with a number.
   const Account& leftOut() const { return left_out_; }

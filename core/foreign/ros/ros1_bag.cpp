@@ -62,7 +62,8 @@ class Ros1Bag final : public BagReader {
   }
   std::vector<std::string> damage() const override {
     std::vector<std::string> all = damage_;
-    if (untold_ > 0) all.push_back(std::to_string(untold_) + " more damages (" + name_ + ")");
+    if (more_damage_ > 0)
+      all.push_back(std::to_string(more_damage_) + " more damages (" + name_ + ")");
     return all;
   }
 
@@ -98,7 +99,7 @@ class Ros1Bag final : public BagReader {
 
   void damaged(std::size_t at, std::string_view what) {
     if (damage_.size() >= kMaxDamages) {
-      ++untold_;
+      ++more_damage_;
       return;
     }
     damage_.push_back(damageText(what, name_, at));
@@ -221,7 +222,7 @@ class Ros1Bag final : public BagReader {
   std::vector<Held> messages_;  ///< of the last chunk
   std::size_t next_ = 0;
   std::vector<std::string> damage_;
-  std::uint64_t untold_ = 0;
+  std::uint64_t more_damage_ = 0;
 };
 
 Result<std::unique_ptr<BagReader>> begun(std::unique_ptr<Ros1Bag> bag) {

@@ -245,8 +245,9 @@ TranslationNotes TopicTranslation::notes() const {
   TranslationNotes notes;
   for (const auto& [sentence, count] : notes_) {
     const auto first = firsts_.find(sentence);
-    const std::string told = first == firsts_.end() ? "" : " (the first: " + first->second + ")";
-    notes.emplace(sentence + told, count);
+    const std::string first_text =
+        first == firsts_.end() ? "" : " (the first: " + first->second + ")";
+    notes.emplace(sentence + first_text, count);
   }
   return notes;
 }

@@ -40,7 +40,7 @@ void MomentMessages::notice(const Packet& packet) {
         break;
       case StatementKind::signal:
       case StatementKind::signals:
-        if (statement.path.first.empty()) bare_said_ = true;
+        if (statement.path.first.empty()) is_bare_stated_ = true;
         noticeSignals(statement);
         break;
       default:
@@ -48,12 +48,12 @@ void MomentMessages::notice(const Packet& packet) {
     }
   }
   if (draws) drawn_.insert(std::string(packet.header.source));
-  if (packet.header.part || packet.header.reset) bare_said_ = true;
+  if (packet.header.part || packet.header.reset) is_bare_stated_ = true;
 }
 
 void MomentMessages::noticeSignals(const Statement& statement) {
   // A cancelled one is missing from the state: areNoticed() counts.
-  if (all_noticed_ || statement.is_default || format_.wantsAllSignals()) return;
+  if (all_noticed_ || statement.is_default || format_.requestsAllSignals()) return;
   auto& of_owner =
       noticed_[{std::string(statement.path.first), std::string(statement.path.second)}];
   for (const std::string_view name : statement.names) {
@@ -92,10 +92,10 @@ bool MomentMessages::framesDue(Known& known, std::vector<Mat4> now, bool is_writ
   const bool is_first = known.links.empty();
   const bool has_moved = !sameMatrices(known.links, now);
   const Nanoseconds last = format_.framesLast();
-  const bool is_old = !is_first && last.count() > 0 && time - known.frames_said >= last;
+  const bool is_old = !is_first && last.count() > 0 && time - known.frames_written >= last;
   if (!is_first && !has_moved && !is_written && !is_old) return false;
   known.links = std::move(now);
-  known.frames_said = time;
+  known.frames_written = time;
   return true;
 }
 
@@ -133,8 +133,8 @@ Status MomentMessages::joints(MessageSink& out, LogTime time, const SessionState
   for (const auto& [name, device] : state.devices()) {
     if (!hasJoints(device) || isRemoved(device)) continue;
     Known& known = known_[name];
-    if (known.joints_said && !isWritten(device)) continue;
-    known.joints_said = true;
+    if (known.joints_written && !isWritten(device)) continue;
+    known.joints_written = true;
     const auto model = models_.find(name);
     std::vector<NamedValue> values =
         jointValues(model == models_.end() ? nullptr : model->second, device);
@@ -154,15 +154,15 @@ Status MomentMessages::signals(MessageSink& out, LogTime time, const SessionStat
   const bool is_other =
       counts_anew || applied > applied_before + std::exchange(packets_, std::uint64_t{0});
   const std::size_t before = std::exchange(bare_signals_, state.signals().size());
-  const bool is_bare_said = std::exchange(bare_said_, false);
+  const bool is_bare_stated = std::exchange(is_bare_stated_, false);
   const bool are_noticed =
-      !format_.wantsAllSignals() && !is_other && !all_noticed_ && areNoticed(state);
+      !format_.requestsAllSignals() && !is_other && !all_noticed_ && areNoticed(state);
   Status written = are_noticed ? noticedSignals(out, time, state) : Status();
   noticed_.clear();
   noticed_count_ = 0;
   all_noticed_ = false;
   if (are_noticed) return written;
-  if (is_bare_said || counts_anew || before != bare_signals_ || !format_.wantsAllSignals()) {
+  if (is_bare_stated || counts_anew || before != bare_signals_ || !format_.requestsAllSignals()) {
     written = signalsOf(out, time, {}, state.signals());
   }
   for (const auto& [name, device] : state.devices()) {
@@ -232,8 +232,8 @@ bool MomentMessages::StatedSignals::take(const std::string& name, const Item<Sig
                                          bool counts_anew) {
   const auto [kept, is_unknown] = by_name.try_emplace(name, item);
   Item<SignalValue>& before = kept->second;
-  const bool is_said = !counts_anew && item.stated.packet > before.stated.packet;
-  const bool is_new = is_unknown || is_said || item.value != before.value;
+  const bool is_stated = !counts_anew && item.stated.packet > before.stated.packet;
+  const bool is_new = is_unknown || is_stated || item.value != before.value;
   before.stated = item.stated;
   if (is_new) before.value = item.value;
   return is_new;
@@ -261,7 +261,7 @@ Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::stri
     const bool counts_anew = newest < known.newest;
     known.newest = newest;
     bool is_due = false;
-    bool wants_all = known.by_name.empty();
+    bool all_requested = known.by_name.empty();
     all.clear();
     for (; first != last; ++first) {
       const auto& [name, item] = *first;
@@ -270,13 +270,13 @@ Status MomentMessages::signalsOf(MessageSink& out, LogTime time, const std::stri
       all.push_back({name.name, &item.value, is_new, isInJoints(owner, name.name)});
     }
     if (known.by_name.size() != all.size()) {
-      is_due = wants_all = true;
+      is_due = all_requested = true;
       std::erase_if(known.by_name, [&](const auto& each) {
         return !signals.contains(SignalNameView(link, each.first));
       });
     }
     if (!is_due) continue;
-    if (Status written = format_.signals(out, time, owner, all, wants_all); !written) {
+    if (Status written = format_.signals(out, time, owner, all, all_requested); !written) {
       return written;
     }
   }

@@ -38,8 +38,8 @@ class MomentMessages {
   /// What was said of a device last.
   struct Known {
     std::vector<Mat4> links;  ///< in the world; the first is the device's own
-    LogTime frames_said = LogTime::min();
-    bool joints_said = false;
+    LogTime frames_written = LogTime::min();
+    bool joints_written = false;
     std::set<std::string, std::less<>> in_joints;  ///< signals that joints have
   };
   /// The signals of an owner as they were written last.
@@ -84,7 +84,7 @@ class MomentMessages {
   std::size_t noticed_count_ = 0;  ///< names in noticed_, at most limits::kSignals
   bool all_noticed_ = false;       ///< they were more
   std::uint64_t packets_ = 0;      ///< noticed since the last moment
-  bool bare_said_ = true;          ///< signals of no device may have changed
+  bool is_bare_stated_ = true;     ///< signals of no device may have changed
   std::size_t bare_signals_ = 0;   ///< how many there were at the last moment
   std::uint64_t applied_ = 0;      ///< packets, as of the last moment
   std::set<std::string> drawn_;    ///< sources whose drawings may have changed

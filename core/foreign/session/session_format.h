@@ -55,16 +55,16 @@ class SessionFormat {
   virtual Status drawings(MessageSink& out, LogTime time, const std::string& source,
                           const Drawings& drawings) = 0;
   /// Signals of a device, a link or none, when one of them was said or went away, by name.
-  /// `wants_all`: all of the owner, as a message of the new ones alone would mislead, since they
-  /// are the first or another one has gone. Else the new ones at least, and others only by chance
-  /// (all with wantsAllSignals()).
+  /// `all_requested`: all of the owner, as a message of the new ones alone would mislead, since
+  /// they are the first or another one has gone. Else the new ones at least, and others only by
+  /// chance (all with requestsAllSignals()).
   virtual Status signals(MessageSink&, LogTime, const SignalOwner&, std::span<const StatedSignal>,
-                         bool /*wants_all*/) {
+                         bool /*all_requested*/) {
     return {};
   }
   /// Whether signals() is called with all of an owner each time. Takes time by their number for
   /// each packet.
-  virtual bool wantsAllSignals() const { return false; }
+  virtual bool requestsAllSignals() const { return false; }
   /// Before the first message, and again when there are more: false for a format that has no place
   /// for signals.
   virtual bool knowSignals(const KnownSignals&) { return false; }

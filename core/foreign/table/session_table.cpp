@@ -214,7 +214,7 @@ std::string SessionTable::otherDevices() const {
 bool SessionTable::wasWritten(const SessionState& state, LogTime moment) {
   if (!of_none_.empty()) {
     const std::uint64_t last = lastOf(state.signals());
-    if (std::exchange(said_of_none_, last) != last) return true;
+    if (std::exchange(written_of_none_, last) != last) return true;
   }
   for (const auto& [name, device] : devices_) {
     const DeviceState* const now = state.findDevice(name);

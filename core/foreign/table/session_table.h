@@ -115,7 +115,7 @@ class SessionTable {
   SignalColumns of_none_;          ///< signals of no device
   std::size_t first_of_none_ = 0;  ///< their first column
   /// When one of them was stated last, in packets: as noticed, and as filled.
-  std::uint64_t noticed_of_none_ = 0, said_of_none_ = 0;
+  std::uint64_t noticed_of_none_ = 0, written_of_none_ = 0;
   std::vector<std::string> columns_;
   std::map<std::string, SignalColumns, std::less<>> texts_;  ///< by device
   std::set<std::string> carried_;  ///< devices with poses that are not known in the world

@@ -69,8 +69,10 @@ TimeUnit unitOf(std::string_view number) {
 bool isNoValue(std::string_view text) { return isOneOf(kNoValues, text); }
 
 bool isSignalText(std::string_view text) {
-  const auto is_said = [](char each) { return each == '\t' || each == '\n' || !isControl(each); };
-  return text.size() <= limits::kStringBytes && std::ranges::all_of(text, is_said) &&
+  const auto can_be_stated = [](char each) {
+    return each == '\t' || each == '\n' || !isControl(each);
+  };
+  return text.size() <= limits::kStringBytes && std::ranges::all_of(text, can_be_stated) &&
          isUtf8(bytesOf(text));
 }
 

@@ -56,9 +56,9 @@ class NotingFormat final : public SessionFormat {
     return has_signals;
   }
   Status signals(MessageSink&, LogTime time, const SignalOwner& owner,
-                 std::span<const StatedSignal> said, bool wants_all) override {
+                 std::span<const StatedSignal> said, bool all_requested) override {
     if (!has_signals) return {};
-    std::string line = (wants_all ? "all signals " : "signals ") + ownerText(owner);
+    std::string line = (all_requested ? "all signals " : "signals ") + ownerText(owner);
     for (const StatedSignal& each : said) {
       line += " " + std::string(each.name) + (each.is_new ? "!" : "");
       if (each.in_joints) line += "*";
@@ -69,10 +69,10 @@ class NotingFormat final : public SessionFormat {
     return {};
   }
 
-  bool wantsAllSignals() const override { return wants_all_signals; }
+  bool requestsAllSignals() const override { return requests_all_signals; }
 
   bool has_signals = false;
-  bool wants_all_signals = true;
+  bool requests_all_signals = true;
   std::string known_;
 
   std::vector<std::string> notes;
@@ -152,7 +152,7 @@ TEST_F(MessageExport, SaysAllSignalsOfAnOwnerWhenOneIsSaid) {
 TEST_F(MessageExport, GivesOnlyNewSignalsToAFormatThatWantsNoOther) {
   NotingFormat format;
   format.has_signals = true;
-  format.wants_all_signals = false;
+  format.requests_all_signals = false;
   exported({{0, "RK1 s 0 -\nsignals arm b=1 a=2\nsignal arm/tip f 3 N\nsignal - on true\n"},
             {10, "RK1 s 1 -\nsignals arm a=2\n"},
             {20, "RK1 s 2 -\njoint arm j=1\nsignals arm j.velocity=5 k.effort=6\n"},
@@ -174,7 +174,7 @@ TEST_F(MessageExport, GivesOnlyNewSignalsToAFormatThatWantsNoOther) {
 TEST_F(MessageExport, EachMessageOfManySignalsHasTheNewOne) {
   NotingFormat format;
   format.has_signals = true;
-  format.wants_all_signals = false;
+  format.requests_all_signals = false;
   constexpr int kSignals = 3'000;
   std::vector<Said> all;
   for (int i = 0; i < kSignals; ++i) {
@@ -238,7 +238,7 @@ TEST_F(MessageExport, NewSignalsAreThoseOfAFormatThatWantsAll) {
     }
     NotingFormat whole, news;
     whole.has_signals = news.has_signals = true;
-    news.wants_all_signals = false;
+    news.requests_all_signals = false;
     exported(all, whole);
     exported(all, news);
     EXPECT_EQ(newSignals(news.notes), newSignals(whole.notes)) << session;

@@ -382,8 +382,8 @@ TEST(FoxgloveSignals, AMessageHasWhatIsNewOrAll) {
   EXPECT_TRUE(format->knowSignals(known));
   TextSink sink;
   const SignalValue one = number(1);
-  const auto say = [&](const std::vector<StatedSignal>& said, bool wants_all) {
-    ASSERT_TRUE(format->signals(sink, LogTime{}, {"arm", ""}, said, wants_all).ok());
+  const auto say = [&](const std::vector<StatedSignal>& said, bool all_requested) {
+    ASSERT_TRUE(format->signals(sink, LogTime{}, {"arm", ""}, said, all_requested).ok());
   };
   const StatedSignal former{"a", &one, false}, recent{"b", &one, true}, unknown{"c", &one, true};
   say({former, recent}, true);

@@ -1,4 +1,4 @@
-#include "core/series/said_values.h"
+#include "core/series/stated_values.h"
 
 #include <algorithm>
 #include <charconv>
