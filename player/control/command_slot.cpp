@@ -87,7 +87,7 @@ void CommandSlot::tell(std::string line) {
   raise(announced_);
 }
 
-std::vector<std::string> CommandSlot::takeTold() {
+std::vector<std::string> CommandSlot::takeAnnounced() {
   lower(announced_);
   const std::lock_guard lock(mutex_);
   return std::exchange(announced_lines_, {});

@@ -30,7 +30,7 @@ class CommandSlot final : public CommandSource {
   // The listening thread:
   /// Hands over a line and waits for its answer; empty for none.
   std::string ask(std::string line);
-  std::vector<std::string> takeTold();
+  std::vector<std::string> takeAnnounced();
   bool closed() const { return state_.load(std::memory_order_acquire) == kClosed; }
 
   // The sending thread:

@@ -22,7 +22,7 @@ void ControlThread::serveUntilClosed() {
     descriptors.assign(1, {slot_.announced(), POLLIN, 0});
     for (const auto& input : inputs_) input->addDescriptors(descriptors);
     if (::poll(descriptors.data(), descriptors.size(), -1) < 0) continue;
-    for (const std::string& line : slot_.takeTold()) {
+    for (const std::string& line : slot_.takeAnnounced()) {
       for (const auto& input : inputs_) input->tell(line);
     }
     for (const auto& input : inputs_) input->serve(ask);

@@ -40,7 +40,7 @@ class UdpControl final : public ControlInput {
       const std::string_view text(buffer_.data(), static_cast<std::size_t>(size));
       if (mayControl(fromSystem(from))) {
         peer_ = {from, length};
-        if (!untold_.empty()) send(std::exchange(untold_, {}), from, length);
+        if (!unsent_.empty()) send(std::exchange(unsent_, {}), from, length);
         const std::string answers = answer(text, ask);
         if (!answers.empty()) send(answers, from, length);
         continue;
@@ -63,7 +63,7 @@ class UdpControl final : public ControlInput {
     if (peer_) {
       send(line + "\n", peer_->address, peer_->length);
     } else {
-      untold_ = line + "\n";
+      unsent_ = line + "\n";
     }
   }
 
@@ -103,7 +103,7 @@ class UdpControl final : public ControlInput {
   std::function<void(std::string)> notify_;  ///< empty after the first call
   std::array<char, 65'536> buffer_{};
   std::optional<Peer> peer_;
-  std::string untold_;
+  std::string unsent_;
   std::chrono::steady_clock::time_point refuse_again_{};
 };
 

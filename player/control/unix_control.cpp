@@ -69,7 +69,7 @@ class UnixControl final : public ControlInput {
     if (speaker_ != nullptr) {
       speaker_->say(line);
     } else {
-      untold_ = line;
+      unsent_ = line;
     }
   }
 
@@ -85,7 +85,7 @@ class UnixControl final : public ControlInput {
       const std::string line = from.unread.substr(0, end);
       from.unread.erase(0, end + 1);
       speaker_ = &from;
-      if (!untold_.empty()) from.say(std::exchange(untold_, {}));
+      if (!unsent_.empty()) from.say(std::exchange(unsent_, {}));
       const std::string answer = ask(line);
       if (!answer.empty()) from.say(answer);
     }
@@ -99,7 +99,7 @@ class UnixControl final : public ControlInput {
   UnfinishedPath path_;
   std::list<Connection> connections_;
   Connection* speaker_ = nullptr;  ///< the client of the last command
-  std::string untold_;
+  std::string unsent_;
 };
 
 Error unixError(std::string_view what, const std::filesystem::path& path) {

@@ -38,7 +38,7 @@ Status TapeStream::beginTurn() {
   run_.bounds = run_.turn;
   run_.start = run_.turn.from;
   head_taken_ = true;
-  settling_ = unsaid_ = any_in_turn_ = false;
+  settling_ = has_unplayed_ = any_in_turn_ = false;
   settled_ = 0;
   if (run_.turn_state) {
     run_.state = run_.turn_state;
@@ -49,7 +49,7 @@ Status TapeStream::beginTurn() {
 
 bool TapeStream::isBlockWanted(LogTime moment) const {
   if (!run_.state) return false;
-  if (unsaid_) return true;
+  if (has_unplayed_) return true;
   return run_.repeat && moment - last_block_ >= *run_.repeat &&
          !run_.state->restatementOpen(moment);
 }
@@ -61,7 +61,7 @@ void TapeStream::makeBlock(TapePosition place, LogTime moment) {
   block_taken_ = 0;
   block_due_ = {moment + shift_, run_.span, true, after_turn_, 0, run_.bounds, place};
   last_block_ = moment;
-  unsaid_ = false;
+  has_unplayed_ = false;
   settling_ = run_.state->restatementOpen(moment);
 }
 
@@ -76,7 +76,7 @@ Status TapeStream::readHead() {
       break;
     }
     if (head_->channel->captured()) break;
-    if (run_.state && folder_.fold(*run_.state, *head_).applied) unsaid_ = true;
+    if (run_.state && folder_.fold(*run_.state, *head_).applied) has_unplayed_ = true;
   }
   head_taken_ = false;
   if (!head_ || !run_.gap_limit) return {};

@@ -73,7 +73,7 @@ class TapeStream final : public DatagramStream {
   Nanoseconds shift_{};        ///< from log time to the stream's line
   LogTime last_on_line_{};     ///< time of the last message
   LogTime last_block_{};       ///< log time of the last restatement
-  bool unsaid_ = false;        ///< a message was folded that is not played
+  bool has_unplayed_ = false;  ///< a message was folded that is not played
   bool settling_ = false;      ///< the last restatement interrupted one of a source's own
   std::uint32_t settled_ = 0;  ///< restatements for that reason in this turn
   std::uint64_t blocks_ = 0;

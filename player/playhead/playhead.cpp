@@ -95,7 +95,7 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
   if (jump) {
     steps_ = 0;
     through_.reset();
-    last_told_ = {};
+    last_sent_ = {};
   }
   Result<TapeStream> tape = TapeStream::open(*tape_, *routes_, std::move(run));
   if (!tape) return tape.error();
@@ -159,7 +159,7 @@ bool Playhead::isImmediate(const Due& head) const {
   if (steps_ > 0 || in_block_) return true;
   if (through_ && head.span == span_ && head.place.time <= *through_) return true;
   // A restatement caused by the message just sent belongs to it.
-  return head.restated && head.place == last_told_;
+  return head.restated && head.place == last_sent_;
 }
 
 /// Restates everything when it is due and there is time: while paused, or in a silence. While
@@ -230,7 +230,7 @@ ByteView Playhead::take(SteadyTime now) {
     return payload;
   }
   place_ = TapePosition::behind(due.place);
-  last_told_ = due.place;
+  last_sent_ = due.place;
   time_ = due.place.time;
   line_ = due.time;
   ++sent_;

@@ -136,7 +136,7 @@ class Playhead {
   PlaybackClock clock_{LogTime{}, SteadyTime{}, PlaybackSpeed()};
 
   TapePosition place_;      ///< the position
-  TapePosition last_told_;  ///< the last message sent
+  TapePosition last_sent_;  ///< the last message sent
   LogTime time_{};          ///< its moment, and ...
   LogTime line_{};          ///< ... its time on the run's own line
   std::uint32_t span_ = 0;

@@ -27,7 +27,7 @@ class PendingCommand {
     const auto command = parsePlayheadCommand(*line, rules_.origin, rules_.end);
     const Status done = command ? playhead.execute(*command, now) : Status(command.error());
     if (!done) error_ = "error " + done.error().text();
-    says_nothing_ = done && command->kind == PlayheadCommand::Kind::ack;
+    is_silent_ = done && command->kind == PlayheadCommand::Kind::ack;
     return true;
   }
 
@@ -36,14 +36,14 @@ class PendingCommand {
     if (!open_ || !done) return;
     open_ = false;
     std::string line = error_.empty() ? playhead.status(now) : error_;
-    source_->answer(says_nothing_ ? std::string() : std::move(line));
+    source_->answer(is_silent_ ? std::string() : std::move(line));
   }
 
  private:
   CommandSource* source_;
   const PlayheadRules& rules_;
   bool open_ = false;
-  bool says_nothing_ = false;
+  bool is_silent_ = false;
   std::string error_;
 };
 

@@ -100,7 +100,7 @@ class RunningRelay {
   std::vector<pollfd> waiting_;
   SteadyTime began_{}, slept_{}, shown_{};
   cli::StatusLine line_;
-  bool loop_told_ = false;
+  bool loop_reported_ = false;
   std::uint64_t most_subscribers_ = 0;
 };
 
@@ -267,7 +267,7 @@ Status RunningRelay::run() {
       // Only a server that answers has an identity.
       if (Status checked = checkLoop(*each.sink); !checked) return checked;
     }
-    if (relay_.loop() && !std::exchange(loop_told_, true)) {
+    if (relay_.loop() && !std::exchange(loop_reported_, true)) {
       surroundings_.notify(relay_.loop()->text());
     }
     std::uint64_t subscribers = 0;

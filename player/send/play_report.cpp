@@ -28,13 +28,13 @@ void PlayJournal::sent(const Due& due, ByteView payload, SteadyTime deadline, St
     ++restatements_;
     return;
   }
-  if (span_ < due.span && (span_sent_ > 0 || !says_bounds_)) {
+  if (span_ < due.span && (span_sent_ > 0 || !has_bounds_)) {
     closeSpan(due.after_turn && span_ + 1 == due.span);
   }
   span_ = due.span;
-  says_bounds_ = due.bounds != PlayedSpan{};
-  if (says_bounds_) bounds_ = due.bounds;
-  last_told_ = due.place.time;
+  has_bounds_ = due.bounds != PlayedSpan{};
+  if (has_bounds_) bounds_ = due.bounds;
+  last_sent_ = due.place.time;
   if (sent_ == 0) first_ = sent_at;
   last_ = sent_at;
   ++sent_;
@@ -59,7 +59,7 @@ void PlayJournal::closeSpan(bool whole) {
   const std::string sha256 = hexOf(span_hash_.finish());
   PlayedSpan span = bounds_;
   // An unfinished span is as long as it was played.
-  if (says_bounds_ && !whole) span.until = last_told_ + Nanoseconds(1);
+  if (has_bounds_ && !whole) span.until = last_sent_ + Nanoseconds(1);
   if (spans_.size() < kMaxSpans) spans_.push_back({span.from, span.until, span_sent_, sha256});
   span_sent_ = 0;
 }

@@ -77,9 +77,9 @@ class PlayJournal final : public SendJournal {
  private:
   void closeSpan(bool whole);
 
-  PlayedSpan bounds_;         ///< of the span being played
-  LogTime last_told_{};       ///< log time of its last message
-  bool says_bounds_ = false;  ///< the stream gives bounds
+  PlayedSpan bounds_;        ///< of the span being played
+  LogTime last_sent_{};      ///< log time of its last message
+  bool has_bounds_ = false;  ///< the stream gives bounds
   Account left_out_;
   Sha256 stream_hash_;
   Sha256 span_hash_;

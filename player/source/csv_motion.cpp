@@ -45,15 +45,15 @@ class Reader {
     if (const Status chosen = chooseColumns(columns, device); !chosen) return chosen.error();
     if (const Status shared = shareOut(device); !shared) return shared.error();
     latest_.assign(columns_at_.size(), kNoValue);
-    bool says_anything = false;
+    bool states_anything = false;
     while (nextLine()) {
       if (const Status row = readRow(); !row) return row.error();
       const auto row = motion_.row(motion_.rowCount() - 1);
-      says_anything |= std::ranges::any_of(row, [](double each) { return !std::isnan(each); });
+      states_anything |= std::ranges::any_of(row, [](double each) { return !std::isnan(each); });
     }
     if (motion_.times.empty()) return fault("there is no row below the header", 1);
-    says_anything |= !motion_.signals.changes().empty();
-    if (!says_anything) return fault("no row has a value for all joints of a device", 1);
+    states_anything |= !motion_.signals.changes().empty();
+    if (!states_anything) return fault("no row has a value for all joints of a device", 1);
     return std::move(motion_);
   }
 
@@ -358,14 +358,14 @@ Status Reader::fillGaps(std::span<double> row) {
     if (!std::ranges::all_of(device.joint_columns, has_value)) {
       for (const std::size_t column : device.joint_columns) row[column] = kNoValue;
     }
-    const bool is_said = hasValues(row, device.pose_columns);
+    const bool is_stated = hasValues(row, device.pose_columns);
     for (const std::size_t column : device.pose_columns) {
-      if (has_value(column) == is_said) continue;
+      if (has_value(column) == is_stated) continue;
       const CsvField& field = fields_[columns_at_[column]];
       return fault(fmt::format("a pose component of {} has {}, but others have {}: all are given, "
                                "or none",
-                               shown(device.name), is_said ? "no value" : "a value",
-                               is_said ? "one" : "none"),
+                               shown(device.name), is_stated ? "no value" : "a value",
+                               is_stated ? "one" : "none"),
                    field.column);
     }
   }

@@ -53,7 +53,7 @@ CsvStream::CsvStream(const CsvMotion& motion, Options options)
   const auto steps = static_cast<std::int64_t>(motion.rowCount()) - 1;
   period_ = steps > 0 ? span + span / steps : Nanoseconds(std::chrono::seconds(1));
   for (std::size_t row = 0; row < motion.rowCount() && !speaks_again_; ++row) {
-    speaks_again_ = saysDevices(row) || motion.signals.changesAgain(row);
+    speaks_again_ = statesDevices(row) || motion.signals.changesAgain(row);
   }
 }
 
@@ -142,7 +142,7 @@ Status CsvStream::setSignals(std::size_t row) {
 }
 
 /// Joints and poses are said in each row that has them.
-bool CsvStream::saysDevices(std::size_t row) const {
+bool CsvStream::statesDevices(std::size_t row) const {
   const std::span<const double> numbers = motion_->row(row);
   return std::ranges::any_of(motion_->devices, [&](const CsvMotion::Device& device) {
     return hasValues(numbers, device.joint_columns) || hasValues(numbers, device.pose_columns);
@@ -153,7 +153,7 @@ bool CsvStream::saysDevices(std::size_t row) const {
 bool CsvStream::findRow() {
   while (true) {
     for (; row_ < motion_->rowCount(); ++row_) {
-      if (saysDevices(row_)) return true;
+      if (statesDevices(row_)) return true;
       if (turn_ == 0 ? !motion_->signals.of(row_).empty() : motion_->signals.changesAgain(row_)) {
         return true;
       }
@@ -202,8 +202,8 @@ ByteView CsvStream::take() {
 void CsvStream::makeNext() {
   const auto restatement = restatementTime();
   if (restatement && *restatement <= rowTime()) return flush(*restatement, *source_->due());
-  if (!order_said_) {
-    order_said_ = true;
+  if (!order_written_) {
+    order_written_ = true;
     flush(rowTime(), {});
     if (!made_->empty()) return;  // else there are only poses
   }

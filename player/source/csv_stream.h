@@ -62,7 +62,7 @@ class CsvStream final : public DatagramStream {
   Status openSource();
   Status setRow(std::size_t row);
   Status setSignals(std::size_t row);
-  bool saysDevices(std::size_t row) const;
+  bool statesDevices(std::size_t row) const;
   bool findRow();
   Error refusal(SourceResult result, const std::string& where) const;
   Nanoseconds rowTime() const;
@@ -73,7 +73,7 @@ class CsvStream final : public DatagramStream {
   const CsvMotion* motion_;
   Options options_;
   Nanoseconds period_{};
-  bool order_said_ = false;
+  bool order_written_ = false;
   bool speaks_again_ = false;  ///< in turns that are not the first
   std::size_t row_ = 0;
   std::uint32_t turn_ = 0;

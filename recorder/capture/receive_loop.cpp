@@ -150,11 +150,11 @@ void ReceiveLoop::measureRate(Listener& listener) {
   listener.datagrams = listener.bytes = 0;
   listener.rate_since = clock_.now();
   if (neededReceiveBuffer(rate) > neededReceiveBuffer(listener.busiest)) listener.busiest = rate;
-  if (listener.small_buffer_told || !callbacks_.note) return;
+  if (listener.small_buffer_reported || !callbacks_.note) return;
   const auto advice =
       receiveBufferAdvice(boundText(*listener.source), listener.source->receiveBufferBytes(), rate);
   if (!advice) return;
-  listener.small_buffer_told = true;
+  listener.small_buffer_reported = true;
   callbacks_.note(*advice);
 }
 

@@ -55,7 +55,7 @@ class ReceiveLoop final : public InputLoop {
     std::uint64_t datagrams = 0, bytes = 0;  ///< since rate_since
     LogTime rate_since{};
     ReceiveRate busiest;
-    bool small_buffer_told = false;
+    bool small_buffer_reported = false;
   };
 
   void lookAgain();

@@ -122,9 +122,9 @@ void addInput(Json& object, const InputAccount& input) {
 bool isSilent(const EndpointAccount& account, const InputAccount& input) {
   InputCounts others = input.counts;
   if (others.untrusted && others.untrusted->total() == 0) others.untrusted.reset();
-  const bool is_told = input.subscription && !input.subscription->accepted_after;
+  const bool is_reported = input.subscription && !input.subscription->accepted_after;
   return account.recorded == 0 && account.losses == LossCounts{} && others == InputCounts{} &&
-         input.left_out.empty() && !is_told;
+         input.left_out.empty() && !is_reported;
 }
 
 std::string silenceText(const RecordSummary& summary) {

@@ -19,9 +19,9 @@ bool isChosen(const LogChannel& channel, const std::vector<std::string>& pattern
 
 /// The damage of a log that has not been told yet: while the log grows, its list is made anew, and
 /// what concerns all of it grows too.
-class UntoldDamage {
+class UnreportedDamage {
  public:
-  explicit UntoldDamage(const LogReader& log) : log_(log) {}
+  explicit UnreportedDamage(const LogReader& log) : log_(log) {}
 
   void tell(const std::function<void(const DamageSpan&)>& damaged) {
     for (const DamageSpan& span : log_.damage()) {
@@ -40,7 +40,7 @@ class UntoldDamage {
 Result<std::uint64_t> followLog(LogReader& log, const FollowOptions& options,
                                 const FollowEvents& events, const TextSink& out) {
   MessagePrinter printer(options.format, {}, LogTime{});
-  UntoldDamage damage(log);
+  UnreportedDamage damage(log);
   if (!options.from_start) {
     log.skipInFile();
     damage.tell({});

@@ -53,8 +53,8 @@ class StateLines {
     eachItemOf(key, value, [&](const auto& item) { text_ += lineOf(item); });
   }
 
-  template <class Said>
-  static std::string lineOf(const Said& item) {
+  template <class Stated>
+  static std::string lineOf(const Stated& item) {
     return fmt::format("    {}  ({})\n", plainText(statementText(item)), encodeName(item.owner()));
   }
 

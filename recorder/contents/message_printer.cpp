@@ -63,9 +63,9 @@ void MessagePrinter::header(std::string& out) const {
 
 void MessagePrinter::message(const LogMessage& message, std::string& out) const {
   const std::string& encoding = message.channel->encoding;
-  const bool says_text =
+  const bool declares_text =
       encoding == "rk1" || encoding == "json" || encoding == profile::kKeyframeEncoding;
-  const bool is_text = says_text && isUtf8(message.payload);
+  const bool is_text = declares_text && isUtf8(message.payload);
   switch (format_) {
     case CatFormat::text:
       return text(message, is_text, out);

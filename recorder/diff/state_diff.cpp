@@ -139,15 +139,15 @@ Result<StateDiff> diffStates(LogReader& a, LogReader& b,
     if (Status begun = fold->begin(); !begun) return begun.error();
   }
   StateDiff diff;
-  Bytes told_a;
-  Bytes told_b;
+  Bytes folded_a;
+  Bytes folded_b;
   while (fold_a.next() || fold_b.next()) {
     const LogTime never{Nanoseconds::max()};
     const LogTime moment = std::min(fold_a.next().value_or(never), fold_b.next().value_or(never));
-    if (Status folded = fold_a.fold(moment, told_a); !folded) return folded.error();
-    if (Status folded = fold_b.fold(moment, told_b); !folded) return folded.error();
+    if (Status folded = fold_a.fold(moment, folded_a); !folded) return folded.error();
+    if (Status folded = fold_b.fold(moment, folded_b); !folded) return folded.error();
     // Equal states that fold equal messages stay equal.
-    if (!diff.differs && told_a != told_b && !isSameState(fold_a.state(), fold_b.state())) {
+    if (!diff.differs && folded_a != folded_b && !isSameState(fold_a.state(), fold_b.state())) {
       diff.differs = true;
       diff.first = moment;
       describe(fold_a.state(), fold_b.state(), diff);

@@ -24,7 +24,7 @@ Result<MadePiece> PieceMaker::make(LogTime start, const PieceNamer::Ours& ours) 
     if (made_folder) std::filesystem::remove(folder, ignored);
     return failed(log.error());
   }
-  if (!log->locked() && options_.notes != nullptr && !std::exchange(lockless_told_, true)) {
+  if (!log->locked() && options_.notes != nullptr && !std::exchange(lockless_reported_, true)) {
     options_.notes->say(
         fmt::format("the file system of {} has no locks: nothing stops a second program from "
                     "writing the same file",

@@ -38,7 +38,7 @@ class PieceMaker {
   Options options_;
   PieceNamer namer_;
   bool attached_ = false;
-  bool lockless_told_ = false;
+  bool lockless_reported_ = false;
 };
 
 }  // namespace rocinante

@@ -20,8 +20,9 @@ void PieceShelf::put(std::unique_ptr<PieceLog> piece, std::string reason, const 
 void PieceShelf::keepLimits(std::optional<std::uint64_t> current_bytes) {
   for (PieceFacts& each : retention_.surplus(current_bytes)) closer_.remove(std::move(each));
   const std::uint64_t bytes = retention_.bytes() + current_bytes.value_or(0);
-  if (!limits_.disk_quota_bytes || bytes <= *limits_.disk_quota_bytes || too_large_told_) return;
-  too_large_told_ = true;
+  if (!limits_.disk_quota_bytes || bytes <= *limits_.disk_quota_bytes || too_large_reported_)
+    return;
+  too_large_reported_ = true;
   notes_.warn(fmt::format("one piece alone takes {}, more than --disk-quota {}", sizeText(bytes),
                           sizeText(*limits_.disk_quota_bytes)));
 }

@@ -43,7 +43,7 @@ class PieceShelf {
   Retention retention_;
   std::uint64_t bytes_ever_ = 0;
   std::vector<std::uint64_t> refused_;
-  bool too_large_told_ = false;
+  bool too_large_reported_ = false;
   PieceCloser closer_;
 };
 
