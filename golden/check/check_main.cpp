@@ -205,7 +205,7 @@ Result<cli::Exit> watch(const CheckArguments& arguments, const std::optional<Bas
 
 Result<cli::Exit> run(CheckArguments& arguments) {
   if (arguments.list_rules) {
-    printRules(arguments.wantsJson());
+    printRules(arguments.printsJson());
     return cli::Exit::done;
   }
   if (!arguments.explain.empty()) {

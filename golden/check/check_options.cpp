@@ -165,7 +165,7 @@ Result<CheckWatchOptions> readWatchArguments(const CheckArguments& arguments) {
   options.fail_on = failOn(arguments);
   options.until_finding = arguments.until_finding;
   options.command = arguments.on_finding;
-  options.json = arguments.wantsJson();
+  options.json = arguments.printsJson();
   options.quiet = arguments.quiet;
   return options;
 }

@@ -34,7 +34,7 @@ struct CheckArguments : ModelSearch {
   bool list_rules = false;
   std::string explain;
 
-  bool wantsJson() const { return json || format == "json"; }
+  bool printsJson() const { return json || format == "json"; }
 };
 
 void declareCheck(cli::CommandLine app, CheckArguments& arguments);

@@ -141,7 +141,7 @@ class ArtifactApprover {
     static_cast<ModelSearch&>(options) = arguments_.suite;
     if (!suite_.cell.empty()) {
       const auto cell = collectCellOrLog(suite_.cell, options, BundleRoots::all);
-      if (cell.ok() && hashesOf(*cell) == report_.cell_files) texts = toldTexts(*cell);
+      if (cell.ok() && hashesOf(*cell) == report_.cell_files) texts = recordedTexts(*cell);
     }
     approval_.describeCell(report_.cell_files, std::move(texts));
   }

@@ -91,7 +91,7 @@ class Approver {
         by_(userName()),
         at_(nowText()) {
     if (const auto cell = collectSessionCell(session, options); cell.ok()) {
-      approval_.describeCell(hashesOf(*cell), toldTexts(*cell));
+      approval_.describeCell(hashesOf(*cell), recordedTexts(*cell));
     }
   }
 
@@ -196,7 +196,7 @@ class Approver {
   /// Once for each case.
   void tellOfShared(const SuiteCase& made) {
     const std::string shared = sharedGolden(neighbours_, GoldenKind::picture, made.name);
-    if (!shared.empty() && told_shared_.insert(shared).second) cli::warn(shared);
+    if (!shared.empty() && reported_shared_.insert(shared).second) cli::warn(shared);
   }
 
   Error interrupted() const {
@@ -216,7 +216,7 @@ class Approver {
   const ApproveArguments& arguments_;
   std::optional<ApprovalList> list_;
   std::vector<Suite> neighbours_;
-  std::set<std::string> told_shared_;
+  std::set<std::string> reported_shared_;
   Approval approval_;
   std::string by_, at_;
   Counts counts_;

@@ -156,7 +156,7 @@ Result<cli::Exit> approveOneRun(const ApproveArguments& arguments, const std::st
   for (const RunMask& mask : run->spec.masks) candidate.masks.push_back(maskText(mask));
   if (const auto cell = collectSessionCell(*session, *options); cell.ok()) {
     candidate.cell_files = hashesOf(*cell);
-    candidate.cell_texts = toldTexts(*cell);
+    candidate.cell_texts = recordedTexts(*cell);
   }
   const auto approved = approveRun(session->folder(), candidate);
   if (!approved.ok()) return log->named(approved.error());

@@ -36,10 +36,10 @@ double apartOf(const Mat4& a, const Mat4& b, const RunLimits& limits) {
   return std::max(away_mm / limits.position_mm, turn_deg / limits.turn_deg);
 }
 
-MomentsApart apartOf(const PosedScene& a, const SessionState& said_a, const PosedScene& b,
-                     const SessionState& said_b, const RunLimits& limits) {
+MomentsApart apartOf(const PosedScene& a, const SessionState& state_a, const PosedScene& b,
+                     const SessionState& state_b, const RunLimits& limits) {
   MomentsApart apart;
-  apart.facts = differing(said_a.drawings(), said_b.drawings());
+  apart.facts = differing(state_a.drawings(), state_b.drawings());
   for (const PosedDevice& device : a.devices) {
     const PosedDevice* const other = b.findDevice(device.name);
     if (other == nullptr || other->model != device.model) {
@@ -64,15 +64,15 @@ MomentsApart apartOf(const PosedScene& a, const SessionState& said_a, const Pose
 Result<LogTime> nearestMoment(const Cell& cell, Timeline& a, LogTime in_a, Timeline& b,
                               LogTime in_b, const std::vector<LogTime>& candidates,
                               const RunLimits& limits) {
-  const auto said_a = a.stateAt(in_a);
-  if (!said_a.ok()) return said_a.error();
-  const PosedScene scene_a = poseScene(cell, **said_a);
+  const auto state_a = a.stateAt(in_a);
+  if (!state_a.ok()) return state_a.error();
+  const PosedScene scene_a = poseScene(cell, **state_a);
   LogTime best = in_b;
   std::optional<MomentsApart> least;
   for (const LogTime candidate : candidates) {
-    const auto said_b = b.stateAt(candidate);
-    if (!said_b.ok()) return said_b.error();
-    MomentsApart apart = apartOf(scene_a, **said_a, poseScene(cell, **said_b), **said_b, limits);
+    const auto state_b = b.stateAt(candidate);
+    if (!state_b.ok()) return state_b.error();
+    MomentsApart apart = apartOf(scene_a, **state_a, poseScene(cell, **state_b), **state_b, limits);
     apart.away = std::chrono::abs(candidate - in_b);
     if (least && (apart <=> *least) >= 0) continue;
     least = apart;

@@ -105,9 +105,9 @@ Result<std::vector<NamedMoment>> momentsAtEvents(const CaseMoment& moment, Timel
 
 Result<std::vector<NamedMoment>> momentsOf(const SuiteCase& made, Timeline* session) {
   const CaseMoment& moment = made.moment;
-  const bool wants_time = moment.at || moment.event || moment.events || moment.every;
+  const bool has_time = moment.at || moment.event || moment.events || moment.every;
   if (session == nullptr) {
-    if (!wants_time) return std::vector<NamedMoment>{{"", LogTime{}}};
+    if (!has_time) return std::vector<NamedMoment>{{"", LogTime{}}};
     return std::vector<NamedMoment>{{"", {}, "the case has a moment, but the suite has no log"}};
   }
   if (moment.event) return momentsAtEvent(moment, *session);

@@ -15,7 +15,7 @@ namespace {
 bool haveTextsChanged(const FileHashes& before, const FileHashes& today) {
   return std::ranges::any_of(before, [&](const auto& file) {
     const auto now = today.find(file.first);
-    return isToldText(file.first) && (now == today.end() || now->second != file.second);
+    return isRecordedText(file.first) && (now == today.end() || now->second != file.second);
   });
 }
 

@@ -20,7 +20,7 @@ std::optional<CellBundle> carriedCell(const SuiteSession& session, const Accepte
                                       const FileHashes& before, const FileHashes& today) {
   const auto is_needed = [&](const auto& file) {
     const auto now = today.find(file.first);
-    return now != today.end() && now->second != file.second && !isToldText(file.first);
+    return now != today.end() && now->second != file.second && !isRecordedText(file.first);
   };
   if (std::ranges::none_of(before, is_needed)) return std::nullopt;
   const auto log = LogReader::open(session.folder().fileOf(accepted));

@@ -98,18 +98,18 @@ FileHashes hashesOf(const CellBundle& bundle) {
   return hashes;
 }
 
-bool isToldText(const std::string& name) {
+bool isRecordedText(const std::string& name) {
   const std::string_view role = roleOf(name);
   return role == "cell" || role == "model" || role == "materials";
 }
 
-FileTexts toldTexts(const CellBundle& bundle) {
+FileTexts recordedTexts(const CellBundle& bundle) {
   constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
   FileTexts texts;
   for (std::size_t i = 0; i < bundle.contents.size(); ++i) {
     const auto& file = bundle.manifest.files[i];
     const Bytes& content = bundle.contents[i];
-    if (!isToldText(file.name) || content.size() > kMaxBytes || !isUtf8(content)) continue;
+    if (!isRecordedText(file.name) || content.size() > kMaxBytes || !isUtf8(content)) continue;
     texts[file.sha256] = textOf(content);
   }
   return texts;
@@ -134,9 +134,9 @@ std::vector<FileChange> fileChanges(const FileHashes& golden, const FileHashes& 
     const std::string role(roleOf(file));
     // The manifest's text is untrusted.
     const std::string name = plainText(file);
-    const bool is_told = isToldText(file);
+    const bool is_recorded = isRecordedText(file);
     const auto add = [&](const std::string& what) {
-      changes.push_back({name + ": the " + role + what, is_told});
+      changes.push_back({name + ": the " + role + what, is_recorded});
     };
     if (before == golden.end()) {
       if (isElsewhere(golden, frame, *now)) continue;

@@ -14,13 +14,13 @@ namespace rocinante {
 FileHashes hashesOf(const CellBundle& bundle);
 /// The contents of its kinematics and material files, of valid UTF-8 and at most 1 MiB each, for a
 /// manifest.
-FileTexts toldTexts(const CellBundle& bundle);
-/// True for the name of a file whose text toldTexts() keeps.
-bool isToldText(const std::string& name);
+FileTexts recordedTexts(const CellBundle& bundle);
+/// True for the name of a file whose text recordedTexts() keeps.
+bool isRecordedText(const std::string& name);
 
 struct FileChange {
-  std::string text;      ///< "textures/floor.png: the texture has changed"
-  bool is_told = false;  ///< isToldText(): what changed in it is known where its text is
+  std::string text;          ///< "textures/floor.png: the texture has changed"
+  bool is_recorded = false;  ///< isRecordedText(): what changed in it is known where its text is
 };
 /// One per file, sorted by name. `texts` by hash; a text that differs only in comments and white
 /// space has not changed, nor has a file that only has another name. A file that a text of both

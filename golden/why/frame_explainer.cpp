@@ -201,8 +201,8 @@ const ModelChanges& FrameExplainer::changesSince(Candidate& candidate) {
   if (!candidate.changes) {
     candidate.changes = modelChanges(candidate.session->cell(), now_.cell());
     if (candidate.bundle && bundleToday() != nullptr) {
-      FileTexts texts = toldTexts(*candidate.bundle);
-      texts.merge(toldTexts(*bundleToday()));
+      FileTexts texts = recordedTexts(*candidate.bundle);
+      texts.merge(recordedTexts(*bundleToday()));
       for (ModelChange& change :
            changedFiles(hashesOf(*candidate.bundle), hashesOf(*bundleToday()), texts)) {
         candidate.changes->push_back(std::move(change));

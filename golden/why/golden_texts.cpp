@@ -27,7 +27,7 @@ GoldenTexts::GoldenTexts(CellBundle& bundle, const FileHashes& golden, const Fil
     const auto text = texts.find(before->second);
     const auto content = at_hand.find(before->second);
     if (text == texts.end() && content == at_hand.end()) {
-      unknown_ += isToldText(file.name) ? 1 : 0;
+      unknown_ += isRecordedText(file.name) ? 1 : 0;
       continue;
     }
     const ByteView bytes = text != texts.end() ? bytesOf(text->second) : content->second;

@@ -73,7 +73,7 @@ ModelChanges changedFiles(const FileHashes& golden, const FileHashes& frame,
   for (FileChange& file : fileChanges(golden, frame, texts)) {
     changes.push_back({std::move(file.text),
                        {},
-                       file.is_told ? ModelChange::Seen::maybe : ModelChange::Seen::drawn});
+                       file.is_recorded ? ModelChange::Seen::maybe : ModelChange::Seen::drawn});
   }
   std::stable_partition(changes.begin(), changes.end(), [](const ModelChange& change) {
     return change.seen == ModelChange::Seen::drawn;
@@ -91,7 +91,7 @@ ModelChanges modelChanges(const FileHashes& golden, const FileTexts& texts, Cell
                           const Cell& now, const FileContents& at_hand) {
   ModelChanges changes;
   const FileHashes files_today = hashesOf(today);
-  FileTexts all_texts = toldTexts(today);
+  FileTexts all_texts = recordedTexts(today);
   all_texts.insert(texts.begin(), texts.end());
   const GoldenTexts put_back(today, golden, texts, at_hand);
   if (put_back.any()) {
