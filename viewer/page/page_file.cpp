@@ -198,8 +198,8 @@ Result<Bytes> logOfPage(std::string_view page, const std::string& name) {
   const std::string_view hash = left.substr(0, kHashDigits);
   left.remove_prefix(hash.size());
   const std::size_t text = left.find("\">");
-  std::string said_size(left.substr(0, std::min(text, left.size())));
-  if (text == std::string_view::npos || said_size.starts_with(kSizeBegins) == is_of_1) {
+  std::string stated_size(left.substr(0, std::min(text, left.size())));
+  if (text == std::string_view::npos || stated_size.starts_with(kSizeBegins) == is_of_1) {
     return damaged("the page's log has no checksum: it was changed");
   }
   left.remove_prefix(text + 2);
@@ -209,7 +209,7 @@ Result<Bytes> logOfPage(std::string_view page, const std::string& name) {
   if (hexOf(xxh3(log)) != hash) {
     return damaged("the page's log fails its checksum: it was changed");
   }
-  if (!is_of_1 && said_size != fmt::format("{}{}", kSizeBegins, log.size())) {
+  if (!is_of_1 && stated_size != fmt::format("{}{}", kSizeBegins, log.size())) {
     return damaged("the page's log has another size than it says: it was changed");
   }
   return log;

@@ -101,8 +101,8 @@ Json knownInsets(const std::vector<std::string>& texts, const Cell& cell, const 
 Result<PageLayout> pageLayout(const ViewLayout& layout, const Cell& cell, LogReader log) {
   PageLayout made;
   Json json = Json::object();
-  const SessionState nothing_said;
-  const PosedScene scene = poseScene(cell, nothing_said);
+  const SessionState empty_state;
+  const PosedScene scene = poseScene(cell, empty_state);
   if (!layout.camera.empty() && hasCamera(layout.camera, cell, scene)) {
     json["camera"] = layout.camera;
   } else if (!layout.camera.empty()) {

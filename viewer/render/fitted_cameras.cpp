@@ -16,10 +16,10 @@ Status FittedCameras::prepare(Timeline* session, StateDamage& damage) {
   }
   std::vector<PosedScene> scenes;
   StateDamage found_damage;
-  const SessionState nothing_said;
+  const SessionState empty_state;
   const int moments = session != nullptr ? kFitMoments : 1;
   for (int i = 0; i < moments; ++i) {
-    const SessionState* state = &nothing_said;
+    const SessionState* state = &empty_state;
     if (session != nullptr) {
       const Nanoseconds span = session->end() - session->start();
       const auto found =
@@ -30,7 +30,7 @@ Status FittedCameras::prepare(Timeline* session, StateDamage& damage) {
     scenes.push_back(poseScene(cell_, *state));
     scenes.back().drawings.clear();
   }
-  at_rest_ = poseScene(cell_, nothing_said);
+  at_rest_ = poseScene(cell_, empty_state);
   for (const PosedScene& scene : scenes) addMovableDevices(cell_, at_rest_, scene, movable_);
   scenes_ = std::move(scenes);
   damage.add(found_damage);

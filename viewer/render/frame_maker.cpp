@@ -63,7 +63,7 @@ struct FrameMaker::Impl {
 
   Status checkTime(LogTime time) const;
   Result<const SessionState*> stateAt(LogTime time, StateDamage& damage) {
-    if (!session) return given != nullptr ? given : &nothing_said;
+    if (!session) return given != nullptr ? given : &empty_state;
     return session->stateAt(time, &damage);
   }
   Result<CameraView> cameraNamed(const std::string& name, const FrameRequest& request,
@@ -89,7 +89,7 @@ struct FrameMaker::Impl {
   std::string backdrop_camera;
   double backdrop_opacity = 0;
   BackdropAt backdrops;  // may be empty
-  SessionState nothing_said;
+  SessionState empty_state;
   const SessionState* given = nullptr;  // by showState()
   SessionState by_hand;                 // with the joints of the last request
   std::unique_ptr<RenderContext> context;
@@ -228,7 +228,7 @@ Result<PreparedFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request,
     if (session) {
       return Error{ErrorKind::bad_argument, "joints can be set only without a session", {}};
     }
-    by_hand = withHand(nothing_said, LogTime{}, request.joints);
+    by_hand = withHand(empty_state, LogTime{}, request.joints);
     found.state = &by_hand;
   }
   found.scene = poses.pose(*found.state);

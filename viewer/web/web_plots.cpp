@@ -86,8 +86,8 @@ WebPlots::WebPlots(const Cell& cell, LogReader log, LogTime start, LogTime end,
       end_(end),
       series_(std::make_unique<SeriesScan>(optionsOf(cell, start, end))) {
   if (chosen.empty()) return;
-  const SessionState nothing_said;
-  const PosedScene scene = poseScene(cell, nothing_said);
+  const SessionState empty_state;
+  const PosedScene scene = poseScene(cell, empty_state);
   // Links and what is derived are gathered only when they are asked for.
   SeriesScan::Options options = optionsOf(cell, start, end);
   options.cell = &cell;

@@ -200,7 +200,7 @@ void LiveFeed::Impl::run() {
   SourceWatch watch;
   std::vector<pollfd> polls(sources.size());
   bool news = true;
-  double told_rate = 0;
+  double reported_rate = 0;
   while (!stop.load(std::memory_order_relaxed)) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
       // A group is joined again when its interface returns; the descriptor may then change.
@@ -233,9 +233,9 @@ void LiveFeed::Impl::run() {
     }
     if (keeper) tellKeeper();
     figures.taken = now;
-    news = news || figures.untrusted != reported || count > 0 || figures.rate_hz != told_rate;
+    news = news || figures.untrusted != reported || count > 0 || figures.rate_hz != reported_rate;
     if (news && handOver()) {
-      told_rate = figures.rate_hz;
+      reported_rate = figures.rate_hz;
       news = false;
     }
   }

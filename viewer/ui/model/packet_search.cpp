@@ -9,7 +9,7 @@ namespace {
 
 /// Whether the statement says something about the item; an `order` of the source decides, for a
 /// positional `joints`, which joints it is about.
-bool mentions(const Statement& statement, const SaidItem& item) {
+bool mentions(const Statement& statement, const StatedItem& item) {
   if (statement.name != item.device) return false;
   switch (statement.kind) {
     case StatementKind::pose:
@@ -30,7 +30,7 @@ std::optional<std::uint64_t> markOf(const std::optional<Item<T>>& item) {
   return item ? std::optional(item->stated.packet) : std::nullopt;
 }
 
-std::optional<std::uint64_t> markOf(const SessionState& state, const SaidItem& item) {
+std::optional<std::uint64_t> markOf(const SessionState& state, const StatedItem& item) {
   const DeviceState* const device = state.findDevice(item.device);
   if (device == nullptr) return std::nullopt;
   if (!item.value_name.empty()) {
@@ -55,7 +55,7 @@ Result<PacketSearch> PacketSearch::open(const std::filesystem::path& log) {
   return PacketSearch(std::move(*reader), std::move(*states));
 }
 
-Status PacketSearch::begin(const SaidItem& item, LogTime moment) {
+Status PacketSearch::begin(const StatedItem& item, LogTime moment) {
   if (begun_ && item == item_ && moment == moment_) return {};
   item_ = item;
   moment_ = moment;
@@ -114,7 +114,7 @@ Result<bool> PacketSearch::step(std::size_t messages) {
   return finished_;
 }
 
-void PacketLookup::look(const std::filesystem::path& log, const SaidItem& item, LogTime moment,
+void PacketLookup::look(const std::filesystem::path& log, const StatedItem& item, LogTime moment,
                         std::size_t messages) {
   if (!trouble.empty()) return;
   if (!search) {

@@ -14,10 +14,10 @@
 namespace rocinante {
 
 /// What a packet said: a value of a device.
-struct SaidItem {
+struct StatedItem {
   std::string device;
   std::string value_name;  ///< of a joint; empty: whatever was last said of joints and pose
-  bool operator==(const SaidItem&) const = default;
+  bool operator==(const StatedItem&) const = default;
 };
 
 /// The packet that a shown value comes from.
@@ -41,9 +41,9 @@ class PacketSearch {
   static Result<PacketSearch> open(const std::filesystem::path& log);
 
   /// Begins anew, unless it is for the same item and moment.
-  Status begin(const SaidItem& item, LogTime moment);
+  Status begin(const StatedItem& item, LogTime moment);
   bool begun() const { return begun_; }
-  const SaidItem& item() const { return item_; }
+  const StatedItem& item() const { return item_; }
   LogTime moment() const { return moment_; }
 
   /// Looks at up to `messages` more. True when there is nothing more to look for.
@@ -62,7 +62,7 @@ class PacketSearch {
   std::unique_ptr<LogReader> reader_;
   std::unique_ptr<Timeline> states_;  // beside the shown one, whose state stays valid
   std::unique_ptr<MessageFolder> folder_;
-  SaidItem item_;
+  StatedItem item_;
   LogTime moment_{};
   bool begun_ = false, finished_ = false;
   std::optional<PacketBehind> found_;
@@ -78,7 +78,7 @@ struct PacketLookup {
 
   bool searching() const { return wanted && search && search->begun() && !search->finished(); }
   /// Looks on, at up to `messages` more messages of `log`.
-  void look(const std::filesystem::path& log, const SaidItem& item, LogTime moment,
+  void look(const std::filesystem::path& log, const StatedItem& item, LogTime moment,
             std::size_t messages);
 };
 

@@ -53,7 +53,7 @@ class Publishing {
 
   std::array<char, 128> endpoint_text{};  ///< being typed; NUL-terminated
   std::array<char, 64> name_text{};       ///< the same
-  std::array<char, 256> said_text{};      ///< the same
+  std::array<char, 256> message_text{};   ///< the same
   std::string trouble;                    ///< why publishing did not begin; a sentence
 
  private:

@@ -125,20 +125,20 @@ Result<bool> ViewModel::update(SteadyTime now) {
       if (auto trails = findTrails(moment); !trails) loseLog(trails.error());
     }
     // Set each time: this model may have been moved.
-    const SessionState& live = heard_ ? live_->state : nothing_said_;
+    const SessionState& live = heard_ ? live_->state : empty_state_;
     if (received_ != &live) receive(live);
   } else if (cursor_) {
     moment = cursor_->position(now);
     if (changed || shown_ != moment) {
       if (auto found = showMoment(moment); !found) {
         if (!log_grows_) return found.error();
-        receive(nothing_said_);
+        receive(empty_state_);
         loseLog(found.error());
       }
       changed = true;
     }
-  } else if (received_ != &nothing_said_) {
-    receive(nothing_said_);
+  } else if (received_ != &empty_state_) {
+    receive(empty_state_);
   }
   shown_ = moment;
   // What the past has is never sent.

@@ -289,10 +289,10 @@ class ViewModel {
   std::uint64_t recorded_losses_ = 0;
   StateDamage damage_, seen_damage_;
   std::optional<LogTime> shown_;
-  SessionState nothing_said_;
-  const SessionState* received_ = &nothing_said_;
+  SessionState empty_state_;
+  const SessionState* received_ = &empty_state_;
   bool scene_is_old_ = false;  ///< not posed of what is received
-  const SessionState* state_ = &nothing_said_;
+  const SessionState* state_ = &empty_state_;
   std::optional<ScenePoseCache> poses_;  // of *cell_
   PosedScene scene_;
   RenderStyle style_;

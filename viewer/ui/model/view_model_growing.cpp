@@ -114,7 +114,7 @@ void ViewModel::takeOverLog() {
   // The state was borrowed from the log as it was.
   if (!showsNow() || !feed_) {
     if (auto again = showMoment(shownTime()); !again) {
-      receive(nothing_said_);
+      receive(empty_state_);
       return loseLog(again.error());
     }
   }

@@ -73,7 +73,7 @@ void drawPublished(Publishing& publishing) {
   ImGui::SameLine();
   if (ImGui::SmallButton("end")) return publishing.end(steadyNow(), wallNow());
   explain("publish nothing more");
-  auto& text = publishing.said_text;
+  auto& text = publishing.message_text;
   ImGui::SetNextItemWidth(px(-90));
   const bool entered = ImGui::InputTextWithHint("##said", "a text for others", text.data(),
                                                 text.size(), ImGuiInputTextFlags_EnterReturnsTrue);

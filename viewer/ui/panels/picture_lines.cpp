@@ -216,13 +216,13 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
         "Esc ends it", PanelColor::hint);
     lines.back().stays = true;
   }
-  const auto addSaid = [&](const std::string& kind, const std::string& text, bool is_fault) {
+  const auto addMessage = [&](const std::string& kind, const std::string& text, bool is_fault) {
     if (!text.empty())
       add(kind + " " + text, text, "", is_fault ? PanelColor::fault : PanelColor::done);
   };
-  addSaid("kept", model.keepingTrouble(), true);
-  addSaid("complaint", model.viewer.panels.complaint, true);
-  if (!hasPoseFields(model)) addSaid("pose", model.viewer.panels.pose_fields.trouble, true);
+  addMessage("kept", model.keepingTrouble(), true);
+  addMessage("complaint", model.viewer.panels.complaint, true);
+  if (!hasPoseFields(model)) addMessage("pose", model.viewer.panels.pose_fields.trouble, true);
   bool hinted = false;
   for (const bool errors : {true, false}) {
     for (const PictureNote& note : model.viewer.panels.notes) {
@@ -236,7 +236,7 @@ std::vector<PictureLine> pictureLines(const ViewModel& model, const ViewerStatus
         fmt::format("no packet of the log states `{}`, so its plot is empty", key.text()), "",
         PanelColor::hint);
   }
-  addSaid("notice", status.notice, status.notice_is_fault);
+  addMessage("notice", status.notice, status.notice_is_fault);
   return lines;
 }
 

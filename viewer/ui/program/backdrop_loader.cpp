@@ -45,8 +45,8 @@ bool BackdropLoader::update(ViewModel& model, bool waits) {
 
 std::string BackdropLoader::takeFault() {
   const auto read = worker_ ? worker_->found() : nullptr;
-  if (!read || read->faults == faults_told_) return {};
-  faults_told_ = read->faults;
+  if (!read || read->faults == faults_reported_) return {};
+  faults_reported_ = read->faults;
   return read->fault;
 }
 

@@ -33,7 +33,7 @@ class BackdropLoader {
 
   Backdrop* backdrop_;
   std::optional<std::size_t> asked_;  ///< number of a picture
-  std::size_t faults_told_ = 0;
+  std::size_t faults_reported_ = 0;
   std::optional<Worker<std::size_t, Read>> worker_;
 };
 

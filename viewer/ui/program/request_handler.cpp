@@ -142,13 +142,13 @@ void RequestHandler::finish(SteadyTime now) {
   const auto isMaking = [this] { return parts_.evidence.isMaking() || isSaving(); };
   if (!isMaking()) return;
   const Clock::time_point tell_at = Clock::now() + std::chrono::seconds(1);
-  bool is_told = false;
+  bool is_reported = false;
   while (isMaking() && !cli::stopRequested()) {
     tellNews(now);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    if (is_told || Clock::now() < tell_at) continue;
+    if (is_reported || Clock::now() < tell_at) continue;
     cli::warn("the window is closed; what was asked for is still being made (Ctrl-C ends it)");
-    is_told = true;
+    is_reported = true;
   }
   if (parts_.evidence.noticeIsFault())
     parts_.model.viewer.panels.doubts.push_back(parts_.evidence.notice());

@@ -42,7 +42,7 @@ class RequestHandler {
   }
 
   /// The coming frame is to be written to files, for a user.
-  bool wantsScreenshot() const { return !screenshots_.empty(); }
+  bool awaitsScreenshot() const { return !screenshots_.empty(); }
   std::vector<std::filesystem::path> takeScreenshots() { return std::exchange(screenshots_, {}); }
   bool isSaving() const { return saving_.active(); }
   /// Waits for what users asked for and is still being made, after they closed the window; a signal

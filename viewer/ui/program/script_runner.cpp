@@ -18,7 +18,7 @@ bool isSoLong(const ViewModel& model, Nanoseconds length) {
 }
 
 /// Whether a line of the last frame has the text; without a text, whether there was no line.
-bool says(const ViewModel& model, const std::string& text) {
+bool showsLine(const ViewModel& model, const std::string& text) {
   const std::vector<std::string>& lines = model.viewer.panels.lines;
   if (text.empty()) return lines.empty();
   return std::ranges::any_of(
@@ -94,8 +94,8 @@ Result<bool> ScriptRunner::awaited(const ViewCommand& command, const ViewerReque
   // Real time: a script's own does not bring packets.
   const SteadyTime now = std::chrono::steady_clock::now();
   if (!awaits_since_) awaits_since_ = now;
-  const bool reached =
-      asked.await_length ? isSoLong(model, *asked.await_length) : says(model, *asked.await_line);
+  const bool reached = asked.await_length ? isSoLong(model, *asked.await_length)
+                                          : showsLine(model, *asked.await_line);
   if (!reached && now - *awaits_since_ > kLongestAwait) {
     return faultAt(command, unreached(asked, model));
   }

@@ -153,7 +153,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   if (samples == ViewOptions().samples) {
     samples = std::min(samples, FrameBuffer::mostSamples(renderer->gl()));
   }
-  if (samples < options.samples && !std::exchange(session.told_samples, true)) {
+  if (samples < options.samples && !std::exchange(session.samples_reported, true)) {
     cli::warn(fmt::format("this driver draws {} of the usual {} samples: edges are less smooth",
                           samples, options.samples));
   }
@@ -197,12 +197,12 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
 
 void ViewApp::prepareView() {
   const FrameInput& input = script_.input();
-  const bool says_size = input.width > 0;
-  const int width = says_size ? input.width : std::max(1, window_->framebufferWidth());
-  const int height = says_size ? input.height : std::max(1, window_->framebufferHeight());
+  const bool has_size = input.width > 0;
+  const int width = has_size ? input.width : std::max(1, window_->framebufferWidth());
+  const int height = has_size ? input.height : std::max(1, window_->framebufferHeight());
   if (width != width_ || height != height_) {
     detail_.forget();
-    if (says_size) window_->resize(width, height);
+    if (has_size) window_->resize(width, height);
   }
   width_ = width;
   height_ = height;
@@ -263,7 +263,7 @@ Status ViewApp::compose(bool same_picture) {
                               *ImGui::GetDrawData()};
   const GlTable& gl = picture_.renderer().gl();
   swaps_ = true;
-  if (!scripted() && !requests_.wantsScreenshot()) {
+  if (!scripted() && !requests_.awaitsScreenshot()) {
     const auto shown = composer_.compose(gl, content, *painter_, same_picture);
     if (!shown.ok()) return shown.error();
     swaps_ = *shown;
@@ -301,7 +301,7 @@ Status ViewApp::drawFrame(double app_ms) {
   FrameTimes times;
   times.app = app_ms;
   const SteadyTime began = std::chrono::steady_clock::now();
-  screenshot_due_ = requests_.wantsScreenshot();
+  screenshot_due_ = requests_.awaitsScreenshot();
   beginFrame();
   status_.refining = status_.refining && picture_.refinesAt(now());
   status_.still = isStill();
@@ -344,7 +344,7 @@ Status ViewApp::drawFrame(double app_ms) {
 /// A frame that was begun when it was asked for has the line that it was typed into, and a picture
 /// that is yet plain becomes better in a moment. `now_or_never`: none comes after this frame.
 void ViewApp::writeScreenshot(bool now_or_never) {
-  if (!requests_.wantsScreenshot()) return;
+  if (!requests_.awaitsScreenshot()) return;
   const bool is_better = !picture_.isPlain() || picture_.refined();
   if (!now_or_never && !(screenshot_due_ && is_better)) {
     if (!screenshot_due_) frame_due_.happened(now());

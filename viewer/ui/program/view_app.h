@@ -52,7 +52,7 @@ struct WindowSession {
   InputRecord record;
   /// Made for the first content; its shader serves all. Needs the window's context.
   std::optional<ImguiPainter> painter;
-  bool told_samples = false;  ///< that the driver has fewer than usual
+  bool samples_reported = false;  ///< that the driver has fewer than usual
   LeftSessions left{};
 };
 

@@ -94,12 +94,12 @@ void setDown(ImGuiIO& io, const EditingKey& key, bool down) {
 /// `place`: in kModifiers.
 void setModifier(ImGuiIO& io, std::size_t place, bool held) {
 #if IMGUI_VERSION_NUM >= 18900
-  constexpr std::array kTold{ImGuiMod_Shift, ImGuiMod_Ctrl, ImGuiMod_Alt, ImGuiMod_Super};
-  io.AddKeyEvent(kTold[place], held);
+  constexpr std::array kModifierKeys{ImGuiMod_Shift, ImGuiMod_Ctrl, ImGuiMod_Alt, ImGuiMod_Super};
+  io.AddKeyEvent(kModifierKeys[place], held);
 #elif IMGUI_VERSION_NUM >= 18700
-  constexpr std::array kTold{ImGuiKey_ModShift, ImGuiKey_ModCtrl, ImGuiKey_ModAlt,
-                             ImGuiKey_ModSuper};
-  io.AddKeyEvent(kTold[place], held);
+  constexpr std::array kModifierKeys{ImGuiKey_ModShift, ImGuiKey_ModCtrl, ImGuiKey_ModAlt,
+                                     ImGuiKey_ModSuper};
+  io.AddKeyEvent(kModifierKeys[place], held);
 #else
   io.*kModifiers[place].held = held;
 #endif

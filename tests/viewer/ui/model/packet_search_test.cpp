@@ -28,7 +28,7 @@ void writeDatagrams(const std::filesystem::path& path,
 class PacketBehindAValue : public testing::Test {
  protected:
   /// The text of the packet behind the item, "none", or an error.
-  std::string behind(const SaidItem& item, std::int64_t at_ms, std::size_t step = 3) {
+  std::string behind(const StatedItem& item, std::int64_t at_ms, std::size_t step = 3) {
     auto search = PacketSearch::open(folder_ / "s.mcap");
     if (!search) return search.error().text();
     if (Status begun = search->begin(item, test::sessionTime(at_ms)); !begun) {
