@@ -79,8 +79,8 @@ class Watcher {
       }
     }
     if (watch_.isFull()) {
-      cli::warn(
-          fmt::format("more than {} findings at a time: not all were told", FindingWatch::kMax));
+      cli::warn(fmt::format("more than {} findings at a time: not all were reported",
+                            FindingWatch::kMax));
     }
     line_.clear();
     const CheckVerdict verdict = watch_.failed()         ? CheckVerdict::incompatible

@@ -19,7 +19,7 @@ std::string_view CsvSignals::add(NamedSignal signal, std::size_t column) {
   const bool has_device = signal.device.empty() || isName(signal.device);
   if (!has_device || !isName(signal.name.name)) return "packets have no such name";
   if (!names_.insert(signalNameText(signal.device, signal.name)).second) {
-    return "said twice: the first of them counts";
+    return "stated twice: the first of them counts";
   }
   columns_.push_back({std::move(signal), column});
   latest_.emplace_back();

@@ -20,9 +20,9 @@ function rocinantePanels(page) {
     return rows;
   }
 
-  // The last may have no name: what is said of no device.
+  // The last may have no name: the signals of no device.
   function deviceBox(device) {
-    if (device.more) return made("p", "", `and ${device.more} more devices that the cell has not`);
+    if (device.more) return made("p", "", `and ${device.more} more devices that are not in the cell`);
     const box = made("section");
     box.classList.toggle("away", !device.visible);
     const isSelected = device.name === page.selectedDevice();

@@ -29,7 +29,7 @@ function rocinantePlots(page) {
     const box = document.getElementById("lane").content.firstElementChild.cloneNode(true);
     const one = (name) => box.querySelector("." + name);
     one("joint").textContent = lane.name;
-    one("range").textContent = lane.text || "nothing said";
+    one("range").textContent = lane.text || "not stated";
     const svg = one("curves");
     svg.setAttribute("viewBox", `0 0 ${width} ${kHeight}`);
     one("curve").setAttribute("d", lane.curve);

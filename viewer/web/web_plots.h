@@ -33,7 +33,7 @@ class WebPlots {
   /// high end with the last unit), curve and bars (paths of SVG), lower and upper (its limits from
   /// the top, where they are in the lane); and `more`, the number of signals without a lane. With
   /// an empty name the chosen values come first, and then the signals of no device.
-  /// `device`: null for one that the cell has not. `state`: of the moment, for its joints.
+  /// `device`: null for one that is not in the cell. `state`: of the moment, for its joints.
   std::string lanesJson(const std::string& name, const PosedDevice* device,
                         const SessionState& state, std::size_t width, double height) const;
 

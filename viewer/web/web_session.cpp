@@ -41,7 +41,7 @@ Json jointJson(const JointRow& row) {
 /// What is listed of a session that states more; the page says how many more there are.
 constexpr std::size_t kMostOfDevice = 256;  // signals
 constexpr std::size_t kMostSignals = 4096;  // of all devices
-constexpr std::size_t kMostBare = 1024;     // devices that the cell has not
+constexpr std::size_t kMostBare = 1024;     // devices that are not in the cell
 
 /// At most `room` of them; returns how many.
 std::size_t addSignals(Json& device, const std::string& name, const Signals& signals,
@@ -216,7 +216,7 @@ Result<std::string> WebSession::devicesJson(std::int64_t ns) {
     if (device_state != nullptr) addSignalsOf(one, device.name, device_state->signals);
     json.push_back(std::move(one));
   }
-  // What the cell has not is listed by what it says.
+  // A device that is not in the cell is listed by its signals.
   std::size_t bare = 0;
   const auto addBare = [&](const std::string& name, const Signals& signals) {
     if (signals.empty()) return;

@@ -90,7 +90,7 @@ class FindingWatch {
   std::uint64_t begun() const { return begun_; }
   /// One that fails has begun.
   bool failed() const { return failed_; }
-  /// There were more than kMax findings at a time: not all were told.
+  /// There were more than kMax findings at a time: not all were reported.
   bool isFull() const { return is_full_; }
 
  private:

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxNamed = 1024;
 constexpr std::string_view kManyDevices = "a joint of several devices; DEVICE.JOINT names one";
 constexpr std::string_view kPassive = "a fixed or mimic joint";
 constexpr std::string_view kPartOfPose = "a pose needs all seven components";
-constexpr std::string_view kTwice = "said twice: the first of them counts";
+constexpr std::string_view kTwice = "stated twice: the first of them counts";
 constexpr std::string_view kNoName = "packets have no such name";
 
 }  // namespace

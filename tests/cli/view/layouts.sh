@@ -1,4 +1,4 @@
-# A layout is written, shown again by option and by command, and says what the cell has not; other files stay as they are.
+# A layout is written, shown again by option and by command, and lists what is missing in the cell; other files stay as they are.
 export ASAN_OPTIONS=detect_leaks=0
 cp "$SRC/examples/demo/session.mcap" session.mcap
 demo=$SRC/examples/demo/demo.cell.toml

@@ -118,7 +118,7 @@ void drawMovers(const ViewModel& model, const DeviceState* received) {
   if (!movers.empty()) {
     drawCut("moved by " + movers, PanelColor::dim_text);
   } else if (model.isLive() || model.session() != nullptr) {
-    ImGui::TextDisabled("nothing said yet");
+    ImGui::TextDisabled("no packet states it yet");
   }
 }
 

@@ -53,7 +53,7 @@ void drawFound(const ViewModel& model, const PacketBehind& packet, bool& shows_b
   explain(plainText(tip).c_str());
   const Nanoseconds age = model.shownTime() - packet.time;
   ImGui::TextDisabled("%s s before what is shown%s%s", secondsText(age, 6).c_str(),
-                      packet.restated ? ", said again" : "",
+                      packet.restated ? ", restated" : "",
                       packet.by.empty() ? "" : (" by " + plainText(packet.by)).c_str());
   ImGui::TextDisabled("%s", (countText(packet.text.size(), "byte") +
                              (packet.sender.empty() ? "" : " from " + plainText(packet.sender)))
@@ -181,7 +181,7 @@ void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selecti
   } else if (packet.searching()) {
     ImGui::TextDisabled("looking for it ...");
   } else if (!packet.search->found()) {
-    ImGui::TextDisabled("no packet up to here said it");
+    ImGui::TextDisabled("no packet up to here states it");
   } else {
     drawFound(model, *packet.search->found(), packet.shows_bytes, bottom);
   }

@@ -66,7 +66,7 @@ std::string rowTip(const HandRow& one, const Units& units, bool settable) {
   } else if (!row.owner.empty()) {
     tip += "\nmoved by " + row.owner;
   } else if (!row.is_stated) {
-    tip += "\nnothing said: the model's own place";
+    tip += "\nnot stated: at the model's default";
   }
   if (row.lower && row.upper) {
     tip += fmt::format("\nlimits {} to {}", jointValueText(row.kind, *row.lower, units),

@@ -25,7 +25,7 @@ void drawViewpoints(ViewModel& model) {
     ImGui::SameLine();
     if (model.others().isSilent(name)) {
       ImGui::TextDisabled("%s: silent", plainText(name).c_str());
-      explain("this window says nothing any more: it was killed, or cannot be heard");
+      explain("nothing arrives from this window any more: it was killed, or the network loses it");
     } else {
       ImGui::TextUnformatted(plainText(name).c_str());
     }

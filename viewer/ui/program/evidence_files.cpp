@@ -77,8 +77,7 @@ Result<EvidenceRequest> EvidenceFiles::requestOf(ViewModel& model, const WindowS
   request.samples = samples_ > 1 ? 4 : 1;
   if (!model.moves.unsaved().empty()) {
     return Error{ErrorKind::bad_argument,
-                 "the picture has devices moved by hand, which the cell has not: save-pose or "
-                 "put-back first",
+                 "poses are set by hand and not in the cell; save-pose or put-back first",
                  {}};
   }
   if (model.hand.drawn()) {

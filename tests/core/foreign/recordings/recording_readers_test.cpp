@@ -142,8 +142,8 @@ TEST(TableRecording, NamesTheColumnsThatSayTheSame) {
   EXPECT_EQ(made->packets[0],
             "RK1 decoded:csv:table - 1\njoint arm a=2 b=3\npose c 0 5 0 0 0 0 1\n");
   EXPECT_EQ(accountSentence(made->report.account),
-            "left out: 1 column `arm.a` (said twice: the first of them counts), 1 column `c:y` "
-            "(said twice: the first of them counts)");
+            "left out: 1 column `arm.a` (stated twice: the first of them counts), 1 column `c:y` "
+            "(stated twice: the first of them counts)");
   EXPECT_TRUE(importedFrom(table("t,arm.a,leg.a\n1,2,3\n"))->report.account.empty());
 }
 
@@ -259,7 +259,7 @@ TEST(TableRecording, ColumnsOfSignalsAreSignals) {
               ElementsAre("1\nsignals arm%20x load=2\nsignals arm on=false\n",
                           "left out: 1 column `signal arm l%zz` (packets have no such name), "
                           "1 column `signal arm` (packets have no such name), "
-                          "1 column `arm.on` (said twice: the first of them counts)"));
+                          "1 column `arm.on` (stated twice: the first of them counts)"));
 }
 
 TEST(TableRecording, ReadsTheJointsThatPlotJugglerNames) {
