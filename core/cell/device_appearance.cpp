@@ -32,7 +32,7 @@ struct DeviceAppearance::Whole {
 
   void add(const PosedShare& share) {
     visible = visible && share.visible;
-    if (share.says_color) {
+    if (share.has_color) {
       color = share.color;
       recolored = share.recolors;
     }
@@ -47,7 +47,7 @@ PosedShare DeviceAppearance::shareOf(std::string_view name, const CellLayer* lis
   share.visible =
       shown(statedOf(state_.visibility(), true, name), listed == nullptr || listed->visible);
   if (const ColorValue* value = statedOf(state_.colors(), true, name)) {
-    share.says_color = true;
+    share.has_color = true;
     share.recolors = value->rgba.has_value();
     share.color = value->rgba ? value->rgba : own;
   }
@@ -112,10 +112,10 @@ void DeviceAppearance::dressByLayers(PosedDevice& device) const {
     if (!share.link || share.ofParts()) continue;
     const std::size_t l = *share.link;
     device.link_visible[l] = device.link_visible[l] && share.visible;
-    if (share.says_color) device.link_color[l] = share.color;
+    if (share.has_color) device.link_color[l] = share.color;
     if (device.link_look.empty()) continue;
     device.link_look[l].add(share.look);
-    if (share.says_color) device.link_recolored[l] = share.recolors;
+    if (share.has_color) device.link_recolored[l] = share.recolors;
   }
 }
 
@@ -161,7 +161,7 @@ std::optional<std::uint32_t> PosedDevice::partColor(std::size_t link,
   std::optional<std::uint32_t> color = link_color[link];
   if (!has_parts) return color;
   for (const PosedShare& share : shares) {
-    if (share.says_color && share.holdsPart(link, group)) color = share.color;
+    if (share.has_color && share.holdsPart(link, group)) color = share.color;
   }
   return color;
 }
@@ -173,7 +173,7 @@ LayerLook PosedDevice::partLook(std::size_t link, std::string_view group) const 
   for (const PosedShare& share : shares) {
     if (!has_parts || !share.holdsPart(link, group)) continue;
     look.add(share.look);
-    if (share.says_color) recolored = share.recolors;
+    if (share.has_color) recolored = share.recolors;
   }
   if (recolored) look.opacity.reset();
   return look;

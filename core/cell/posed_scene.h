@@ -20,7 +20,7 @@ struct PosedShare {
   std::optional<std::size_t> link;  ///< empty: all links
   std::string_view group;           ///< a pattern of MeshPart::group; empty: whole links
   bool visible = true;              ///< the layer is shown
-  bool says_color = false;          ///< packets set a colour: `color` is valid
+  bool has_color = false;           ///< packets set a colour: `color` is valid
   bool recolors = false;            ///< and it is not `default`
   std::optional<std::uint32_t> color;
   LayerLook look;

@@ -121,7 +121,7 @@ struct Statement {
 };
 
 /// True when a signal of the statement is no number, and so a state.
-inline bool saysState(const Statement& statement) {
+inline bool hasStateSignal(const Statement& statement) {
   for (const SignalKind kind : statement.signal_kinds) {
     if (kind != SignalKind::number) return true;
   }

@@ -97,7 +97,7 @@ Status BesideSession::addGhosts(PosedScene& scene, LogTime shown, StateDamage& d
     device.name.insert(0, kBesidePrefix);
     device.ghost = true;
     std::ranges::fill(device.link_color, kGhostColor);
-    for (PosedShare& share : device.shares) share.says_color = false;
+    for (PosedShare& share : device.shares) share.has_color = false;
     // Its carrier may be where it is in the shown session.
     device.pose = poseOf(device.base);
     device.carrier.clear();

@@ -36,7 +36,7 @@ std::size_t keyOf(const Statement& statement, std::string_view signal) {
 
 bool StaticItems::isStatic(const Statement& statement) {
   const StatementKind kind = statement.kind;
-  if (isSignal(kind)) return saysState(statement);
+  if (isSignal(kind)) return hasStateSignal(statement);
   return !isDeviceValue(kind) && kind != StatementKind::event && kind != StatementKind::seen;
 }
 
