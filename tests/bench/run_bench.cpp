@@ -1,8 +1,8 @@
 // A session of 10 minutes at 6,000 packets a second (six arms of six joints), judged against a band
 // of five accepted ones, as `golden run` judges it: its log is read, each accepted log is hashed,
 // and its track comes from the cache (the first time it is made). What can be done side by side is,
-// as there: the bar is of two cores. With SIGNALS each packet says so many numbers beside, without
-// a bar. usage: run_bench [SECONDS [FOLDER [SIGNALS]]]
+// as there; the bar is of CPU time of all threads, with tracks from the cache. With SIGNALS each
+// packet has so many numbers beside, without a bar. usage: run_bench [SECONDS [FOLDER [SIGNALS]]]
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -28,7 +28,7 @@ constexpr std::int64_t kOriginNs = 1'770'091'506'000'000'000;
 constexpr std::int64_t kRateHz = 6'000;
 constexpr std::size_t kArms = 6, kJoints = 6;
 constexpr std::size_t kAccepted = 5;
-constexpr double kBarSeconds = 6;
+constexpr double kBarCpuSeconds = 6;  // for 10 minutes
 
 /// Sessions of one motion: each begins a little later, and its encoders have noise of their own.
 /// `signals`: numbers beside the joints. `late_s`: the whole motion.
@@ -147,8 +147,8 @@ int main(int argc, char** argv) {
   if (!std::filesystem::exists(logs[0])) writeLog(logs[0], seconds * kRateHz, 9, signals, 0.05);
   const Judged late = judgeOnce(cell, logs, cache);
   tell("all of it 50 ms late", late);
-  const bool is_met = again.sum() * 600 <= kBarSeconds * static_cast<double>(seconds);
-  fmt::print("bar: {} s for 10 minutes: {}\n", kBarSeconds, is_met ? "met" : "missed");
+  const bool is_met = again.cpu_s * 600 <= kBarCpuSeconds * static_cast<double>(seconds);
+  fmt::print("bar: {} s of CPU for 10 minutes: {}\n", kBarCpuSeconds, is_met ? "met" : "missed");
   if (argc <= 2) std::filesystem::remove_all(folder);
   return again.is_comparable && again.findings == 0 && late.findings > 0 && is_met ? 0 : 1;
 }
