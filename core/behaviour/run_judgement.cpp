@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace rocinante {
@@ -14,6 +15,11 @@ bool RunFinding::operator<(const RunFinding& other) const {
                       std::string_view(its.item), std::string_view(its.unit));
   };
   return place(*this) < place(other);
+}
+
+double severityOf(const RunFinding& finding) {
+  if (!finding.largest) return std::numeric_limits<double>::infinity();
+  return *finding.largest / std::max(finding.limit, 1e-9);
 }
 
 std::vector<RunSpan> joined(std::vector<RunSpan> spans, Nanoseconds reach) {

@@ -59,6 +59,9 @@ struct RunFinding {
   bool operator<(const RunFinding& other) const;
 };
 std::string_view nameOf(RunFinding::Kind kind);
+/// `largest` in limits, by which findings are compared. One without a figure, such as a missing
+/// device, is larger than all that have one.
+double severityOf(const RunFinding& finding);
 
 /// The outcome of comparing a session with the accepted ones of a run.
 struct RunJudgement {

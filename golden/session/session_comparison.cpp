@@ -72,11 +72,6 @@ class MomentList {
   std::vector<Moment> moments_;
 };
 
-/// Findings without a figure, such as a missing device, come first.
-double severityOf(const RunFinding& finding) {
-  return finding.largest ? *finding.largest / std::max(finding.limit, 1e-9) : 1e9;
-}
-
 std::vector<Moment> momentsToDraw(const SessionComparison& comparison, LogTime from,
                                   LogTime until) {
   const RunJudgement& judged = comparison.run().judgement;

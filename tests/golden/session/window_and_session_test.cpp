@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "golden/session/session_comparison.h"
@@ -69,6 +71,14 @@ class WindowAndSession : public testing::Test {
       of_window.insert(parting.items.begin(), parting.items.end());
     }
     EXPECT_EQ(of_window, of_session);
+    const auto& findings = compared->run().judgement.findings;
+    const auto worst = std::ranges::max_element(findings, {}, severityOf);
+    largest_ = study.largest();
+    EXPECT_EQ(largest_.has_value(), worst != findings.end());
+    if (largest_ && worst != findings.end()) {
+      EXPECT_EQ(largest_->item, worst->item);
+      EXPECT_EQ(largest_->at, compared->origin_b + worst->at_run);
+    }
     return {of_window.begin(), of_window.end()};
   }
   void expectFrom(std::size_t parting, std::int64_t from_ms, std::int64_t until_ms) {
@@ -80,6 +90,7 @@ class WindowAndSession : public testing::Test {
 
   test::TemporaryFolder folder_;
   std::vector<Parting> partings_;
+  std::optional<PartingPeak> largest_;
 };
 
 TEST_F(WindowAndSession, TheSame) { EXPECT_THAT(apart(turning(), turning()), IsEmpty()); }
@@ -121,6 +132,20 @@ TEST_F(WindowAndSession, AnotherColour) {
   EXPECT_THAT(apart(turning(), fresh), ElementsAre("right"));
   ASSERT_EQ(partings_.size(), 1U);
   expectFrom(0, 2500, 3000);
+}
+
+TEST_F(WindowAndSession, WhatHasNoFigureIsTheLargest) {
+  Packets fresh = turning();
+  fresh[100].second = "joints left 3\njoints right " + std::to_string(std::sin(1.0)) + "\n";
+  EXPECT_THAT(apart(turning(), fresh), ElementsAre("left"));
+  ASSERT_TRUE(largest_);
+  EXPECT_FALSE(largest_->size.empty());
+  fresh[250].second += "color right #2040ff\n";
+  EXPECT_THAT(apart(turning(), fresh), ElementsAre("left", "right"));
+  ASSERT_TRUE(largest_);
+  EXPECT_TRUE(largest_->item.starts_with("right")) << largest_->item;
+  EXPECT_EQ(largest_->size, "");
+  EXPECT_EQ(largest_->at, test::sessionTime(2500));
 }
 
 TEST_F(WindowAndSession, ADeviceThatIsMissing) {

@@ -161,7 +161,8 @@ void drawBeside(ViewModel& model, SteadyTime now) {
     explain((text + "\nK and Shift K go to where the two part").c_str());
   }
   if (const auto largest = partings == nullptr ? std::nullopt : partings->largest()) {
-    const std::string text = fmt::format("most: {} {}", plainText(largest->item), largest->size);
+    const std::string text = fmt::format("most: {}{}{}", plainText(largest->item),
+                                         largest->size.empty() ? "" : " ", largest->size);
     if (ImGui::Selectable(text.c_str(), false, 0, ImGui::CalcTextSize(text.c_str()))) {
       model.cursor()->seek(largest->at, now);
       model.viewer.time_view.follow(largest->at);

@@ -29,11 +29,6 @@ std::vector<Parting> partingsOf(const RunJudgement& judged, const SessionTrack& 
   return partings;
 }
 
-/// Findings without a figure come last.
-double severityOf(const RunFinding& finding) {
-  return finding.largest ? *finding.largest / std::max(finding.limit, 1e-9) : -1;
-}
-
 std::optional<PartingPeak> largestOf(const RunJudgement& judged, const SessionTrack& run) {
   const auto largest = std::ranges::max_element(judged.findings, {}, severityOf);
   if (largest == judged.findings.end()) return std::nullopt;

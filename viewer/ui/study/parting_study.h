@@ -45,8 +45,7 @@ class PartingStudy {
   std::vector<Parting> found() const;
   /// What is apart at a moment, sorted.
   std::vector<std::string> apartAt(LogTime moment) const;
-  /// The largest of all, by how many times its limit it is; without a figure only where nothing has
-  /// one. Empty: the two are not apart, or it is not finished.
+  /// The largest of all by severityOf(). Empty: the two are not apart, or it is not finished.
   std::optional<PartingPeak> largest() const;
   /// Why it cannot be told; one sentence, or empty.
   std::string fault() const;
