@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "core/cell/posed_scene.h"
-#include "core/math/transform.h"
+#include "core/math/trigonometry.h"
+#include "core/math/turn_angle.h"
 #include "golden/session/session_comparison.h"
 
 namespace rocinante {
@@ -30,9 +30,7 @@ std::size_t differing(const SessionState::Drawings& a, const SessionState::Drawi
 /// In limits.
 double apartOf(const Mat4& a, const Mat4& b, const RunLimits& limits) {
   const double away_mm = glm::length(Vec3(a[3]) - Vec3(b[3])) * 1e3;
-  double trace = 0;
-  for (int column = 0; column < 3; ++column) trace += glm::dot(Vec3(a[column]), Vec3(b[column]));
-  const double turn_deg = glm::degrees(std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)));
+  const double turn_deg = degreesOf(turnAngle(a, b));
   return std::max(away_mm / limits.position_mm, turn_deg / limits.turn_deg);
 }
 

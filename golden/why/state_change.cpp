@@ -9,6 +9,7 @@
 
 #include "core/cell/posed_scene.h"
 #include "core/math/transform.h"
+#include "core/math/turn_angle.h"
 
 namespace rocinante {
 namespace {
@@ -60,15 +61,6 @@ const DeviceState* deviceIn(const SessionState& state, const std::string& name) 
 
 double distance(const Mat4& a, const Mat4& b) {
   return std::hypot(a[3][0] - b[3][0], a[3][1] - b[3][1], a[3][2] - b[3][2]);
-}
-
-/// The rotation angle between two orientations, by the trace.
-double turn(const Mat4& a, const Mat4& b) {
-  double trace = 0;
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) trace += a[column][row] * b[column][row];
-  }
-  return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0));
 }
 
 class StateComparison {
@@ -130,8 +122,8 @@ class StateComparison {
 
   void compareDevice(const PosedDevice& before, const PosedDevice& now) {
     const double moved = distance(before.base, now.base);
-    const double turned = turn(before.base, now.base);
-    // The trace loses half the digits: an angle below 1e-7 is indistinguishable from zero.
+    const double turned = turnAngle(before.base, now.base);
+    // Less is rounding: the same orientation may be stated by another quaternion.
     if (moved > 0 || turned > 1e-7) {
       add(now.name,
           fmt::format("{}: base moved by {:.{}f} m, turned by {:.2f}°", now.name, moved,

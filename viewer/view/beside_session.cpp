@@ -1,11 +1,12 @@
 #include "viewer/view/beside_session.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "core/base/duration_text.h"
 #include "core/cell/device_appearance.h"
 #include "core/math/transform.h"
+#include "core/math/trigonometry.h"
+#include "core/math/turn_angle.h"
 
 namespace rocinante {
 namespace {
@@ -26,14 +27,7 @@ bool isNear(const Mat4& a, const Mat4& b) {
   if (!(glm::dot(apart, apart) <= BesideSession::kSamePlace_m * BesideSession::kSamePlace_m)) {
     return false;
   }
-  // Two rotations by a small angle t apart differ by 2 t^2 in the squares of their elements.
-  constexpr double kTurn = BesideSession::kSameTurn_deg * std::numbers::pi / 180;
-  double squares = 0;
-  for (int column = 0; column < 3; ++column) {
-    const Vec3 turned = Vec3(a[column]) - Vec3(b[column]);
-    squares += glm::dot(turned, turned);
-  }
-  return squares <= 2 * kTurn * kTurn;
+  return turnAngle(a, b) <= radiansOf(BesideSession::kSameTurn_deg);
 }
 
 }  // namespace
