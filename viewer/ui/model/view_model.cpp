@@ -108,6 +108,7 @@ void ViewModel::receive(const SessionState& state) {
 }
 
 Result<bool> ViewModel::update(SteadyTime now) {
+  style_.lengths = hand.units.length;  // which panels change by themselves
   enterDriving(now);
   bool changed = !shown_.has_value() || std::exchange(style_changed_, false);
   changed = std::exchange(beside_was_shown_, beside_shown) != beside_shown || changed;
@@ -303,6 +304,8 @@ void ViewModel::dropLooksByDefault() {
 
 void ViewModel::setStyle(const RenderStyle& style) {
   if (style.shadows != style_.shadows || style.contact != style_.contact) looks_by_default_ = false;
+  // The picture's lengths and the panels' have one unit.
+  if (style.lengths != style_.lengths) hand.units.length = style.lengths;
   style_changed_ = style_changed_ || !(style == style_);
   style_ = style;
 }
@@ -311,7 +314,7 @@ RenderStyle ViewModel::frameStyle() const {
   RenderStyle style = style_;
   if (viewer.picking.first())
     style.measures.push_back({*viewer.picking.first(), *viewer.picking.first()});
-  if (!style.measures.empty()) style.lengths = hand.units.length;
+  style.lengths = hand.units.length;
   if (viewer.outline_selected && !selected.device.empty())
     style.outlined.push_back(selected.path());
   return style;

@@ -89,6 +89,22 @@ TEST_F(MovedByHand, KeysGiveJointsBackAndSwitchUnits) {
   EXPECT_EQ(model.hand.units, Units{});
 }
 
+TEST_F(MovedByHand, LengthsInThePictureAndInThePanelsHaveOneUnit) {
+  ViewModel model = open(false);
+  RenderStyle style = model.style();
+  style.lengths = LengthUnit::metres;
+  model.setStyle(style);
+  EXPECT_EQ(model.hand.units.length, LengthUnit::metres);
+  EXPECT_EQ(model.frameStyle().lengths, LengthUnit::metres);
+  model.hand.units.length = LengthUnit::millimetres;
+  ASSERT_TRUE(model.update(SteadyTime{}).ok());
+  EXPECT_EQ(model.frameStyle().lengths, LengthUnit::millimetres);
+  style = model.style();
+  style.edges = EdgeStyle::over;
+  model.setStyle(style);
+  EXPECT_EQ(model.hand.units.length, LengthUnit::millimetres);
+}
+
 /// An arm of two joints, and a window that drives it.
 class DrivingByHand : public testing::Test {
  protected:
