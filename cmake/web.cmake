@@ -55,7 +55,7 @@ rocinante_web_sources(viewer/picture exif_orientation mipmaps picture picture_op
 rocinante_web_sources(viewer/detail detail_builder detail_cache detail_file detail_level governor mesh_detail)
 rocinante_web_sources(viewer/gl frame_buffer gl_table renderer_key shader_program)
 rocinante_web_sources(viewer/view camera camera_choice depth_reach frame_extras hand_joints inset_layout known_names
-  link_looks measure_style missing_meshes movable_devices render_style
+  link_looks measure_style missing_meshes movable_devices render_style scene_poser
   trail_finder units view_choice)
 rocinante_web_sources(viewer/cull coplanar_items coplanar_surfaces cull_sphere draw_list flat_faces
   scene_catalog translucent_order)

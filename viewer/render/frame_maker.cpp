@@ -7,18 +7,17 @@
 
 #include "core/base/duration_text.h"
 #include "core/cell/posed_scene.h"
-#include "core/cell/scene_pose_cache.h"
 #include "viewer/gl/offscreen_context.h"
 #include "viewer/overlay/overlay_panel.h"
 #include "viewer/render/fitted_cameras.h"
+#include "viewer/render/inset_frame.h"
 #include "viewer/render/renderer.h"
 #include "viewer/render/scaled_view.h"
 #include "viewer/render/source_rates.h"
 #include "viewer/view/camera_choice.h"
-#include "viewer/view/frame_extras.h"
 #include "viewer/view/inset_layout.h"
 #include "viewer/view/known_names.h"
-#include "viewer/view/trail_finder.h"
+#include "viewer/view/scene_poser.h"
 
 namespace rocinante {
 namespace {
@@ -55,7 +54,7 @@ struct PreparedFrame {
 
 struct FrameMaker::Impl {
   Impl(Cell the_cell, Profile the_profile)
-      : cell(std::move(the_cell)), poses(cell), profile(the_profile) {}
+      : cell(std::move(the_cell)), poser(cell), profile(the_profile) {}
   ~Impl() {
     // Deleting GL objects requires their context.
     if (context && !context->makeCurrent()) return;
@@ -81,7 +80,7 @@ struct FrameMaker::Impl {
   Status prepareNumbers(const FrameRequest& request);
 
   Cell cell;
-  ScenePoseCache poses;
+  ScenePoser poser;
   KnownNames names{cell};
   Profile profile;
   std::optional<Timeline> session;
@@ -95,10 +94,8 @@ struct FrameMaker::Impl {
   std::unique_ptr<RenderContext> context;
   std::optional<Renderer> renderer;
   std::optional<FittedCameras> fitted;
-  Impl* fit_of = this;  // whose `fitted` is used
-  std::optional<TrailFinder> trails;
-  std::optional<SourceRates> rates;          // made on first use
-  std::optional<ClearanceGauge> clearances;  // the same
+  Impl* fit_of = this;               // whose `fitted` is used
+  std::optional<SourceRates> rates;  // made on first use
   ScaledView view;
   std::optional<FrameBuffer> number_target;  // one sample per pixel
 };
@@ -154,8 +151,7 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, PreparedFrame
     camera = cameraNamed(inset.camera, request, found, parts[i].width, parts[i].height);
     if (!camera && request.insets) return camera.error();
     if (!camera || parts[i].width == 0) continue;
-    found.insets.push_back(
-        {parts[i], *camera, insetTitle(inset), inset.border_rgba, inset.border_px});
+    found.insets.push_back(frameInset(inset, parts[i], *camera, backdrop_camera));
     found.inset_cameras.push_back(inset.camera);
   }
   return backdrops ? placeBackdrop(request.time, main_name, found) : Status{};
@@ -163,13 +159,10 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, PreparedFrame
 
 Status FrameMaker::Impl::placeBackdrop(LogTime time, const std::string& main_camera,
                                        PreparedFrame& found) {
-  found.main_has_backdrop = main_camera == backdrop_camera;
-  bool any = found.main_has_backdrop;
-  for (std::size_t i = 0; i < found.insets.size(); ++i) {
-    found.insets[i].has_backdrop = found.inset_cameras[i] == backdrop_camera;
-    any = any || found.insets[i].has_backdrop;
+  found.main_has_backdrop = hasBackdrop(main_camera, backdrop_camera);
+  if (!found.main_has_backdrop && std::ranges::none_of(found.insets, &FrameInset::has_backdrop)) {
+    return {};
   }
-  if (!any) return {};
   auto picture = backdrops(session ? time : LogTime{});
   if (!picture) return picture.error();
   found.backdrop = std::move(*picture);
@@ -197,7 +190,7 @@ Result<PreparedFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request,
   if (Status current = context->makeCurrent(); !current) return current.error();
   PreparedFrame found;
   found.terms = request;
-  if (beside) found.terms.style.ghosts = GhostStyle::clear;
+  if (beside) setBesideLook(found.terms.style);
   const auto rung = prepareRung(request.detail);
   if (!rung) return rung.error();
   found.rung = *rung;
@@ -213,10 +206,10 @@ Result<PreparedFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request,
     Timeline* const fitted_to = fit_of->session ? &*fit_of->session : nullptr;
     if (Status ready = fit_of->fitted->prepare(fitted_to, damage); !ready) return ready.error();
   }
-  if (session && !request.style.trails.empty()) {
-    auto trails_found = trails->find(request.style.trails, *session, request.time, damage);
-    if (!trails_found) return trails_found.error();
-    found.extras.trails = std::move(*trails_found);
+  Timeline* const asked = session ? &*session : nullptr;
+  if (Status trails = poser.findTrails(request.style, asked, request.time, damage, found.extras);
+      !trails) {
+    return trails.error();
   }
   if (session && request.panel) {
     if (Status counted = findRates(request.time, damage, found); !counted) return counted.error();
@@ -231,8 +224,7 @@ Result<PreparedFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request,
     by_hand = withHand(empty_state, LogTime{}, request.joints);
     found.state = &by_hand;
   }
-  found.scene = poses.pose(*found.state);
-  prepareExtras(request.style, cell, found.scene, *found.state, clearances, found.extras);
+  found.scene = poser.pose(request.style, *found.state, found.extras);
   if (beside) {
     Status added = beside->addGhosts(found.scene, request.time, damage);
     if (!added) return added.error();
@@ -322,7 +314,6 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
     impl->names.useLog(impl->session->log().name());
   }
   impl->fitted.emplace(impl->cell, *impl->renderer);
-  impl->trails.emplace(impl->cell);
   // Everything is in memory now: a temporary folder of this cell can be removed.
   impl->cell.keeps_files.reset();
   return FrameMaker(std::move(impl));
@@ -334,7 +325,7 @@ void FrameMaker::showSession(Timeline session) {
   Impl& impl = *impl_;
   impl.session.emplace(std::move(session));
   impl.fitted.emplace(impl.cell, *impl.renderer);
-  impl.trails.emplace(impl.cell);
+  impl.poser.forgetTrails();
   impl.rates.reset();
 }
 

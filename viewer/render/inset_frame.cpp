@@ -2,7 +2,20 @@
 
 #include <algorithm>
 
+#include "viewer/view/backdrop_frame.h"
+#include "viewer/view/inset_layout.h"
+
 namespace rocinante {
+
+FrameInset frameInset(const CellInset& inset, const PixelRectangle& part, const CameraView& camera,
+                      std::string_view backdrop_camera) {
+  return {part,
+          camera,
+          insetTitle(inset),
+          inset.border_rgba,
+          inset.border_px,
+          hasBackdrop(inset.camera, backdrop_camera)};
+}
 
 void addInsetFrame(Overlay& overlay, const FrameInset& inset, const TextAtlas& atlas) {
   constexpr std::uint32_t kTitlePlate = 0x14181CC8;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -19,6 +20,12 @@ struct BackdropPicture {
 
 /// The picture of a moment; null when there is none then.
 using BackdropAt = std::function<Result<std::shared_ptr<const BackdropPicture>>(LogTime)>;
+
+/// Whether the views of a camera have the backdrop, which is of `backdrop_camera`; empty: there is
+/// no backdrop.
+inline bool hasBackdrop(std::string_view camera, std::string_view backdrop_camera) {
+  return !backdrop_camera.empty() && camera == backdrop_camera;
+}
 
 /// Range of how much of a backdrop is drawn over the scene, besides all of it behind.
 inline constexpr double kBackdropOpacity = 0.5;

@@ -10,6 +10,7 @@
 #include "core/cell/scene_pose_cache.h"
 #include "core/session/event_alignment.h"
 #include "core/session/timeline.h"
+#include "viewer/view/render_style.h"
 
 namespace rocinante {
 
@@ -54,6 +55,9 @@ class BesideSession {
   Timeline session_;
   EventAlignment alignment_;
 };
+
+/// Makes all ghosts clear, those of the cell too: as a picture with a session beside has them.
+inline void setBesideLook(RenderStyle& style) { style.ghosts = GhostStyle::clear; }
 
 /// Whether every link of a device is where it is in the other scene, within the limits above.
 bool isSamePlace(const PosedDevice& a, const PosedDevice& b);

@@ -11,17 +11,6 @@ constexpr double kLimitRounding = 1e-6;
 
 }  // namespace
 
-void prepareExtras(const RenderStyle& style, const Cell& cell, const PosedScene& scene,
-                   const SessionState& state, std::optional<ClearanceGauge>& gauge,
-                   FrameExtras& extras) {
-  extras.limits.clear();
-  extras.clearances.clear();
-  if (style.limits) extras.limits = limitLevels(scene, state);
-  if (!style.clearance) return;
-  if (!gauge) gauge.emplace(cell);
-  extras.clearances = clearanceLines(cell, *gauge, state);
-}
-
 LimitLevel limitLevel(const JointLimits& limits, double value) {
   const double range = limits.upper - limits.lower;
   if (!std::isfinite(value)) return LimitLevel::beyond;

@@ -8,7 +8,6 @@
 #include "core/cell/posed_scene.h"
 #include "core/clearance/clearance_gauge.h"
 #include "core/math/vector.h"
-#include "viewer/view/render_style.h"
 
 namespace rocinante {
 
@@ -39,8 +38,7 @@ struct ClearanceLine {
   bool operator==(const ClearanceLine&) const = default;
 };
 
-/// Data for some looks besides the scene, computed only from the state and the log, by
-/// limitLevels(), TrailFinder and clearanceLines().
+/// Data for some looks besides the scene, computed only from the state and the log (ScenePoser).
 struct FrameExtras {
   /// By device of the scene and link of its model; empty: no tint.
   std::vector<std::vector<LimitLevel>> limits;
@@ -62,12 +60,5 @@ LimitLevel limitLevel(const JointLimits& limits, double value);
 /// The lines of the cell's clearances in a state, in their order. `gauge` is of the same cell.
 std::vector<ClearanceLine> clearanceLines(const Cell& cell, ClearanceGauge& gauge,
                                           const SessionState& state);
-
-/// What the style draws of a state beside the devices of its scene, trails left out. Before ghosts
-/// of another session are in the scene: limits and clearances are not theirs. `gauge` is made on
-/// first use.
-void prepareExtras(const RenderStyle& style, const Cell& cell, const PosedScene& scene,
-                   const SessionState& state, std::optional<ClearanceGauge>& gauge,
-                   FrameExtras& extras);
 
 }  // namespace rocinante

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/render/inset_frame.h"
 #include "viewer/ui/model/inset_columns.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/view/inset_layout.h"
@@ -63,6 +64,7 @@ std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int
   const std::vector<PixelRectangle> parts =
       placeInsets(window.columns.insets, width, height, scale);
   std::vector<FrameInset> shown;
+  const std::string backdrop_camera = model.backdrop ? model.backdrop->camera : std::string();
   model.viewer.inset_places.clear();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].width == 0 || parts[i].height == 0) continue;
@@ -73,8 +75,7 @@ std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int
                            parts[i].width, parts[i].height);
     }
     if (!camera.ok()) continue;
-    shown.push_back({parts[i], *camera, insetTitle(inset), inset.border_rgba, inset.border_px});
-    shown.back().has_backdrop = model.backdrop && inset.camera == model.backdrop->camera;
+    shown.push_back(frameInset(inset, parts[i], *camera, backdrop_camera));
     model.viewer.inset_places.push_back(
         {window.numbers[window.columns.shown[i]], parts[i], *camera});
   }

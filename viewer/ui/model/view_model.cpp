@@ -14,7 +14,7 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
                                   std::vector<std::string> show) {
   ViewModel model;
   model.cell_ = std::make_unique<Cell>(std::move(cell));
-  model.poses_.emplace(*model.cell_);
+  model.poser_.emplace(*model.cell_);
   model.names_.emplace(*model.cell_);
   if (session) model.names_->useLog(session->log().name());
   if (feed) model.names_->expectOthers();
@@ -80,15 +80,10 @@ Status ViewModel::updateChoice() {
 }
 
 Status ViewModel::findTrails(LogTime moment) {
-  extras_.trails.clear();
-  if (style_.trails.empty() || !session_) return {};
-  if (!trail_finder_) trail_finder_.emplace(*cell_);
   // Places behind the end of a log that grows would be remembered as they are not.
-  const LogTime known = log_grows_ ? std::min(moment, session_->end()) : moment;
-  auto trails = trail_finder_->find(style_.trails, *session_, known, damage_);
-  if (!trails.ok()) return trails.error();
-  extras_.trails = std::move(*trails);
-  return {};
+  const bool may_lack = log_grows_ && session_;
+  const LogTime known = may_lack ? std::min(moment, session_->end()) : moment;
+  return poser_->findTrails(style_, session(), known, damage_, extras_);
 }
 
 Status ViewModel::findState(LogTime moment) {
@@ -168,8 +163,7 @@ Result<bool> ViewModel::update(SteadyTime now) {
 }
 
 Status ViewModel::pose(LogTime moment) {
-  scene_ = poses_->pose(*state_);
-  prepareExtras(style_, *cell_, scene_, *state_, clearances_, extras_);
+  scene_ = poser_->pose(style_, *state_, extras_);
   publishing.addTo(scene_);
   if (feed_ && showsNow()) {
     // That window's pointer has gone silent: drop it.

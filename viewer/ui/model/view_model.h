@@ -10,7 +10,6 @@
 
 #include "core/cell/cell.h"
 #include "core/cell/posed_scene.h"
-#include "core/cell/scene_pose_cache.h"
 #include "core/session/timeline.h"
 #include "viewer/shown/turntable.h"
 #include "viewer/ui/live/live_feed.h"
@@ -35,7 +34,7 @@
 #include "viewer/view/inset_layout.h"
 #include "viewer/view/known_names.h"
 #include "viewer/view/render_style.h"
-#include "viewer/view/trail_finder.h"
+#include "viewer/view/scene_poser.h"
 #include "viewer/view/view_choice.h"
 
 namespace rocinante {
@@ -293,13 +292,11 @@ class ViewModel {
   const SessionState* received_ = &empty_state_;
   bool scene_is_old_ = false;  ///< not posed of what is received
   const SessionState* state_ = &empty_state_;
-  std::optional<ScenePoseCache> poses_;  // of *cell_
+  std::optional<ScenePoser> poser_;  // of *cell_
   PosedScene scene_;
   RenderStyle style_;
   bool style_changed_ = false;
   bool looks_by_default_ = false;
-  std::optional<TrailFinder> trail_finder_;
-  std::optional<ClearanceGauge> clearances_;  // made on first use
   FrameExtras extras_;
   std::vector<Misfit> mismatched_;
   std::optional<SteadyTime> mismatched_at_;

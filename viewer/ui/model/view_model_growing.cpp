@@ -180,8 +180,7 @@ Result<std::filesystem::path> ViewModel::logOfShownMoment() {
     takeOverLog();
     // This frame draws it, before the next update.
     state_ = hand.over(*received_, moment);
-    scene_ = poses_->pose(*state_);
-    publishing.addTo(scene_);
+    if (auto posed = pose(moment); !posed) return posed.error();
     if (!session_) return Error{ErrorKind::unreadable, keeping_trouble_, {}};
   }
   return std::filesystem::path(session_->logAt(moment).name());

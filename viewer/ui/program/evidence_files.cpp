@@ -22,9 +22,10 @@ std::string sinceOrigin(const ViewModel& model) {
 }
 
 bool showsBackdrop(const ViewModel& model) {
-  return model.cameraName() == model.backdrop->camera ||
+  const std::string& camera = model.backdrop->camera;
+  return hasBackdrop(model.cameraName(), camera) ||
          std::ranges::any_of(model.viewer.insets, [&](const InsetChoice& choice) {
-           return choice.shown && choice.inset.camera == model.backdrop->camera;
+           return choice.shown && hasBackdrop(choice.inset.camera, camera);
          });
 }
 

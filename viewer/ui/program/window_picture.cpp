@@ -8,25 +8,21 @@
 namespace rocinante {
 
 SceneFrame WindowPicture::frame(const RenderStyle& style) const {
-  SceneFrame frame;
-  frame.scene = &model_.scene();
-  frame.camera = model_.cameraView();
-  frame.choice = &model_.choice();
-  frame.style = &style;
-  frame.extras = &model_.extras();
+  SceneFrame frame{&model_.scene(), model_.cameraView(), &model_.choice(), &style,
+                   &model_.extras()};
   frame.insets = insets_;
   frame.scale = terms_.scale;
   if (model_.backdrop && model_.backdrop->shown) {
     frame.backdrop = model_.backdrop->picture.get();
     frame.backdrop_opacity = model_.backdrop->opacity;
-    frame.main_has_backdrop = model_.cameraName() == model_.backdrop->camera;
+    frame.main_has_backdrop = hasBackdrop(model_.cameraName(), model_.backdrop->camera);
   }
   return frame;
 }
 
 RenderStyle WindowPicture::style() const {
   RenderStyle style = model_.frameStyle();
-  if (model_.beside() != nullptr && model_.beside_shown) style.ghosts = GhostStyle::clear;
+  if (model_.beside() != nullptr && model_.beside_shown) setBesideLook(style);
   return style;
 }
 
