@@ -74,8 +74,7 @@ std::string frozenText(const MotionShape& shape, const ShapeReader& reader) {
 }
 
 std::string lateText(const MotionShape& shape, const ShapeReader& reader) {
-  const double plain =
-      reader.rms([&](double i) { return reader.run(i) - reader.accepted(i); });
+  const double plain = reader.rms([&](double i) { return reader.run(i) - reader.accepted(i); });
   double best = plain;
   double best_lag = 0;
   const double half = 0.5;

@@ -99,10 +99,10 @@ void judgeEnd(const RunTimes& times, std::vector<RunFinding>& findings) {
   finding.first_accepted = finding.at_accepted = *first;
   finding.first_run = finding.at_run = times.sinceRunOrigin(times.runEnd());
   finding.sorts_at = *first - Nanoseconds(1);
-  finding.what =
-      fmt::format("the log ends {} before the accepted one",
-                  short_by < std::chrono::seconds(1) ? figureText(secondsOf(short_by) * 1e3, "ms")
-                                                     : fmt::format("{:.1f} s", secondsOf(short_by)));
+  finding.what = fmt::format("the log ends {} before the accepted one",
+                             short_by < std::chrono::seconds(1)
+                                 ? figureText(secondsOf(short_by) * 1e3, "ms")
+                                 : fmt::format("{:.1f} s", secondsOf(short_by)));
   findings.push_back(std::move(finding));
 }
 

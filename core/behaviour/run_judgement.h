@@ -73,8 +73,8 @@ struct RunJudgement {
   std::vector<std::string> notes;
   RunCoverage coverage;
   std::size_t accepted = 0;
-  std::size_t items = 0;   ///< of `coverage.judged`, but for events
-  std::size_t events = 0;  ///< of the first accepted session, but for masked ones
+  std::size_t items = 0;          ///< of `coverage.judged`, but for events
+  std::size_t events = 0;         ///< of the first accepted session, but for masked ones
   std::uint64_t values = 0;       ///< of packets, compared with what the other side has about then
   Nanoseconds from{0}, until{0};  ///< the judged range, since the accepted origin
   TimeMap times{};                ///< from the first accepted session to the run; not in reports

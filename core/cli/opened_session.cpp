@@ -1,13 +1,26 @@
 #include "core/cli/opened_session.h"
 
+#include <functional>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include "core/check/log_account.h"
-#include "core/cli/import_progress.h"
 #include "core/cli/program.h"
+#include "core/cli/progress_line.h"
 
 namespace rocinante::cli {
 namespace {
+
+/// "importing NAME 42 %", and an error once the user asked to stop. The line disappears with the
+/// last copy of the callback.
+std::function<Status(double)> importProgress(const std::string& name) {
+  return [line = std::make_shared<ProgressLine>("importing " + name)](double part) -> Status {
+    line->show(part);
+    if (stopRequested()) return Error{ErrorKind::refused, "stopped while importing", {}};
+    return {};
+  };
+}
 
 RecordingRequest requestOf(const std::filesystem::path& recording,
                            const std::filesystem::path& cell, const ModelSearch& search) {

@@ -49,7 +49,8 @@ class Objections {
     for (const Finding& finding : report->findings) {
       if (report->isFailure(finding) && !isOfPicturesOnly(finding.rule)) {
         const std::string hint = finding.hint.empty() ? "" : " (" + plainText(finding.hint) + ")";
-        found_.push_back(fmt::format("{}{} [{}]", plainText(sentenceOf(finding)), hint, finding.rule));
+        found_.push_back(
+            fmt::format("{}{} [{}]", plainText(sentenceOf(finding)), hint, finding.rule));
       }
     }
     if (report->verdict == CheckVerdict::nothing_judged && found_.empty()) {

@@ -258,7 +258,8 @@ std::string asAcceptedText(const SuiteReport& report) {
 }
 
 std::string reportMarkdown(const SuiteReport& report, const std::string& page) {
-  std::string text = fmt::format("## {}: {}\n\n", markdownText(report.suite), asAcceptedText(report));
+  std::string text =
+      fmt::format("## {}: {}\n\n", markdownText(report.suite), asAcceptedText(report));
   addRunsMarkdown(report, text);
   addFramesMarkdown(report, text);
   const bool is_all_fine = std::ranges::all_of(report.frames, isFine, &JudgedFrame::verdict) &&

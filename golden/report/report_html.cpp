@@ -208,7 +208,8 @@ Json shownFirst(const SuiteReport& report) {
 
 /// Failures as text, for browsers without scripts.
 std::string plainHtml(const SuiteReport& report) {
-  std::string html = fmt::format("<p>{}: {}.</p>\n", nameOf(report.verdict()), asAcceptedText(report));
+  std::string html =
+      fmt::format("<p>{}: {}.</p>\n", nameOf(report.verdict()), asAcceptedText(report));
   const std::string cause = firstSentence(report);
   if (!cause.empty()) html = fmt::format("<p>{}</p>\n", xmlText(cause)) + html;
   html += "<ul>\n";

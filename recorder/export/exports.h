@@ -8,8 +8,6 @@
 
 #include "core/base/result.h"
 #include "core/cell/cell.h"
-#include "recorder/gltf/gltf_recording.h"
-#include "recorder/pcap/pcap_file.h"
 #include "core/foreign/session/exported_mcap.h"
 #include "core/foreign/session/session_format.h"
 #include "core/foreign/table/session_table.h"
@@ -21,6 +19,8 @@
 #include "recorder/export/derived_columns.h"
 #include "recorder/export/link_columns.h"
 #include "recorder/export/timed_notes.h"
+#include "recorder/gltf/gltf_recording.h"
+#include "recorder/pcap/pcap_file.h"
 
 namespace rocinante {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "recorder/gltf/gltf_link.h"
 #include "core/foreign/session/link_frames.h"
+#include "recorder/gltf/gltf_link.h"
 
 namespace rocinante {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/cell/posed_scene.h"
-#include "recorder/gltf/gltf_meshes.h"
 #include "core/report/json_name.h"
+#include "recorder/gltf/gltf_meshes.h"
 
 namespace rocinante {
 

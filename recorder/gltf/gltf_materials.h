@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "recorder/gltf/gltf_binary.h"
 #include "core/mesh/mesh.h"
 #include "core/report/json_text.h"
+#include "recorder/gltf/gltf_binary.h"
 
 namespace rocinante {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/cell/posed_scene.h"
-#include "recorder/gltf/gltf_materials.h"
 #include "core/report/json_text.h"
+#include "recorder/gltf/gltf_materials.h"
 
 namespace rocinante {
 

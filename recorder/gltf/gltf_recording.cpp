@@ -8,11 +8,11 @@
 
 #include "core/base/figure_text.h"
 #include "core/base/version.h"
-#include "recorder/gltf/gltf_link.h"
-#include "recorder/gltf/gltf_meshes.h"
 #include "core/foreign/session/link_frames.h"
 #include "core/math/transform.h"
 #include "core/report/json_text.h"
+#include "recorder/gltf/gltf_link.h"
+#include "recorder/gltf/gltf_meshes.h"
 
 namespace rocinante {
 namespace {

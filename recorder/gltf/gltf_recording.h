@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/cell/posed_scene.h"
+#include "core/packet/session_state.h"
 #include "recorder/gltf/gltf_binary.h"
 #include "recorder/gltf/key_track.h"
-#include "core/packet/session_state.h"
 
 namespace rocinante {
 

@@ -15,11 +15,11 @@
 #include "core/foreign/recordings/cell_and_log.h"
 #include "core/log/damage_text.h"
 #include "core/report/account.h"
-#include "recorder/ros_out/ros2_format.h"
 #include "core/report/json_text.h"
 #include "recorder/export/exports.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/commands.h"
+#include "recorder/ros_out/ros2_format.h"
 
 namespace rocinante {
 namespace {
@@ -72,7 +72,8 @@ Result<std::vector<TimedNote>> findingsOf(const ExportArguments& arguments, cons
                              : finding.severity == Severity::warning ? EventLevel::warning
                                                                      : EventLevel::info;
     std::string text = cell.shown(sentenceOf(finding));
-    if (finding.count > 1 && finding.left_out.empty()) text += fmt::format(" ({} times)", finding.count);
+    if (finding.count > 1 && finding.left_out.empty())
+      text += fmt::format(" ({} times)", finding.count);
     notes.push_back({finding.first.value_or(std::max(from, log->summary().start)), level,
                      finding.rule, std::move(text)});
   }

@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "recorder/ros_out/cdr_writer.h"
 #include "core/foreign/session/exported_mcap.h"
 #include "core/foreign/session/given_names.h"
 #include "core/packet/channel_names.h"
+#include "recorder/ros_out/cdr_writer.h"
 
 namespace rocinante {
 namespace {

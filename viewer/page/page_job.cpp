@@ -60,7 +60,8 @@ std::string attachedText(const Bytes& bytes) {
 
 void noteFaults(const Cell& cell, PageReport& report) {
   for (const Finding& fault : cell.faults) {
-    report.warnings.push_back(sentenceOf(fault) + (fault.file.empty() ? "" : " (" + fault.file + ")"));
+    report.warnings.push_back(sentenceOf(fault) +
+                              (fault.file.empty() ? "" : " (" + fault.file + ")"));
     if (fault.severity == Severity::error) report.is_whole = false;
   }
 }

@@ -273,7 +273,8 @@ const Rule* findRule(std::string_view id) {
 }
 
 bool isOfPicturesOnly(std::string_view id) {
-  constexpr auto kFamilies = std::to_array<std::string_view>({"collada", "mesh", "mtl", "obj", "stl"});
+  constexpr auto kFamilies =
+      std::to_array<std::string_view>({"collada", "mesh", "mtl", "obj", "stl"});
   return id == "model.missing-file" || id == "model.unusable-mesh" ||
          std::ranges::find(kFamilies, id.substr(0, id.find('.'))) != kFamilies.end();
 }

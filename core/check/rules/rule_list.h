@@ -27,8 +27,8 @@ std::span<const Rule> allRules();
 /// Null when there is no rule of that id.
 const Rule* findRule(std::string_view id);
 
-/// What it finds is wrong in a file of a mesh, and so in pictures alone: links and joints move all the
-/// same.
+/// What it finds is wrong in a file of a mesh, and so in pictures alone: links and joints move all
+/// the same.
 bool isOfPicturesOnly(std::string_view id);
 
 }  // namespace rocinante

@@ -211,9 +211,10 @@ std::string momentText(LogTime time) {
 std::string findingChangeText(const FindingChange& change) {
   const Finding& finding = change.finding;
   const std::string place = finding.place();
-  std::string text = fmt::format(
-      "{} {}: {}{}{}: {} [{}]", momentText(change.at), change.begins ? "begins" : "ends", place,
-      place.empty() ? "" : ": ", nameOf(finding.severity), plainText(sentenceOf(finding)), finding.rule);
+  std::string text =
+      fmt::format("{} {}: {}{}{}: {} [{}]", momentText(change.at),
+                  change.begins ? "begins" : "ends", place, place.empty() ? "" : ": ",
+                  nameOf(finding.severity), plainText(sentenceOf(finding)), finding.rule);
   if (change.begins || !finding.first) return text;
   const auto lasted = std::chrono::floor<std::chrono::milliseconds>(*finding.last - *finding.first);
   return text +

@@ -168,7 +168,8 @@ TEST_F(NumberSignals, ASetPointThatIsSentWhenItChangesMayBeLateAndNotDifferent) 
     session.say("cell", at_s, "signals arm target=0.35");
     return session;
   };
-  for (const auto& [at_s, how] : {std::pair(3.4, "; 400 ms late"), std::pair(2.5, "; 500 ms early")}) {
+  for (const auto& [at_s, how] :
+       {std::pair(3.4, "; 400 ms late"), std::pair(2.5, "; 500 ms early")}) {
     const RunJudgement moved = judged(one(3), one(at_s));
     EXPECT_TRUE(moved.rule.ends_with(how)) << textOfFindings(moved);
   }

@@ -128,7 +128,8 @@ TEST_F(ReportTest, PageTellsHowManyOfEach) {
   run.verdict = FrameVerdict::same;
   report_.runs.push_back(run);
   const std::string page = reportHtml(report_);
-  EXPECT_THAT(page, HasSubstr("<p>different: 1 of 2 frames as accepted, 1 of 1 run as accepted.</p>"));
+  EXPECT_THAT(page,
+              HasSubstr("<p>different: 1 of 2 frames as accepted, 1 of 1 run as accepted.</p>"));
   EXPECT_THAT(page, HasSubstr(R"("run_counts":{"different":0,)"));
 }
 

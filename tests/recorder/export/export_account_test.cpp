@@ -9,8 +9,8 @@
 #include <random>
 
 #include "core/foreign/foxglove/foxglove_format.h"
-#include "recorder/ros_out/ros2_format.h"
 #include "recorder/export/exports.h"
+#include "recorder/ros_out/ros2_format.h"
 #include "tests/recorder/export/written_session.h"
 #include "tests/support/temporary_folder.h"
 

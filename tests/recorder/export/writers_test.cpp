@@ -7,15 +7,15 @@
 
 #include "core/foreign/foxglove/foxglove_format.h"
 #include "core/foreign/foxglove/signal_json.h"
-#include "recorder/pcap/pcap_file.h"
 #include "core/foreign/proto/proto_schema.h"
 #include "core/foreign/proto/proto_writer.h"
-#include "recorder/ros_out/cdr_writer.h"
-#include "recorder/ros_out/ros2_format.h"
 #include "core/foreign/session/exported_mcap.h"
 #include "core/foreign/session/given_names.h"
 #include "core/foreign/session/session_format.h"
 #include "core/packet/packet_text.h"
+#include "recorder/pcap/pcap_file.h"
+#include "recorder/ros_out/cdr_writer.h"
+#include "recorder/ros_out/ros2_format.h"
 
 namespace rocinante {
 namespace {

@@ -66,7 +66,8 @@ TEST(RuleList, FindsEachRuleByItsIdAndNothingElse) {
 }
 
 TEST(RuleList, KnowsWhatConcernsPicturesOnly) {
-  for (const char* id : {"mesh.texture", "obj.bad-number", "mtl.no-material", "model.missing-file"}) {
+  for (const char* id :
+       {"mesh.texture", "obj.bad-number", "mtl.no-material", "model.missing-file"}) {
     EXPECT_TRUE(isOfPicturesOnly(id)) << id;
   }
   for (const char* id : {"cell.missing-file", "urdf.xml", "joint.limit", "meshes.x", ""}) {
