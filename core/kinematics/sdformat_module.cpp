@@ -23,6 +23,7 @@
 #include <sdf/Visual.hh>
 #include <sdf/World.hh>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -178,6 +179,10 @@ void tellJoint(const RocinanteSdfSink& sink, const sdf::Joint& joint, const With
   std::string parent, child;
   tell(sink, joint.ResolveParentLink(parent));
   tell(sink, joint.ResolveChildLink(child));
+  // What does not resolve is refused by the name that the file has.
+  for (auto [link, element] : {std::pair(&parent, "parent"), std::pair(&child, "child")}) {
+    if (link->empty() && joint.Element()) *link = joint.Element()->Get<std::string>(element);
+  }
   if (parent != "world") parent.insert(0, model.prefix);
   child.insert(0, model.prefix);
   RocinanteSdfJoint described{};

@@ -85,6 +85,14 @@ TEST(SdfReader, WhatItCannotReadIsToldAndTheRestIsLoaded) {
       "(types are fixed, revolute, continuous, prismatic) [sdf.unknown-joint-type]\n");
 }
 
+TEST(SdfReader, ALinkThatDoesNotExistIsNamed) {
+  ROCINANTE_NEEDS_SDF;
+  const ReadSdf read(R"(<sdf version='1.7'><model name='a'><link name='base'/><link name='hand'/>
+<joint name='turn' type='fixed'><parent>bsae</parent><child>hand</child></joint></model></sdf>)");
+  EXPECT_THAT(read.faultText(),
+              HasSubstr("the parent of joint `turn` is `bsae`, which is not a link"));
+}
+
 TEST(SdfReader, WhatIsNoSdfIsRefusedWithItsReason) {
   ROCINANTE_NEEDS_SDF;
   for (const char* text : {"", "no XML", "<sdf version='1.7'/>", "<robot name='r'/>",
