@@ -68,7 +68,7 @@ std::string pageFindings(const CheckReport& report) {
     one["rule"] = finding.rule;
     one["text"] = pathless(sentenceOf(finding), finding.file);
     if (!finding.hint.empty()) one["hint"] = pathless(finding.hint, finding.file);
-    one["count"] = finding.count;
+    one["count"] = finding.left_out.empty() ? finding.count : 1;  // else the text has it
     if (!finding.subject.empty()) one["subject"] = pathless(finding.subject, finding.file);
     if (finding.first) {
       one["first_ns"] = (*finding.first - report.origin).count();

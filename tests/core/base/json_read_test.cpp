@@ -14,10 +14,10 @@ std::string_view nameOf(Size size) {
   return size == Size::small ? "small" : size == Size::large ? "large" : "huge";
 }
 
-using Tree = nlohmann::ordered_json;
+using OrderedTree = nlohmann::ordered_json;
 
-const Tree& example() {
-  static const Tree kExample = Tree::parse(
+const OrderedTree& example() {
+  static const OrderedTree kExample = OrderedTree::parse(
       R"({"name": "arm", "count": 3, "share": 0.5, "on": true, "list": ["a", 1, "b"], "none": null})");
   return kExample;
 }
@@ -49,7 +49,7 @@ TEST(JsonRead, TakesAMissingFieldOrAnotherTypeAsEmpty) {
 TEST(JsonRead, TakesWhatIsNotAnObjectAsEmpty) {
   for (const char* text : {"null", "3", "\"name\"", "[\"name\"]"}) {
     SCOPED_TRACE(text);
-    const Tree tree = Tree::parse(text);
+    const OrderedTree tree = OrderedTree::parse(text);
     EXPECT_TRUE(fieldIn(tree, "name").is_null());
     EXPECT_EQ(textIn(tree, "name"), "");
     EXPECT_EQ(textIn(fieldIn(tree, "name"), "name"), "");

@@ -96,10 +96,14 @@ Status setUnits(CommandWords words, const CommandStage& stage) {
   if (words.empty()) {
     const Units of_packets{AngleUnit::radians, LengthUnit::metres};
     units = units == of_packets ? Units{} : of_packets;
-    return {};
+  } else if (!setUnit(units, words[0])) {
+    return badWord(fmt::format("`{}` is not a unit: deg, rad, mm or m", words[0]));
   }
-  if (setUnit(units, words[0])) return {};
-  return badWord(fmt::format("`{}` is not a unit: deg, rad, mm or m", words[0]));
+  // For what follows in the same frame.
+  RenderStyle style = stage.model.style();
+  style.lengths = units.length;
+  stage.model.setStyle(style);
+  return {};
 }
 
 }  // namespace

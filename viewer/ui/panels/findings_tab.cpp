@@ -43,7 +43,8 @@ void drawExplanation(const ViewModel& model, const Finding& finding) {
   ImGui::TextUnformatted(linesOf(sentenceOf(finding)).c_str());
   if (!finding.hint.empty()) ImGui::TextDisabled("%s", linesOf(finding.hint).c_str());
   std::string when = finding.first ? "at " + secondsAt(model, *finding.first) + " s" : "";
-  if (finding.count > 1) when += fmt::format("{}{} times", when.empty() ? "" : ", ", finding.count);
+  const bool is_counted = finding.count > 1 && finding.left_out.empty();  // else the text has it
+  if (is_counted) when += fmt::format("{}{} times", when.empty() ? "" : ", ", finding.count);
   if (finding.count > 1 && finding.last)
     when += ", until " + secondsAt(model, *finding.last) + " s";
   if (!when.empty()) ImGui::TextDisabled("%s", linesOf(when).c_str());

@@ -214,9 +214,11 @@ void ViewApp::prepareView() {
   }
   interface_.useTheme(model_.viewer.panels.is_light);
   if (detail_.prepare(picture_.renderer())) picture_.changed();
-  // What a frame cost says nothing of another look.
-  if (const RenderStyle& style = model_.style(); style != style_) {
-    style_ = style;
+  // What a frame cost says nothing of another look. The unit of lengths is none.
+  RenderStyle style = model_.style();
+  style.lengths = style_.lengths;
+  if (style != style_) {
+    style_ = std::move(style);
     detail_.forget();
   }
   detail_.setLooksByDefault(model_.hasLooksByDefault());

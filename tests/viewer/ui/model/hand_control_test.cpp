@@ -5,6 +5,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/kept_datagrams.h"
 #include "tests/viewer/support/test_session.h"
+#include "viewer/ui/commands/command.h"
 #include "viewer/ui/commands/key_commands.h"
 #include "viewer/ui/model/view_model.h"
 
@@ -87,6 +88,11 @@ TEST_F(MovedByHand, KeysGiveJointsBackAndSwitchUnits) {
   EXPECT_EQ(model.hand.units, (Units{AngleUnit::radians, LengthUnit::metres}));
   EXPECT_TRUE(runKey(*parseKey("U"), stage));
   EXPECT_EQ(model.hand.units, Units{});
+  // Of two commands of one frame, too, the last one is heard.
+  const std::vector<std::string> metres = {"m"}, in_style = {"lengths", "mm"};
+  ASSERT_TRUE(runCommand("units", metres, stage).ok());
+  ASSERT_TRUE(runCommand("style", in_style, stage).ok());
+  EXPECT_EQ(model.hand.units.length, LengthUnit::millimetres);
 }
 
 TEST_F(MovedByHand, LengthsInThePictureAndInThePanelsHaveOneUnit) {
