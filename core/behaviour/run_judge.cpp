@@ -176,6 +176,35 @@ void sortByCause(std::vector<RunFinding>& findings) {
   std::stable_sort(findings.begin(), findings.end());
 }
 
+/// Of the coverage, but for what is an event alone.
+std::size_t itemsJudged(const RunCoverage& coverage,
+                        const std::vector<const SessionTrack*>& accepted, const SessionTrack& run) {
+  std::set<std::string> events;
+  std::vector<const SessionTrack*> tracks = accepted;
+  tracks.push_back(&run);
+  for (const SessionTrack* track : tracks) {
+    for (const Event& event : track->events) events.insert(itemOf(event));
+  }
+  // A device may be named "event".
+  for (const SessionTrack* track : tracks) {
+    for (const auto& [name, device] : track->devices) {
+      for (const TrackColumn& column : device.columns) events.erase(itemOf(name, column));
+    }
+  }
+  return static_cast<std::size_t>(std::ranges::count_if(
+      coverage.judged, [&](const std::string& item) { return !events.contains(item); }));
+}
+
+/// Whether how often a device is stated was judged.
+bool hasRates(const RunTimes& times) {
+  const SessionTrack& first = *times.accepted.front();
+  return std::ranges::any_of(times.run.devices, [&](const auto& device) {
+    const auto accepted = first.devices.find(device.first);
+    return !times.spec.isMaskedThroughout(device.first) && isStated(device.second) &&
+           accepted != first.devices.end() && isStated(accepted->second);
+  });
+}
+
 /// Why nothing was judged, so that there is no verdict.
 std::string nothingJudged(const RunJudgement& judged) {
   if (!judged.coverage.masked.empty() && judged.coverage.lost.empty()) {
@@ -211,8 +240,7 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
   judged.until = first.end - first.origin;
   RunEvents events = judgeEvents(spec, accepted, run);
   judged.coverage = coverageOf(spec, accepted, run);
-  judged.items = static_cast<std::size_t>(std::ranges::count_if(
-      judged.coverage.judged, [](const std::string& item) { return !item.starts_with("event/"); }));
+  judged.items = itemsJudged(judged.coverage, accepted, run);
   judged.events = static_cast<std::size_t>(std::ranges::count_if(
       first.events, [&](const Event& event) { return !spec.isMaskedThroughout(itemOf(event)); }));
   const auto cannotAlign = [&](const EventAlignment& alignment) {
@@ -238,7 +266,7 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
   judged.times = std::move(events.run_map);
   judged.findings = std::move(events.findings);
   judgeMotion(times, parallel, judged);
-  if (judged.items == 0 && judged.events == 0 && judged.findings.empty()) {
+  if (judged.items == 0 && judged.events == 0 && !hasRates(times) && judged.findings.empty()) {
     judged.comparable = false;
     judged.rule = nothingJudged(judged);
     return judged;

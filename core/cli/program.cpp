@@ -115,6 +115,8 @@ int run(const Program& program, int argc, char** argv, std::string_view examples
   fillClosedStandardStreams();
   // Makes write() report the file size limit as an error, like a full disk.
   ::signal(SIGXFSZ, SIG_IGN);
+  // Ignored by whoever started us, it would take how our own children ended.
+  ::signal(SIGCHLD, SIG_DFL);
   CLI::App& app = program.app();
   program_name = app.get_name();
   app.set_version_flag("--version", version());

@@ -19,8 +19,8 @@ class Finding:
     first: float | None    #: session time of the first, in seconds
     last: float | None
     is_accepted: bool      #: by the baseline
-    is_of_pictures_only: bool  #: in the file of a mesh; links and joints move all the same
     document: Mapping[str, Any]
+    is_of_pictures_only: bool = False  #: in the file of a mesh; links and joints move all the same
 
     def __str__(self) -> str:
         when = "" if self.first is None else f" at {self.first:.3f} s"
@@ -40,7 +40,7 @@ class Findings(_List):
         super().__init__(
             Finding(each["rule"], each["severity"], each.get("subject") or "", each["text"],
                     each.get("hint") or "", each["count"], each.get("first_s"), each.get("last_s"),
-                    each["accepted"], each.get("pictures_only", False), each) for each in document["findings"])
+                    each["accepted"], each, each.get("pictures_only", False)) for each in document["findings"])
         self.document = document  #: all of it, as `rocinante check --json` prints it
         self.ok = ok              #: nothing is as severe as `fail_on`
         self.verdict: str = document["verdict"]

@@ -10,6 +10,7 @@
 
 #include "tests/core/behaviour/demo_regressions.h"
 #include "tests/core/behaviour/run_test.h"
+#include "tests/support/write_file.h"
 
 namespace rocinante {
 namespace {
@@ -233,6 +234,30 @@ TEST_F(RunCoverageTest, TheEndOfALogComesBeforeWhatItCauses) {
   EXPECT_TRUE(ended.rule.starts_with("the log ends 3") &&
               ended.rule.find(" ms before the accepted one") != std::string::npos)
       << textOfFindings(ended);
+}
+
+/// The joints of a device that is named as events are.
+TEST_F(RunCoverageTest, ItemsAreThoseOfTheCoverageButForEvents) {
+  test::writeFile(folder_ / "swing.urdf", R"(<robot name="r"><link name="a"/><link name="b"/>
+<joint name="turn" type="continuous"><parent link="a"/><child link="b"/></joint></robot>)");
+  test::writeFile(folder_ / "cell.toml",
+                  "format = 1\n[[device]]\nname = \"event\"\nmodel = \"swing.urdf\"\n");
+  const Cell cell = cellAt(folder_ / "cell.toml");
+  SaidSession session;
+  session.packets = {{0, "event", "RK1 event@0a 0 -", "joints event 0\n"},
+                     {1, "event", "RK1 event@0a 1 -", "event \"done\"\n"}};
+  const auto track = trackOf(cell, session);
+  ASSERT_TRUE(track.ok()) << track.error().text();
+  RunSpec spec;
+  const RunJudgement judged = judgeRun(spec, {&*track}, *track);
+  EXPECT_EQ(judged.items, 1U) << textOfFindings(judged);
+  EXPECT_EQ(judged.coverage.judged.size(), 2U);
+  // How often it is stated is left.
+  spec.align = RunAlign::origin;
+  spec.masks = {{"event/*"}};
+  const RunJudgement masked = judgeRun(spec, {&*track}, *track);
+  EXPECT_TRUE(masked.comparable) << masked.rule;
+  EXPECT_EQ(masked.items, 0U);
 }
 
 /// Each layer is a fact and an item of its own.
