@@ -36,9 +36,19 @@ std::string acceptingLimit(const std::string& item, const ColumnMeasure& measure
   return fmt::format("\"{}\" = {{ {} = {:.4g} }}", item, measure.key, limit);
 }
 
+/// Of a value that is stated when it changes, one packet is beyond its limit, and what it states
+/// holds. `last` for one that does not.
+std::size_t endOfHeld(const std::vector<double>& run, const std::vector<double>& accepted,
+                      std::size_t first, std::size_t last, double limit, std::int64_t step) {
+  constexpr std::int64_t kHeld = 100'000'000;
+  std::size_t held = last;
+  while (held + 1 < run.size() && std::abs(run[held + 1] - accepted[held + 1]) > limit) ++held;
+  return static_cast<std::int64_t>(held - first) * step < kHeld ? last : held;
+}
+
 /// In words, from values at equal times.
 std::string howColumnsDiffer(const JudgedColumn& judged, const ColumnMeasure& measure) {
-  constexpr std::int64_t kMargin = 1'100'000'000;  // what is late or early by a second
+  constexpr std::int64_t kMargin = 2'100'000'000;  // as much beside what is late by a second
   constexpr std::int64_t kMostMoments = 4'000;
   constexpr std::int64_t kFinest = 1'000'000;
   const std::int64_t from = std::max<std::int64_t>(0, *measure.first - kMargin);
@@ -58,9 +68,12 @@ std::string howColumnsDiffer(const JudgedColumn& judged, const ColumnMeasure& me
     return std::min(static_cast<std::size_t>(std::max<std::int64_t>(0, time - from) / step),
                     run.size() - 1);
   };
-  return howItDiffers({run, accepted, placeOf(*measure.first), placeOf(measure.last),
-                       static_cast<double>(step) * 1e-9, scaleOf(judged.column), measure.limit,
-                       measure.unit});
+  const std::size_t first = placeOf(*measure.first);
+  const double scale = scaleOf(judged.column);
+  std::size_t last = placeOf(measure.last);
+  if (last < first + 2) last = endOfHeld(run, accepted, first, last, measure.limit / scale, step);
+  return howItDiffers({run, accepted, first, last, static_cast<double>(step) * 1e-9, scale,
+                       measure.limit, measure.unit});
 }
 
 std::string sentenceOf(const JudgedColumn& judged, const ColumnMeasure& measure) {

@@ -117,7 +117,7 @@ TEST(CheckWatch, RunsACommandWithTheFindingOnItsInput) {
   watched.program->waitForLine("\"event\":\"ends\"");
   const test::ProgramResult result = watched.program->stop();
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("note-it --to 'me;you' exited with 3"));
+  EXPECT_THAT(result.err, HasSubstr("note-it --to 'me;you' failed (exit 3)"));
 }
 
 TEST(CheckWatch, ManyCommandsThatHangStopNothing) {

@@ -137,9 +137,6 @@ TEST_F(WindowAndSession, AnotherColour) {
 TEST_F(WindowAndSession, WhatHasNoFigureIsTheLargest) {
   Packets fresh = turning();
   fresh[100].second = "joints left 3\njoints right " + std::to_string(std::sin(1.0)) + "\n";
-  EXPECT_THAT(apart(turning(), fresh), ElementsAre("left"));
-  ASSERT_TRUE(largest_);
-  EXPECT_FALSE(largest_->size.empty());
   fresh[250].second += "color right #2040ff\n";
   EXPECT_THAT(apart(turning(), fresh), ElementsAre("left", "right"));
   ASSERT_TRUE(largest_);

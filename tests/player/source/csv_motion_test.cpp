@@ -92,7 +92,7 @@ TEST(CsvMotion, WhatCannotBeASignalIsNamed) {
   EXPECT_EQ(signalsOf(motion), "signal arm on: 0 3\nsignal arm mode:\n");
   EXPECT_EQ(
       accountSentence(motion.left_out),
-      "left out: 1 column `signal a%zz x` (packets have no such name), 1 column `arm.on` (said "
+      "left out: 1 column `signal a%zz x` (packets have no such name), 1 column `arm.on` (stated "
       "twice: the first of them counts), 2 values `signal arm mode` (a text of more than "
       "4,096 bytes, not in UTF-8, or with control characters; the first at line 2)");
 }
