@@ -27,11 +27,13 @@ std::size_t differing(const SessionState::Drawings& a, const SessionState::Drawi
   return count;
 }
 
-/// In limits.
+/// In limits; 0 for what is rounding, so that the nearest in time of equal states is found.
 double apartOf(const Mat4& a, const Mat4& b, const RunLimits& limits) {
   const double away_mm = glm::length(Vec3(a[3]) - Vec3(b[3])) * 1e3;
   const double turn_deg = degreesOf(turnAngle(a, b));
-  return std::max(away_mm / limits.position_mm, turn_deg / limits.turn_deg);
+  const double apart = std::max(away_mm / limits.position_mm, turn_deg / limits.turn_deg);
+  constexpr double kRounding = 1e-6;
+  return apart < kRounding ? 0 : apart;
 }
 
 MomentsApart apartOf(const PosedScene& a, const SessionState& state_a, const PosedScene& b,

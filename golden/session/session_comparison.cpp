@@ -77,6 +77,8 @@ std::vector<Moment> momentsToDraw(const SessionComparison& comparison, LogTime f
   const RunJudgement& judged = comparison.run().judgement;
   MomentList moments(from, until);
   std::vector<RunFinding> worst = judged.findings;
+  // That a log ends is nothing to be seen at a moment that both have.
+  std::erase_if(worst, [](const RunFinding& finding) { return finding.item == "session"; });
   std::ranges::stable_sort(worst, std::greater(), severityOf);
   worst.resize(std::min(worst.size(), kMaxWorst));
   for (const RunFinding& finding : worst) {

@@ -169,7 +169,7 @@ TEST_F(NumberSignals, ASetPointThatIsSentWhenItChangesMayBeLateAndNotDifferent) 
     return session;
   };
   for (const auto& [at_s, how] :
-       {std::pair(3.4, "; 400 ms late"), std::pair(2.5, "; 500 ms early")}) {
+       {std::pair(3.4, "; 400 ms late"), std::pair(2.5, "; 501 ms early")}) {
     const RunJudgement moved = judged(one(3), one(at_s));
     EXPECT_TRUE(moved.rule.ends_with(how)) << textOfFindings(moved);
   }
