@@ -134,6 +134,14 @@ TEST_F(WindowAndSession, AnotherColour) {
   expectFrom(0, 2500, 3000);
 }
 
+TEST_F(WindowAndSession, TheLargestHasItsFigure) {
+  Packets fresh = turning();
+  fresh[100].second = "joints left 3\njoints right " + std::to_string(std::sin(1.0)) + "\n";
+  EXPECT_THAT(apart(turning(), fresh), ElementsAre("left"));
+  ASSERT_TRUE(largest_);
+  EXPECT_FALSE(largest_->size.empty());
+}
+
 TEST_F(WindowAndSession, WhatHasNoFigureIsTheLargest) {
   Packets fresh = turning();
   fresh[100].second = "joints left 3\njoints right " + std::to_string(std::sin(1.0)) + "\n";
