@@ -31,7 +31,7 @@ endif()
 # Many files at once cost two fifths of what they cost one by one, and most of a build is headers;
 # who changes one file again and again leaves it off. The presets say ON.
 option(ROCINANTE_UNITY "Compile each target's files in a few pieces" OFF)
-set(ROCINANTE_UNITY_BATCH 24 CACHE STRING "Files in each piece: fewer rebuild sooner, more build sooner")
+set(ROCINANTE_UNITY_BATCH 30 CACHE STRING "Files in each piece: fewer rebuild sooner, more build sooner")
 function(rocinante_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROCINANTE_UNITY}
     UNITY_BUILD_BATCH_SIZE ${ROCINANTE_UNITY_BATCH})
@@ -55,11 +55,16 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 #   PRIVATE_LINK fmt::fmt [COMPONENT name] [SELDOM_RUN])
 # makes rocinante_packet. Headers are included from the project root ("core/packet/packet.h").
 # Public ones are installed (<rocinante/packet.h>), and their library with them, as component `packet`
-# or COMPONENT: rocinante_install.cmake. A library with neither is not installed.
+# or COMPONENT: rocinante_install.cmake. A library with neither is not installed. Said again with that name,
+# in another folder, it adds to the library: a small one costs the headers that it includes.
 function(rocinante_library name)
   cmake_parse_arguments(arg "SELDOM_RUN" "COMPONENT" "SOURCES;HEADERS;PUBLIC_HEADERS;LINK;PRIVATE_LINK" ${ARGN})
   set(target rocinante_${name})
-  add_library(${target} STATIC ${arg_SOURCES})
+  if(TARGET ${target})
+    target_sources(${target} PRIVATE ${arg_SOURCES})
+  else()
+    add_library(${target} STATIC ${arg_SOURCES})
+  endif()
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_sources(${target} PRIVATE FILE_SET rocinante_headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
     FILES ${arg_PUBLIC_HEADERS} ${arg_HEADERS})

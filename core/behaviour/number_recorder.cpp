@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -12,8 +11,6 @@
 
 namespace rocinante {
 namespace {
-
-constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 
 /// Of booleans and texts what they say.
 std::string_view stateText(SignalKind kind, double number, std::string_view text) {

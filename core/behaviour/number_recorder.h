@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +13,9 @@
 #include "core/packet/session_state.h"
 
 namespace rocinante {
+
+/// In a series of numbers, while none is stated.
+inline constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 
 /// Keeps the numbers of a session's signals, each signal a series, and how often each signal is
 /// stated. What is a boolean or a text is a fact (FactRecorder). One thread.

@@ -14,7 +14,6 @@ namespace rocinante {
 namespace {
 
 constexpr Nanoseconds kBurst = std::chrono::milliseconds(10);
-constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kJoints = 0, kPose = 1;  // series
 
 bool isOn(const Path& carrier, const PathView& path) {

@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMax = 64;
+constexpr std::size_t kMostStamps = 64;
 constexpr int kFruitlessCalls = 64;
 
 Nanoseconds nanosecondsIn(const timespec& time) {
@@ -64,7 +64,7 @@ std::optional<Stamp> stampIn(msghdr& message) {
 }
 
 struct Answers {
-  std::array<Stamp, kMax> stamps{};
+  std::array<Stamp, kMostStamps> stamps{};
   std::size_t count = 0;
   bool overrun = false;  ///< more stamps than requested
 
@@ -115,7 +115,7 @@ TransmitStamps::TransmitStamps(int descriptor) : descriptor_(descriptor) {
 void TransmitStamps::collect(std::span<SteadyTime> sent_at) {
   const std::uint32_t first = next_number_;
   next_number_ += static_cast<std::uint32_t>(sent_at.size());
-  if (asking_ && sent_at.size() <= kMax) {
+  if (asking_ && sent_at.size() <= kMostStamps) {
     const Answers answers = readAnswers(descriptor_, first, sent_at.size());
     if (answers.areWhole(sent_at.size())) {
       const Nanoseconds offset = steadyMinusWall();

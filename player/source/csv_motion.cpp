@@ -25,10 +25,10 @@ bool beginsAsNumber(std::string_view text) {
 
 /// A field for an error message, shortened.
 std::string shown(std::string_view text) {
-  constexpr std::size_t kMax = 40;
+  constexpr std::size_t kShownBytes = 40;
   if (text.empty()) return "an empty field";
-  return text.size() <= kMax ? fmt::format("`{}`", text)
-                             : fmt::format("`{}...`", text.substr(0, kMax));
+  return text.size() <= kShownBytes ? fmt::format("`{}`", text)
+                             : fmt::format("`{}...`", text.substr(0, kShownBytes));
 }
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();

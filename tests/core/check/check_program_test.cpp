@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr std::string_view kArm =
+constexpr std::string_view kProgramArm =
     "<robot name=\"arm\"> <link name=\"base\"/> <link name=\"hand\"/> <joint name=\"turn\" "
     "type=\"continuous\"> <parent link=\"base\"/> <child link=\"hand\"/> </joint> </robot>";
 
@@ -24,7 +24,7 @@ constexpr std::string_view kArm =
 class LiveCheck {
  public:
   LiveCheck(const std::string& duration, std::string_view packet) {
-    std::ofstream(folder_ / "arm.urdf") << kArm;
+    std::ofstream(folder_ / "arm.urdf") << kProgramArm;
     check_.emplace(test::Program::start(
         "rocinante-check", {"arm.urdf", "--live", "127.0.0.1:0", "--duration", duration},
         folder_.path()));
@@ -69,7 +69,7 @@ TEST(CheckProgram, JudgesWhatArrivesForAWhile) {
 class ManyLive {
  public:
   ManyLive(const std::vector<std::string>& endpoints, const std::string& duration) {
-    std::ofstream(folder_ / "arm.urdf") << kArm;
+    std::ofstream(folder_ / "arm.urdf") << kProgramArm;
     std::vector<std::string> arguments{"arm.urdf", "--duration", duration};
     for (const std::string& each : endpoints) arguments.insert(arguments.end(), {"--live", each});
     program.emplace(test::Program::start("rocinante-check", arguments, folder_.path()));
@@ -149,7 +149,7 @@ TEST(CheckProgram, JudgesTrafficThatHasItsOwnReceiver) {
   const test::NetworkNamespace network;
   ROCINANTE_NEEDS_NETWORK_NAMESPACE(network);
   const test::TemporaryFolder folder;
-  std::ofstream(folder / "arm.urdf") << kArm;
+  std::ofstream(folder / "arm.urdf") << kProgramArm;
   const Result<UdpReceiver> receiver = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value());
   ASSERT_TRUE(receiver.ok());
   Endpoint to = receiver->endpoint();

@@ -16,10 +16,10 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr const char* kArm = R"(<robot name="arm"><link name="base"/><link name="tool"/>
+constexpr const char* kAccountArm = R"(<robot name="arm"><link name="base"/><link name="tool"/>
   <joint name="j" type="continuous"><parent link="base"/><child link="tool"/></joint></robot>)";
 constexpr const char* kTable = R"(<robot name="table"><link name="top"/></robot>)";
-constexpr const char* kCell = R"(format = 1
+constexpr const char* kAccountCell = R"(format = 1
 [[device]]
 name = "left"
 model = "arm.urdf"
@@ -38,9 +38,9 @@ model = "table.urdf"
 class LogAccountTest : public testing::Test {
  protected:
   void SetUp() override {
-    std::ofstream(folder_ / "arm.urdf") << kArm;
+    std::ofstream(folder_ / "arm.urdf") << kAccountArm;
     std::ofstream(folder_ / "table.urdf") << kTable;
-    std::ofstream(folder_ / "c.cell.toml") << kCell;
+    std::ofstream(folder_ / "c.cell.toml") << kAccountCell;
     Result<Cell> cell = loadCell(folder_ / "c.cell.toml", {});
     ASSERT_TRUE(cell.ok());
     cell_ = std::move(*cell);

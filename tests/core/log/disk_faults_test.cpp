@@ -18,7 +18,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr std::uint64_t kMessages = 60;
+constexpr std::uint64_t kFaultMessages = 60;
 
 struct Outcome {
   Bytes file;
@@ -48,7 +48,7 @@ Outcome recordOnto(const DiskFaults& faults, Pace pace, LogWriterOptions::Compre
   outcome.begun = true;
   std::vector<ChannelId> channels;
   SteadyTime now{};
-  for (std::uint32_t i = 0; i < kMessages; ++i) {
+  for (std::uint32_t i = 0; i < kFaultMessages; ++i) {
     if (i % 20 == 0) {
       channels.push_back(*writer->addChannel("/udp/1/" + std::to_string(i), "octets", {}));
     }
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(DiskFault, ADiskThatFillsAtAnyByteEndsInAWholeFile) {
   const Outcome unlimited = record({});
   ASSERT_TRUE(unlimited.closed.ok());
-  ASSERT_EQ(storedIn(unlimited.file), kMessages);
+  ASSERT_EQ(storedIn(unlimited.file), kFaultMessages);
   std::uint64_t stored_before = 0;
   for (std::size_t room = 0; room < unlimited.file.size(); room += 5 * nextPlace()) {
     SCOPED_TRACE(room);
@@ -134,7 +134,7 @@ TEST_P(DiskFault, ADiskThatFillsAtAnyByteEndsInAWholeFile) {
     bool complete = false;
     const std::uint64_t stored = storedIn(outcome.file, &complete);
     EXPECT_TRUE(complete);
-    EXPECT_EQ(stored + outcome.refused, kMessages);
+    EXPECT_EQ(stored + outcome.refused, kFaultMessages);
     EXPECT_GE(stored, stored_before) << "more room, fewer messages";
     stored_before = stored;
     expectStrictlyWhole(outcome.file);
@@ -156,7 +156,7 @@ TEST_P(DiskFault, WithoutPreallocationAFullDiskLeavesAReadableFileAndAnExactCoun
     const Outcome outcome = record(faults);
     if (!outcome.begun) continue;
     ASSERT_FALSE(outcome.closed.ok());
-    EXPECT_EQ(storedIn(outcome.file) + outcome.refused, kMessages);
+    EXPECT_EQ(storedIn(outcome.file) + outcome.refused, kFaultMessages);
   }
 }
 
@@ -174,7 +174,7 @@ TEST_P(DiskFault, AnyOneWriteThatFailsLeavesAWholeFileAndAnExactCount) {
       EXPECT_EQ(outcome.closed.error().text(),
                 "cannot write to the file: Input/output error (disk)");
       bool complete = false;
-      EXPECT_EQ(storedIn(outcome.file, &complete) + outcome.refused, kMessages);
+      EXPECT_EQ(storedIn(outcome.file, &complete) + outcome.refused, kFaultMessages);
       // The disk works again, so only the last two are written: rocinante.end and the summary.
       EXPECT_EQ(complete, k + 2 < writes);
       if (complete) expectStrictlyWhole(outcome.file);
@@ -194,7 +194,7 @@ TEST_P(DiskFault, ADiskThatDisappearsAtAnyWriteLeavesWhatItHadAndAnExactCount) {
       const Outcome outcome = record(faults);
       if (!outcome.begun) continue;
       ASSERT_FALSE(outcome.closed.ok());
-      EXPECT_EQ(storedIn(outcome.file) + outcome.refused, kMessages);
+      EXPECT_EQ(storedIn(outcome.file) + outcome.refused, kFaultMessages);
     }
   }
 }
@@ -212,7 +212,7 @@ TEST_P(DiskFault, WhatCannotBeTakenBackEitherIsNotCountedAsStored) {
     if (!outcome.begun) continue;
     ASSERT_FALSE(outcome.closed.ok());
     // Half an addition is at the end: whole messages in it are a bonus.
-    EXPECT_GE(storedIn(outcome.file) + outcome.refused, kMessages);
+    EXPECT_GE(storedIn(outcome.file) + outcome.refused, kFaultMessages);
   }
 }
 
@@ -302,7 +302,7 @@ TEST(DiskFaults, AFileWhoseDiskGoesAwayKeepsWhatItHad) {
     ASSERT_TRUE(writer.ok());
     const ChannelId channel = *writer->addChannel("/udp/1/a", "octets", {});
     SteadyTime now{};
-    for (std::uint32_t i = 0; i < kMessages; ++i) {
+    for (std::uint32_t i = 0; i < kFaultMessages; ++i) {
       (void)writer->write(channel, i, at(i), 0, bytesOf(payloadOf(i)));
       now += options.sync;
       (void)writer->flushIfDue(now);
@@ -313,7 +313,8 @@ TEST(DiskFaults, AFileWhoseDiskGoesAwayKeepsWhatItHad) {
     std::uint64_t refused = 0;
     for (const auto& [id, count] : writer->refusedByDisk()) refused += count;
     const std::string text = *readFile(path);
-    EXPECT_EQ(storedIn(Bytes(bytesOf(text).begin(), bytesOf(text).end())) + refused, kMessages);
+    EXPECT_EQ(storedIn(Bytes(bytesOf(text).begin(), bytesOf(text).end())) + refused,
+              kFaultMessages);
   }
 }
 

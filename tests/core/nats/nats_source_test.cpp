@@ -20,7 +20,7 @@ struct Heard {
   WallTime time;
 };
 
-Endpoint endpointOf(const std::string& text) { return Endpoint::parse(text).value(); }
+Endpoint natsEndpoint(const std::string& text) { return Endpoint::parse(text).value(); }
 
 /// Receives this number; fails the test after 60 s.
 std::vector<Heard> hear(DatagramSource& source, std::size_t count) {
@@ -85,8 +85,8 @@ std::string waitForNews(DatagramSource& source, std::string_view text) {
 TEST(NatsSource, HearsTwentyThousandWithoutLossInOrder) {
   ROCINANTE_NEEDS_NATS_SERVER();
   const NatsServer server;
-  const auto source = openSource(endpointOf(server.at("cell1"))).value();
-  const auto sink = openSink(endpointOf(server.at("cell1"))).value();
+  const auto source = openSource(natsEndpoint(server.at("cell1"))).value();
+  const auto sink = openSink(natsEndpoint(server.at("cell1"))).value();
   constexpr int kCount = 20'000;
   const auto before = std::chrono::system_clock::now();
   for (int i = 0; i < kCount; ++i) ASSERT_TRUE(send(*sink, packet("arm", i)).ok());
@@ -107,10 +107,10 @@ TEST(NatsSource, HearsTwentyThousandWithoutLossInOrder) {
 TEST(NatsSource, WildcardsChooseSubjects) {
   ROCINANTE_NEEDS_NATS_SERVER();
   const NatsServer server;
-  const auto arms = openSource(endpointOf(server.at("*.arm"))).value();
-  const auto second = openSource(endpointOf(server.at("cell2"))).value();
-  const auto one = openSink(endpointOf(server.at("cell1"))).value();
-  const auto two = openSink(endpointOf(server.at("cell2"))).value();
+  const auto arms = openSource(natsEndpoint(server.at("*.arm"))).value();
+  const auto second = openSource(natsEndpoint(server.at("cell2"))).value();
+  const auto one = openSink(natsEndpoint(server.at("cell1"))).value();
+  const auto two = openSink(natsEndpoint(server.at("cell2"))).value();
   for (const std::string source : {"gantry", "arm"}) {
     ASSERT_TRUE(send(*one, packet(source, 1)).ok());
     ASSERT_TRUE(one->flush().ok());
@@ -125,7 +125,7 @@ TEST(NatsSource, WildcardsChooseSubjects) {
   ASSERT_EQ(by_cell.size(), 2U);
   EXPECT_EQ(by_cell[0].subject, "cell2.gantry");
   EXPECT_EQ(by_cell[1].subject, "cell2.arm");
-  const auto refused = openSink(endpointOf(server.at("cell1.*")));
+  const auto refused = openSink(natsEndpoint(server.at("cell1.*")));
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().what, "a subject to send to has no wildcards");
 }
@@ -133,8 +133,9 @@ TEST(NatsSource, WildcardsChooseSubjects) {
 TEST(NatsSource, CountsWhatItsBufferCannotHold) {
   ROCINANTE_NEEDS_NATS_SERVER();
   const NatsServer server;
-  const auto source = openNatsSource(endpointOf(server.at("a")), {.buffer_bytes = 100'000}).value();
-  const auto sink = openSink(endpointOf(server.at("a"))).value();
+  const auto source =
+      openNatsSource(natsEndpoint(server.at("a")), {.buffer_bytes = 100'000}).value();
+  const auto sink = openSink(natsEndpoint(server.at("a"))).value();
   constexpr std::uint64_t kCount = 1'000;
   for (std::uint64_t i = 0; i < kCount; ++i) {
     ASSERT_TRUE(send(*sink, packet("arm", static_cast<int>(i))).ok());
@@ -164,18 +165,18 @@ TEST(NatsSource, SaysWhyAServerRefuses) {
   }
   const NatsServer server({"-c", (folder / "server.conf").string()});
   const std::string name = "127.0.0.1:" + std::to_string(server.port());
-  EXPECT_TRUE(openSource(endpointOf(server.at("cell1", "ada:s3cret@"))).ok());
-  EXPECT_EQ(openSource(endpointOf(server.at("cell1", "ada:wrong@"))).error().text(),
+  EXPECT_TRUE(openSource(natsEndpoint(server.at("cell1", "ada:s3cret@"))).ok());
+  EXPECT_EQ(openSource(natsEndpoint(server.at("cell1", "ada:wrong@"))).error().text(),
             "the NATS server " + name + " refuses this user, token or these credentials (nats://" +
                 name + "/cell1)");
-  EXPECT_EQ(openSink(endpointOf(server.at("cell1"))).error().what,
+  EXPECT_EQ(openSink(natsEndpoint(server.at("cell1"))).error().what,
             "the NATS server " + name + " refuses a client without user, token or credentials");
-  const auto denied = openSource(endpointOf(server.at("secret", "guest:guest@")));
+  const auto denied = openSource(natsEndpoint(server.at("secret", "guest:guest@")));
   ASSERT_FALSE(denied.ok());
   EXPECT_NE(denied.error().what.find("Permissions Violation for Subscription to \"secret.>\""),
             std::string::npos)
       << denied.error().what;
-  const auto sink = openSink(endpointOf(server.at("cell1", "guest:guest@"))).value();
+  const auto sink = openSink(natsEndpoint(server.at("cell1", "guest:guest@"))).value();
   ASSERT_TRUE(send(*sink, packet("arm", 1)).ok());
   const Status flushed = sink->flush();
   ASSERT_FALSE(flushed.ok());
@@ -186,7 +187,7 @@ TEST(NatsSource, SaysWhyAServerRefuses) {
 
 /// As programs without --no-wait read it.
 Endpoint waiting(const std::string& text) {
-  Endpoint endpoint = endpointOf(text);
+  Endpoint endpoint = natsEndpoint(text);
   endpoint.nats.waits = true;
   return endpoint;
 }
@@ -212,8 +213,8 @@ TEST(NatsSource, AServerThatIsNotThereYetIsWaitedFor) {
 TEST(NatsSource, AMessageIsTakenWhole) {
   ROCINANTE_NEEDS_NATS_SERVER();
   const NatsServer server;
-  const auto source = openSource(endpointOf(server.at("cell1"))).value();
-  const auto sink = openSink(endpointOf(server.at("cell1"))).value();
+  const auto source = openSource(natsEndpoint(server.at("cell1"))).value();
+  const auto sink = openSink(natsEndpoint(server.at("cell1"))).value();
   const std::string large = "RK1 arm 1 -\nevent \"" + std::string(900'000, 'x') + "\"\n";
   ASSERT_TRUE(send(*sink, large).ok());
   ASSERT_TRUE(sink->flush().ok());
@@ -223,27 +224,27 @@ TEST(NatsSource, AMessageIsTakenWhole) {
 }
 
 TEST(NatsSource, RefusesWhatItCannotDo) {
-  EXPECT_EQ(openSource(endpointOf("nats://127.0.0.1:1/a")).error().what,
+  EXPECT_EQ(openSource(natsEndpoint("nats://127.0.0.1:1/a")).error().what,
             "no NATS server answers at 127.0.0.1:1");
   InputOptions options;
   options.allow = AddressFilter::of({"10.0.0.0/8"}).value();
-  EXPECT_EQ(openSource(endpointOf("nats://127.0.0.1:1/a"), options).error().kind,
+  EXPECT_EQ(openSource(natsEndpoint("nats://127.0.0.1:1/a"), options).error().kind,
             ErrorKind::bad_argument);
-  EXPECT_EQ(openSink(endpointOf("jetstream://127.0.0.1:1/A")).error().kind,
+  EXPECT_EQ(openSink(natsEndpoint("jetstream://127.0.0.1:1/A")).error().kind,
             ErrorKind::bad_argument);
-  EXPECT_EQ(UdpReceiver::open(endpointOf("nats://127.0.0.1:1/a")).error().what,
+  EXPECT_EQ(UdpReceiver::open(natsEndpoint("nats://127.0.0.1:1/a")).error().what,
             "this takes udp:// endpoints only");
-  EXPECT_EQ(openSource(endpointOf("nats://127.0.0.1:1/a?ca=/nowhere/ca.pem")).error().kind,
+  EXPECT_EQ(openSource(natsEndpoint("nats://127.0.0.1:1/a?ca=/nowhere/ca.pem")).error().kind,
             ErrorKind::refused);
 }
 
 TEST(NatsSource, ConnectsAgainAndTheLossShowsInTheNumbers) {
   ROCINANTE_NEEDS_NATS_SERVER();
   NatsServer server;
-  const auto source = openSource(endpointOf(server.at("cell1"))).value();
+  const auto source = openSource(natsEndpoint(server.at("cell1"))).value();
   int number = 0;
   {
-    const auto sink = openSink(endpointOf(server.at("cell1"))).value();
+    const auto sink = openSink(natsEndpoint(server.at("cell1"))).value();
     for (; number < 10; ++number) ASSERT_TRUE(send(*sink, packet("arm@run", number)).ok());
   }
   SessionState state;
@@ -264,7 +265,7 @@ TEST(NatsSource, ConnectsAgainAndTheLossShowsInTheNumbers) {
   server.start();
   EXPECT_EQ(waitForNews(*source, "again"),
             "connected to " + name + " again; what was sent meanwhile is lost");
-  const auto sink = openSink(endpointOf(server.at("cell1"))).value();
+  const auto sink = openSink(natsEndpoint(server.at("cell1"))).value();
   // The server may know of the subscription a moment after the connection is there.
   knock(*sink, *source);
   ASSERT_TRUE(send(*sink, packet("arm@run", number)).ok());
@@ -276,7 +277,7 @@ TEST(NatsSource, ConnectsAgainAndTheLossShowsInTheNumbers) {
 TEST(NatsSource, ASinkKeepsALittleForAServerThatIsAway) {
   ROCINANTE_NEEDS_NATS_SERVER();
   NatsServer server;
-  const auto sink = openSink(endpointOf(server.at("cell1"))).value();
+  const auto sink = openSink(natsEndpoint(server.at("cell1"))).value();
   ASSERT_TRUE(send(*sink, packet("arm", 0)).ok());
   ASSERT_TRUE(sink->flush().ok());
   server.kill();

@@ -24,7 +24,7 @@ using test::sent;
 using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
-Endpoint endpointOf(std::string_view text) { return Endpoint::parse(text).value(); }
+Endpoint captureEndpoint(std::string_view text) { return Endpoint::parse(text).value(); }
 
 struct Seen {
   std::string from, to, payload;
@@ -103,7 +103,7 @@ TEST(PcapSource, ReadsAFileWithItsOwnTimesToTheNanosecond) {
   CaptureFile file;
   file.add(1'000'000'000'000'000'123, ethernetFrame(ipPackets(kFirst).at(0)));
   file.add(999'999'999'999'999'999, ethernetFrame(ipPackets(kSecond).at(0), {5}));
-  const auto source = openSource(endpointOf(file.write(folder / "a b.pcap")));
+  const auto source = openSource(captureEndpoint(file.write(folder / "a b.pcap")));
   ASSERT_TRUE(source.ok()) << source.error().text();
   EXPECT_THAT(readAll(**source),
               testing::ElementsAre(Seen{"10.0.0.1:4000", "10.0.0.2:5000", "first",
@@ -129,7 +129,7 @@ TEST(PcapSource, TakesWhatTheFilterTakesAndAllFragmentsOfIt) {
   }
   const TemporaryFolder folder;
   const auto count = [&](std::string_view filter) {
-    const auto source = openSource(endpointOf(file.write(folder / "x.pcap", filter)));
+    const auto source = openSource(captureEndpoint(file.write(folder / "x.pcap", filter)));
     EXPECT_TRUE(source.ok()) << source.error().text();
     return source ? readAll(**source).size() : 0;
   };
@@ -145,7 +145,7 @@ TEST(PcapSource, TakesWhatTheFilterTakesAndAllFragmentsOfIt) {
 TEST(PcapSource, SaysWhatIsWrongWithAFileOrAFilter) {
   const TemporaryFolder folder;
   const auto error = [](const std::string& text) {
-    const auto source = openSource(endpointOf(text));
+    const auto source = openSource(captureEndpoint(text));
     return source ? Error{ErrorKind::refused, "opened", ""} : source.error();
   };
   EXPECT_EQ(error("pcap://" + (folder / "none.pcap").string()).kind, ErrorKind::not_found);
@@ -163,7 +163,7 @@ TEST(PcapSource, AFileThatBreaksOffIsReadUpToThere) {
   for (int i = 0; i < 3; ++i) file.add(i, ethernetFrame(ipPackets(kFirst).at(0)));
   file.cut(1);
   const TemporaryFolder folder;
-  const auto source = openSource(endpointOf(file.write(folder / "x.pcap")));
+  const auto source = openSource(captureEndpoint(file.write(folder / "x.pcap")));
   ASSERT_TRUE(source.ok());
   EXPECT_EQ(receiveSome(**source).size(), 2U);
   const auto batch = (*source)->receive();
@@ -178,7 +178,7 @@ TEST(PcapSource, CountsWhatNeverBecameWholeAtTheEndOfAFile) {
   file.add(1, ethernetFrame(ipPackets(large, 1'480).at(0)));
   file.add(2, ethernetFrame(ipPackets(kFirst).at(0)), 50);
   const TemporaryFolder folder;
-  const auto source = openSource(endpointOf(file.write(folder / "x.pcap")));
+  const auto source = openSource(captureEndpoint(file.write(folder / "x.pcap")));
   ASSERT_TRUE(source.ok());
   const auto all = readAll(**source);
   ASSERT_EQ(all.size(), 1U);
@@ -190,7 +190,7 @@ TEST(PcapSource, ReadsRealCapturesWithTheirFragments) {
   ROCINANTE_NEEDS_SHARED_DATA("captures");
   const auto count = [](const char* name) {
     const std::string path = test::sharedData("captures").string() + "/" + name;
-    const auto source = openSource(endpointOf("pcap://" + path));
+    const auto source = openSource(captureEndpoint("pcap://" + path));
     EXPECT_TRUE(source.ok()) << source.error().text();
     std::vector<std::size_t> sizes;
     if (!source) return sizes;
@@ -208,7 +208,7 @@ TEST(PcapSource, ReadsRealCapturesWithTheirFragments) {
 }
 
 TEST(PcapSource, SaysWhichInterfacesThereAre) {
-  const auto source = openSource(endpointOf("pcap://nowhere0"));
+  const auto source = openSource(captureEndpoint("pcap://nowhere0"));
   ASSERT_FALSE(source.ok());
   if (source.error().what.find("CAP_NET_RAW") != std::string::npos) {
     GTEST_SKIP() << "no right to capture here";
@@ -217,7 +217,7 @@ TEST(PcapSource, SaysWhichInterfacesThereAre) {
 }
 
 TEST(PcapSource, RefusesAnInterfaceWithoutNanoseconds) {
-  const auto source = openSource(endpointOf("pcap://nflog"));
+  const auto source = openSource(captureEndpoint("pcap://nflog"));
   ASSERT_FALSE(source.ok());
   EXPECT_EQ(source.error().kind, ErrorKind::refused);
   EXPECT_THAT(source.error().what, HasSubstr("cannot watch nflog: "));
@@ -244,11 +244,11 @@ TEST(PcapSource, WatchesTrafficThatHasItsReceiver) {
   for (const std::string_view interface : {"lo", "any"}) {
     for (const std::string_view host : {"127.0.0.1:0", "[::1]:0"}) {
       SCOPED_TRACE(std::string(interface) + " " + std::string(host));
-      auto receiver = UdpReceiver::open(endpointOf(host)).value();
+      auto receiver = UdpReceiver::open(captureEndpoint(host)).value();
       Endpoint to = receiver.endpoint();
       to.address = receiver.boundAddress();
       auto sender = UdpSender::open(to).value();
-      Endpoint watch = endpointOf("pcap://" + std::string(interface));
+      Endpoint watch = captureEndpoint("pcap://" + std::string(interface));
       watch.filter = "udp port " + std::to_string(to.address.port);
       const auto source = openSource(watch);
       ASSERT_TRUE(source.ok()) << source.error().text();
@@ -279,11 +279,11 @@ TEST(PcapSource, PutsLiveFragmentsTogetherAndSurvivesItsInterface) {
       "ip link add cell0 type veth peer name robot0 && ip addr add 10.9.0.1/24 dev cell0 && "
       "ip link set cell0 up && ip link set robot0 up";
   ASSERT_TRUE(NetworkNamespace::run(make));
-  const auto source = openSource(endpointOf("pcap://robot0?filter=udp port 5000"));
+  const auto source = openSource(captureEndpoint("pcap://robot0?filter=udp port 5000"));
   ASSERT_TRUE(source.ok()) << source.error().text();
   const std::string payload(40'000, 'x');
   const auto send = [&] {
-    auto sender = UdpSender::open(endpointOf("239.1.2.3:5000?interface=cell0"));
+    auto sender = UdpSender::open(captureEndpoint("239.1.2.3:5000?interface=cell0"));
     return sender.ok() && sender->send(bytesOf(payload)).ok();
   };
   const auto heard = [&] {

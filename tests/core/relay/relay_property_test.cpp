@@ -16,16 +16,16 @@ using test::itemsAndSources;
 using test::RandomSession;
 using test::RelayedListeners;
 
-struct Case {
+struct RelayCase {
   RelayOutputOptions options;
   std::function<bool(const std::string&)> passes;  ///< a line of the identity
 };
 
 bool isItemOrSource(const std::string& line) { return !line.starts_with("device "); }
 
-std::vector<Case> cases() {
-  std::vector<Case> all(6);
-  for (Case& each : all) each.passes = isItemOrSource;
+std::vector<RelayCase> cases() {
+  std::vector<RelayCase> all(6);
+  for (RelayCase& each : all) each.passes = isItemOrSource;
   all[1].options.pacing.interval = std::chrono::milliseconds(100);
   all[2].options.pacing.min_change = {400, 400, 1, {{"*", 400}}};
   all[2].options.pacing.interval = std::chrono::milliseconds(50);
@@ -58,10 +58,10 @@ RC_GTEST_PROP(RelayProperty, ListenersHaveTheStateTwoRestatementsAfterTheLossEnd
   RandomSession session(seed);
   std::mt19937_64 random(seed);
   RelayedListeners net;
-  const std::vector<Case> all = cases();
+  const std::vector<RelayCase> all = cases();
   bool is_lossy = true;
   std::vector<Relay::OutputId> ids;
-  for (const Case& each : all) {
+  for (const RelayCase& each : all) {
     ids.push_back(net.open(each.options));
     net.listeners[ids.back()].loses = [&] { return is_lossy && random() % 5 == 0; };
   }

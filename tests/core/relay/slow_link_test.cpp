@@ -24,7 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kBitsPerSecond = 28'800;
-constexpr Nanoseconds kStep = 1ms;
+constexpr Nanoseconds kLinkStep = 1ms;
 constexpr LogTime kBegin(1'700'000'000s);
 
 /// A line that sends one bit after the other; the heads of IP and UDP count, and what the line adds
@@ -96,7 +96,7 @@ class Arm {
 };
 
 /// What a listener at the end of the line saw of one arm.
-struct Seen {
+struct SeenArm {
   double value_s = -1;         ///< the newest; below 0: none
   int arrivals = 0;            ///< of other values than before, in this second
   int least_arrivals = 1000;   ///< in a second
@@ -111,10 +111,10 @@ TEST(SlowLink, TwoArmsAt60HzArriveTenTimesASecondAndFreshThrough28800Bits) {
   Arm first("arm1", 0ms, relay), second("arm2", 7ms, relay);
   Line line;
   test::TextFold listener;
-  std::map<std::string, Seen> seen;
+  std::map<std::string, SeenArm> seen;
   std::vector<Nanoseconds> most_waiting;  // in each second
   constexpr int kSeconds = 120;
-  for (LogTime now = kBegin; now < kBegin + std::chrono::seconds(kSeconds); now += kStep) {
+  for (LogTime now = kBegin; now < kBegin + std::chrono::seconds(kSeconds); now += kLinkStep) {
     first.advance(now);
     second.advance(now);
     if (relay.due() <= now) relay.advance(now);
@@ -130,7 +130,7 @@ TEST(SlowLink, TwoArmsAt60HzArriveTenTimesASecondAndFreshThrough28800Bits) {
       ASSERT_EQ(listener.fold(secondsOf(now - kBegin), text), Applied::yes) << text;
     }
     for (const Arm* arm : {&first, &second}) {
-      Seen& what = seen[arm->name()];
+      SeenArm& what = seen[arm->name()];
       const DeviceState& device = listener.device(arm->name());
       if (second_begins && now >= kBegin + 2s) {
         what.least_arrivals = std::min(what.least_arrivals, what.arrivals);
@@ -215,7 +215,7 @@ SeenPoses posesThroughTheLine(int seconds, std::string_view form, double loss) {
   std::map<std::string, int> turns, newest;
   std::minstd_rand random(5);
   std::uniform_real_distribution<double> chance(0, 1);
-  for (LogTime now = kBegin; now < kBegin + std::chrono::seconds(seconds); now += kStep) {
+  for (LogTime now = kBegin; now < kBegin + std::chrono::seconds(seconds); now += kLinkStep) {
     for (const char* arm : {"arm_left", "arm_right"}) {
       int& turn = turns[arm];
       const Nanoseconds phase = arm == std::string_view("arm_left") ? 0ms : 7ms;

@@ -10,28 +10,28 @@
 namespace rocinante {
 namespace {
 
-LogTime at(std::int64_t nanoseconds) { return LogTime(Nanoseconds(nanoseconds)); }
+LogTime nanosecond(std::int64_t nanoseconds) { return LogTime(Nanoseconds(nanoseconds)); }
 
 TEST(ValueBins, HoldLowHighAndLast) {
-  ValueBins bins(at(1000), Nanoseconds(10), 8);
-  bins.add(at(1000), 2);
-  bins.add(at(1003), -1);
-  bins.add(at(1009), 1);
-  bins.add(at(1031), 5);
+  ValueBins bins(nanosecond(1000), Nanoseconds(10), 8);
+  bins.add(nanosecond(1000), 2);
+  bins.add(nanosecond(1003), -1);
+  bins.add(nanosecond(1009), 1);
+  bins.add(nanosecond(1031), 5);
   ASSERT_EQ(bins.bins().size(), 4U);
   EXPECT_EQ(bins.bins()[0].low, -1);
   EXPECT_EQ(bins.bins()[0].high, 2);
   EXPECT_EQ(bins.bins()[0].last, 1);
   EXPECT_TRUE(bins.bins()[1].holds());
-  const auto columns = bins.columns(at(1000), at(1040), 4);
+  const auto columns = bins.columns(nanosecond(1000), nanosecond(1040), 4);
   EXPECT_EQ(columns[1].held, 1);
   EXPECT_FALSE(columns[1].bin.hasSample());
   EXPECT_EQ(columns[3].held, 5);
 }
 
 TEST(ValueBins, DoubleTheirWidthWhenTimeOutgrowsThem) {
-  ValueBins bins(at(0), Nanoseconds(1), 4);
-  for (int i = 0; i < 1000; ++i) bins.add(at(i), i);
+  ValueBins bins(nanosecond(0), Nanoseconds(1), 4);
+  for (int i = 0; i < 1000; ++i) bins.add(nanosecond(i), i);
   EXPECT_EQ(bins.width(), Nanoseconds(256));
   ASSERT_EQ(bins.bins().size(), 4U);
   EXPECT_EQ(bins.bins()[0].low, 0);
@@ -42,11 +42,11 @@ TEST(ValueBins, DoubleTheirWidthWhenTimeOutgrowsThem) {
 }
 
 TEST(ValueBins, AnEndLeavesNothingUntilTheNextSample) {
-  ValueBins bins(at(0), Nanoseconds(10), 16);
-  bins.add(at(5), 1);
-  bins.end(at(25));
-  bins.add(at(45), 2);
-  const auto columns = bins.columns(at(0), at(60), 6);
+  ValueBins bins(nanosecond(0), Nanoseconds(10), 16);
+  bins.add(nanosecond(5), 1);
+  bins.end(nanosecond(25));
+  bins.add(nanosecond(45), 2);
+  const auto columns = bins.columns(nanosecond(0), nanosecond(60), 6);
   EXPECT_EQ(columns[1].held, 1);
   EXPECT_FALSE(columns[2].held.has_value());
   EXPECT_FALSE(columns[3].held.has_value());
@@ -54,14 +54,14 @@ TEST(ValueBins, AnEndLeavesNothingUntilTheNextSample) {
 }
 
 TEST(ValueBins, ColumnsBeforeAndBehindTheLog) {
-  ValueBins bins(at(100), Nanoseconds(1), 64);
-  bins.add(at(100), 3);
-  const auto before = bins.columns(at(0), at(50), 5);
+  ValueBins bins(nanosecond(100), Nanoseconds(1), 64);
+  bins.add(nanosecond(100), 3);
+  const auto before = bins.columns(nanosecond(0), nanosecond(50), 5);
   for (const ValueColumn& column : before) EXPECT_FALSE(column.held.has_value());
-  const auto behind = bins.columns(at(200), at(300), 5);
+  const auto behind = bins.columns(nanosecond(200), nanosecond(300), 5);
   for (const ValueColumn& column : behind) EXPECT_EQ(column.held, 3);
-  EXPECT_TRUE(bins.columns(at(5), at(5), 3)[0].bin.holds());
-  EXPECT_TRUE(bins.columns(at(0), at(9), 0).empty());
+  EXPECT_TRUE(bins.columns(nanosecond(5), nanosecond(5), 3)[0].bin.holds());
+  EXPECT_TRUE(bins.columns(nanosecond(0), nanosecond(9), 0).empty());
 }
 
 // Whatever the widths, the extremes of everything together are those of the samples, and the last
@@ -69,16 +69,16 @@ TEST(ValueBins, ColumnsBeforeAndBehindTheLog) {
 RC_GTEST_PROP(ValueBins, LoseNoExtreme, (std::vector<std::pair<std::uint16_t, int>> samples)) {
   RC_PRE(!samples.empty());
   std::ranges::stable_sort(samples, {}, &std::pair<std::uint16_t, int>::first);
-  ValueBins bins(at(0), Nanoseconds(1), 16);
+  ValueBins bins(nanosecond(0), Nanoseconds(1), 16);
   float low = 1e30F, high = -1e30F;
   for (const auto& [time, value] : samples) {
     const auto number = static_cast<float>(value % 1000);
-    bins.add(at(time), static_cast<double>(number));
+    bins.add(nanosecond(time), static_cast<double>(number));
     low = std::min(low, number);
     high = std::max(high, number);
   }
   ValueBin all;
-  const auto columns = bins.columns(at(0), at(70'000), 7);
+  const auto columns = bins.columns(nanosecond(0), nanosecond(70'000), 7);
   for (const ValueColumn& column : columns) all.append(column.bin);
   RC_ASSERT(all.low == low);
   RC_ASSERT(all.high == high);
@@ -86,21 +86,21 @@ RC_GTEST_PROP(ValueBins, LoseNoExtreme, (std::vector<std::pair<std::uint16_t, in
 }
 
 TEST(CountBins, RatesAreMeansAroundAColumn) {
-  CountBins bins(at(0), Nanoseconds(1'000'000), 4096);
-  for (int i = 0; i < 1000; ++i) bins.add(at(i * 10'000'000L));  // 100 a second, for 10 s
+  CountBins bins(nanosecond(0), Nanoseconds(1'000'000), 4096);
+  for (int i = 0; i < 1000; ++i) bins.add(nanosecond(i * 10'000'000L));  // 100 a second, for 10 s
   EXPECT_EQ(bins.total(), 1000);
-  const auto rates =
-      bins.rates(at(0), at(10'000'000'000), 100, std::chrono::seconds(1), at(10'000'000'000));
+  const auto rates = bins.rates(nanosecond(0), nanosecond(10'000'000'000), 100,
+                                std::chrono::seconds(1), nanosecond(10'000'000'000));
   for (const float rate : rates) EXPECT_NEAR(rate, 100, 4);
   // A part of it that is shorter than the mean.
-  const auto part = bins.rates(at(5'000'000'000), at(5'001'000'000), 10, std::chrono::seconds(1),
-                               at(10'000'000'000));
+  const auto part = bins.rates(nanosecond(5'000'000'000), nanosecond(5'001'000'000), 10,
+                               std::chrono::seconds(1), nanosecond(10'000'000'000));
   for (const float rate : part) EXPECT_NEAR(rate, 100, 4);
 }
 
 TEST(CountBins, KeepTheirSumWhenTheyOutgrow) {
-  CountBins bins(at(0), Nanoseconds(1), 8);
-  for (int i = 0; i < 5000; ++i) bins.add(at(i));
+  CountBins bins(nanosecond(0), Nanoseconds(1), 8);
+  for (int i = 0; i < 5000; ++i) bins.add(nanosecond(i));
   std::int64_t sum = 0;
   for (const std::int64_t count : bins.counts()) sum += count;
   EXPECT_EQ(sum, 5000);

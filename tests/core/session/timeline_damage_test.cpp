@@ -26,7 +26,7 @@ struct NamedMessage {
   LogTime time() const { return LogTime(Nanoseconds(std::get<0>(name))); }
 };
 
-std::vector<NamedMessage> messagesOf(LogReader reader) {
+std::vector<NamedMessage> namedMessagesOf(LogReader reader) {
   std::vector<NamedMessage> messages;
   while (const auto message = reader.next().value()) {
     messages.push_back({{message->log_time.time_since_epoch().count(), message->channel->topic,
@@ -141,8 +141,8 @@ RC_GTEST_PROP(TimelineDamage, IsToldTheSameAloneInOrderAndShuffledAndNeverForgot
   const Bytes file = damaged(log.file);
   Result<LogReader> opened = LogReader::openBytes(file, "damaged.mcap");
   if (!opened) return;  // nothing in it can be read as a log
-  const std::vector<NamedMessage> left = messagesOf(std::move(*opened));
-  const Oracle oracle(messagesOf(openLog(log.file)), left);
+  const std::vector<NamedMessage> left = namedMessagesOf(std::move(*opened));
+  const Oracle oracle(namedMessagesOf(openLog(log.file)), left);
   Timeline whole = Timeline::of(openLog(file));
   StateDamage ignored;
   RC_ASSERT(whole.events(&ignored).ok());  // reads all of it

@@ -13,7 +13,6 @@ namespace rocinante {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::seconds;
 using test::FakeRelay;
 
 /// A network that loses, repeats, delays and reorders, with a forger on it who does not see the
@@ -83,7 +82,7 @@ class BadNetwork {
     }
   }
 
-  SteadyTime now_{seconds(1)};
+  SteadyTime now_{std::chrono::seconds(1)};
   std::mt19937 random_;
   Endpoint endpoint_;
   SubscriptionClient client_;
@@ -107,17 +106,17 @@ RC_GTEST_PROP(SubscriptionClientProperty, WhenFaultsEndTheSubscriptionHolds, ())
   network.relay.lease_s = *rc::gen::inRange<std::uint32_t>(3, 31);
   network.relay.restate_s = *rc::gen::inRange(1, 5);
   for (int part = 0; part < 4; ++part) {
-    network.run(seconds(5));
+    network.run(std::chrono::seconds(5));
     if (network.chance(0.5)) network.relay.restart("r" + std::to_string(part + 2));
     network.relay.refusal = network.chance(0.3) ? "full" : "";
   }
   network.relay.refusal.clear();
   network.fault_rate = 0;
-  network.run(seconds(10));
+  network.run(std::chrono::seconds(10));
   RC_ASSERT(network.forged_answers == 0U);
   const int accepted = network.relay.accepted;
   for (int i = 0; i < 60; ++i) {
-    network.run(seconds(1));
+    network.run(std::chrono::seconds(1));
     RC_ASSERT(network.client().isSubscribed());
     RC_ASSERT(network.relay.isServing(network.now()));
   }
@@ -130,7 +129,7 @@ RC_GTEST_PROP(SubscriptionClientProperty, WhenFaultsEndTheSubscriptionHolds, ())
 RC_GTEST_PROP(SubscriptionClientProperty, NoAnswersMakeItSendFaster, ()) {
   std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
   const Endpoint endpoint = Endpoint::parse("subscribe://[2001:db8::1]:19961").value();
-  SteadyTime now{seconds(1)};
+  SteadyTime now{std::chrono::seconds(1)};
   std::uint64_t id = 0;
   SubscriptionClient client(
       endpoint, [&] { return ++id; }, now);

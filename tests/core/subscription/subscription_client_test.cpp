@@ -11,7 +11,6 @@ namespace rocinante {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::seconds;
 using test::FakeRelay;
 using Arrival = SubscriptionClient::Arrival;
 
@@ -60,7 +59,7 @@ class Conversation {
   std::vector<SteadyTime> sent_at;
 
  private:
-  SteadyTime now_{seconds(1'000)};
+  SteadyTime now_{std::chrono::seconds(1'000)};
   std::uint64_t next_id_ = 1;
   Endpoint endpoint_;
   SubscriptionClient client_;
@@ -89,7 +88,7 @@ TEST(SubscriptionClient, SubscribesWithTheCookieOfTheChallenge) {
 
 TEST(SubscriptionClient, KeepsTheLeaseAtEveryThirdOfIt) {
   Conversation talk;
-  talk.run(seconds(31));
+  talk.run(std::chrono::seconds(31));
   EXPECT_EQ(talk.relay.accepted, 1);
   EXPECT_EQ(talk.relay.kept, 10);
   EXPECT_EQ(talk.requests.size(), 12U);
@@ -98,7 +97,7 @@ TEST(SubscriptionClient, KeepsTheLeaseAtEveryThirdOfIt) {
 
 TEST(SubscriptionClient, KeepsEachSecondUntilKept) {
   Conversation talk;
-  talk.run(seconds(1));
+  talk.run(std::chrono::seconds(1));
   talk.relay_answers = false;
   const std::size_t before = talk.requests.size();
   talk.run(milliseconds(5'500));
@@ -106,30 +105,30 @@ TEST(SubscriptionClient, KeepsEachSecondUntilKept) {
   ASSERT_EQ(talk.requests.size(), before + 4);
   for (std::size_t i = before; i < talk.requests.size(); ++i) {
     EXPECT_EQ(talk.request(i).verb, SubscriptionVerb::keep);
-    EXPECT_EQ(talk.sent_at[i] - talk.sent_at[before], (i - before) * seconds(1));
+    EXPECT_EQ(talk.sent_at[i] - talk.sent_at[before], (i - before) * std::chrono::seconds(1));
   }
   talk.relay_answers = true;
-  talk.run(seconds(5));
+  talk.run(std::chrono::seconds(5));
   EXPECT_EQ(talk.relay.accepted, 1);
   EXPECT_GE(talk.relay.kept, 1);
 }
 
 TEST(SubscriptionClient, ALeaseThatRanOutIsAskedForAnew) {
   Conversation talk;
-  talk.run(seconds(1));
+  talk.run(std::chrono::seconds(1));
   talk.relay_answers = false;
-  talk.run(seconds(10));
+  talk.run(std::chrono::seconds(10));
   talk.relay_answers = true;
-  talk.run(seconds(5));
+  talk.run(std::chrono::seconds(5));
   EXPECT_EQ(talk.relay.accepted, 2);
   EXPECT_TRUE(talk.client().isSubscribed());
 }
 
 TEST(SubscriptionClient, ARelayThatRestartedIsSubscribedToAgain) {
   Conversation talk;
-  talk.run(seconds(1));
+  talk.run(std::chrono::seconds(1));
   talk.relay.restart("r2");
-  talk.run(seconds(3));
+  talk.run(std::chrono::seconds(3));
   EXPECT_EQ(talk.relay.accepted, 2);
   EXPECT_EQ(talk.news.back(),
             "relay hall at subscribe://10.0.0.1:19961 was restarted; subscribed again");
@@ -138,9 +137,9 @@ TEST(SubscriptionClient, ARelayThatRestartedIsSubscribedToAgain) {
 
 TEST(SubscriptionClient, ARelayThatForgotTheLeaseIsAskedAtOnceAndSilently) {
   Conversation talk;
-  talk.run(seconds(1));
+  talk.run(std::chrono::seconds(1));
   talk.relay.has_lease = false;
-  talk.run(seconds(3));
+  talk.run(std::chrono::seconds(3));
   EXPECT_EQ(talk.relay.accepted, 2);
   EXPECT_EQ(talk.news.size(), 1U);
 }
@@ -148,7 +147,7 @@ TEST(SubscriptionClient, ARelayThatForgotTheLeaseIsAskedAtOnceAndSilently) {
 TEST(SubscriptionClient, AQuietRelayIsOnlyAskedWhetherItIsThere) {
   Conversation talk;
   talk.relay_speaks = false;
-  talk.run(seconds(60));
+  talk.run(std::chrono::seconds(60));
   EXPECT_EQ(talk.relay.accepted, 1);
   EXPECT_LE(talk.requests.size(), 33U);
   EXPECT_EQ(talk.news.size(), 1U);
@@ -156,7 +155,7 @@ TEST(SubscriptionClient, AQuietRelayIsOnlyAskedWhetherItIsThere) {
 
 TEST(SubscriptionClient, SilenceForTwoRestatementsIsAskedAboutAnew) {
   Conversation talk;
-  talk.run(seconds(1));
+  talk.run(std::chrono::seconds(1));
   talk.relay_answers = talk.relay_speaks = false;
   talk.run(milliseconds(3'800));
   EXPECT_TRUE(talk.client().isSubscribed());
@@ -168,18 +167,18 @@ TEST(SubscriptionClient, SilenceForTwoRestatementsIsAskedAboutAnew) {
 TEST(SubscriptionClient, ARelayThatIsAwayIsReportedOnce) {
   Conversation talk;
   talk.relay_answers = false;
-  talk.run(seconds(60));
+  talk.run(std::chrono::seconds(60));
   EXPECT_EQ(talk.news, (std::vector<std::string>{"subscribe://10.0.0.1:19961 does not answer; "
                                                  "nothing is received until it does"}));
   EXPECT_GE(talk.requests.size(), 58U);
   EXPECT_LE(talk.requests.size(), 66U);
   talk.relay_answers = true;
-  talk.run(seconds(2));
+  talk.run(std::chrono::seconds(2));
   EXPECT_EQ(talk.news.back(), "subscribed to relay hall at subscribe://10.0.0.1:19961");
   talk.relay_answers = talk.relay_speaks = false;
-  talk.run(seconds(20));
+  talk.run(std::chrono::seconds(20));
   talk.relay_answers = true;
-  talk.run(seconds(2));
+  talk.run(std::chrono::seconds(2));
   ASSERT_EQ(talk.news.size(), 4U);
   EXPECT_EQ(talk.news[3], "subscribed to relay hall at subscribe://10.0.0.1:19961 again");
 }
@@ -191,11 +190,11 @@ TEST(SubscriptionClient, TheOutcomeNamesTheFirstAcceptance) {
   talk.run(milliseconds(500));
   talk.relay_answers = true;
   // Asked at 0, 0.25, 0.75 s.
-  talk.run(seconds(1));
+  talk.run(std::chrono::seconds(1));
   EXPECT_EQ(talk.client().outcome().accepted_after, Nanoseconds(milliseconds(750)));
   EXPECT_EQ(talk.client().outcome().trouble, "");
   talk.relay.restart("r2");
-  talk.run(seconds(5));
+  talk.run(std::chrono::seconds(5));
   EXPECT_EQ(talk.client().outcome().accepted_after, Nanoseconds(milliseconds(750)));
 }
 
@@ -215,16 +214,16 @@ TEST(SubscriptionClient, TheOutcomeSaysWhyItWasNeverAcceptedBeforeTheUserLearnsO
 TEST(SubscriptionClient, ARefusalIsReportedOnceAndRetriedSlowly) {
   Conversation talk;
   talk.relay.refusal = "full\u202E";  // right to left from here
-  talk.run(seconds(31));
+  talk.run(std::chrono::seconds(31));
   EXPECT_EQ(talk.news,
             (std::vector<std::string>{"subscribe://10.0.0.1:19961 refused: full\\xe2\\x80\\xae; "
                                       "asking again every 5 s"}));
   EXPECT_EQ(talk.requests.size(), 1U + 7U);
   talk.relay.refusal = "closed on sundays";
-  talk.run(seconds(10));
+  talk.run(std::chrono::seconds(10));
   EXPECT_EQ(talk.news.size(), 2U);
   talk.relay.refusal.clear();
-  talk.run(seconds(6));
+  talk.run(std::chrono::seconds(6));
   EXPECT_TRUE(talk.client().isSubscribed());
   EXPECT_EQ(talk.news.size(), 3U);
 }
@@ -268,7 +267,7 @@ TEST(SubscriptionClient, AnAnswerThatIsRepeatedCountsOnce) {
 
 TEST(SubscriptionClient, RequestsArePaddedAndNumberedAnew) {
   Conversation talk;
-  talk.run(seconds(60));
+  talk.run(std::chrono::seconds(60));
   std::set<std::uint64_t> ids;
   for (std::size_t i = 0; i < talk.requests.size(); ++i) {
     EXPECT_EQ(talk.requests[i].size(), kSubscribeBytes);
@@ -293,7 +292,7 @@ TEST(SubscriptionClient, AnyRestatementAndLeaseOfARelayIsSurvived) {
     Conversation talk;
     talk.relay.restate_s = restate;
     talk.relay.lease_s = 1;
-    talk.run(seconds(20));
+    talk.run(std::chrono::seconds(20));
     EXPECT_LE(talk.requests.size(), 4U + 40U);
     EXPECT_EQ(talk.news.size(), 1U);
   }

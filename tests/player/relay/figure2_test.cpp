@@ -249,15 +249,15 @@ std::uint16_t portOf(const std::string& address) {
 }
 
 /// A port of loopback that is free now.
-std::uint16_t freePort() {
+std::uint16_t freeRelayPort() {
   const auto receiver = UdpReceiver::open(endpointOf("127.0.0.1:0"));
   return receiver->boundAddress().port;
 }
 
 TEST(Figure2, EveryoneArrivesAtWhatTheSourcesSaid) {
   const test::TemporaryFolder folder;
-  const std::string arm_at = fmt::format("127.0.0.1:{}", freePort());
-  const std::string gantry_at = fmt::format("127.0.0.1:{}", freePort());
+  const std::string arm_at = fmt::format("127.0.0.1:{}", freeRelayPort());
+  const std::string gantry_at = fmt::format("127.0.0.1:{}", freeRelayPort());
   const LinkFaults bad{.loss = 0.2, .duplicate = 0.05, .delay = 10ms, .jitter = 30ms};
   const LinkFaults slow{.loss = 0.05, .delay = 50ms, .bits_per_second = 28'800};
 
@@ -320,9 +320,9 @@ std::chrono::seconds longEnough() {
 
 TEST(Figure2, ListenersComeAndGoWhileEverythingIsRestarted) {
   std::mt19937 random(2024);
-  const std::string arm_at = fmt::format("127.0.0.1:{}", freePort());
-  const std::string gantry_at = fmt::format("127.0.0.1:{}", freePort());
-  const std::string served = fmt::format("127.0.0.1:{}", freePort());
+  const std::string arm_at = fmt::format("127.0.0.1:{}", freeRelayPort());
+  const std::string gantry_at = fmt::format("127.0.0.1:{}", freeRelayPort());
+  const std::string served = fmt::format("127.0.0.1:{}", freeRelayPort());
   const auto startRelay = [&] {
     Program relay =
         Program::start("rocinante-relay", {"--from", arm_at, "--from", gantry_at, "--serve", served,
@@ -379,7 +379,7 @@ TEST(Figure2, APlayersTurnsAndJumpsArriveBehindARelay) {
   auto reader = LogReader::open(log);
   ASSERT_TRUE(reader.ok()) << reader.error().text();
   auto session = Timeline::of(std::move(*reader));
-  const std::string player_at = fmt::format("127.0.0.1:{}", freePort());
+  const std::string player_at = fmt::format("127.0.0.1:{}", freeRelayPort());
   Program relay = Program::start("rocinante-relay", {"--from", player_at, "--serve", "127.0.0.1:0",
                                                      "--restate", "500ms", "--name", "hub"});
   const std::string served = servedBy(relay);

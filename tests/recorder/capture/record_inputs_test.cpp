@@ -26,8 +26,9 @@ using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using PlainJson = nlohmann::json;
 
-struct Recording {
-  explicit Recording(std::vector<std::string> arguments, const std::string& said = "recording ")
+struct RecordingInputs {
+  explicit RecordingInputs(std::vector<std::string> arguments,
+                           const std::string& said = "recording ")
       : program(start(std::move(arguments))) {
     const std::string line = program.waitForLine(said);
     std::istringstream words(line);
@@ -69,7 +70,7 @@ UdpSender senderFrom(std::string_view host, Endpoint to) {
 
 TEST(RecordInputs, RecordsOnlyWhomAllowNames) {
   // To 127.0.0.2 the system sends from 127.0.0.1; to itself, from itself.
-  Recording recording({":0", "[::]:0", "--allow", "127.0.0.0/31", "--allow", "fd00::/8"});
+  RecordingInputs recording({":0", "[::]:0", "--allow", "127.0.0.0/31", "--allow", "fd00::/8"});
   ASSERT_EQ(recording.bound.size(), 2U);
   UdpSender near = senderFrom("127.0.0.1", recording.bound[0]);
   UdpSender other = senderFrom("::1", recording.bound[1]);
@@ -104,7 +105,7 @@ TEST(RecordInputs, ARelayThatNeverAnswersIsAnErrorAtTheEnd) {
 TEST(RecordInputs, ARelayThatComesLaterIsAcceptedAndTimed) {
   test::LoopbackRelay relay;
   relay.setAway(true);
-  Recording recording({relay.endpoint()});
+  RecordingInputs recording({relay.endpoint()});
   relay.setAway(false);
   recording.program.waitForLine("subscribed to relay hall at " + relay.endpoint());
   ASSERT_TRUE(relay.send("RK1 arm 1 -\njoints arm 1\n"));
@@ -118,7 +119,7 @@ TEST(RecordInputs, ARelayThatComesLaterIsAcceptedAndTimed) {
 
 TEST(RecordInputs, RecordsWhatARelaySends) {
   test::LoopbackRelay relay;
-  Recording recording({relay.endpoint(), "127.0.0.1:0"});
+  RecordingInputs recording({relay.endpoint(), "127.0.0.1:0"});
   recording.program.waitForLine("subscribed to relay hall at " + relay.endpoint());
   // As long as it takes the lease to be kept under constant traffic.
   int sent = 0;
@@ -174,7 +175,7 @@ TEST(RecordInputs, RecordsWhatARelaySends) {
 
 TEST(RecordInputs, SendsOnEverythingVerbatim) {
   auto receiver = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value()).value();
-  Recording recording({"127.0.0.1:0", "--tee", receiver.boundAddress().text()});
+  RecordingInputs recording({"127.0.0.1:0", "--tee", receiver.boundAddress().text()});
   UdpSender sender = recording.sender();
   std::vector<std::string> sent{"", std::string(65'507, 'x')};
   for (int i = 0; i < 200; ++i) sent.push_back(std::to_string(i));
@@ -213,7 +214,7 @@ TEST(RecordInputs, WatchesWhatHasItsReceiverAndNotItsOwnTee) {
   ROCINANTE_NEEDS_NETWORK_NAMESPACE(network);
   auto receiver = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value()).value();
   auto teed = UdpReceiver::open(Endpoint::parse("[::1]:0").value()).value();
-  Recording recording({"pcap://lo", "--tee", teed.boundAddress().text()});
+  RecordingInputs recording({"pcap://lo", "--tee", teed.boundAddress().text()});
   Endpoint to = receiver.endpoint();
   to.address = receiver.boundAddress();
   auto sender = UdpSender::open(to).value();
@@ -245,7 +246,7 @@ TEST(RecordInputs, GoesOnWhenAnInterfaceIsMadeAnew) {
       "ip link add cell0 type veth peer name robot0 && ip addr add 10.9.0.1/24 dev cell0 && "
       "ip link set robot0 up && ip link set cell0 up";
   ASSERT_TRUE(NetworkNamespace::run(make));
-  Recording recording({"239.1.2.3:5000?interface=cell0", "127.0.0.1:0"});
+  RecordingInputs recording({"239.1.2.3:5000?interface=cell0", "127.0.0.1:0"});
   const auto send = [&](const std::string& word) {
     const auto sender = UdpSender::open(Endpoint::parse("239.1.2.3:5000?interface=cell0").value());
     if (sender) (void)const_cast<UdpSender&>(*sender).send(bytesOf(word));

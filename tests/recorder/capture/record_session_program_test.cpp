@@ -28,9 +28,9 @@ using test::TemporaryFolder;
 
 namespace fs = std::filesystem;
 
-class Recording {
+class RecordingSession {
  public:
-  Recording(const std::string& output, std::vector<std::string> options)
+  RecordingSession(const std::string& output, std::vector<std::string> options)
       : program(start(output, std::move(options))) {
     std::istringstream words(program.waitForLine("recording "));
     std::string endpoint;
@@ -135,7 +135,7 @@ std::vector<std::uint64_t> numbersIn(const fs::path& path, bool complete = true)
 
 TEST(RecordPieces, ABlowOfSighupBeginsANewPiece) {
   const TemporaryFolder folder;
-  Recording recording((folder / "log.mcap").string(), {});
+  RecordingSession recording((folder / "log.mcap").string(), {});
   recording.say("0 before");
   // Waiting datagrams belong before the seam, which comes with the next datagram.
   ASSERT_TRUE(waitUntil([&] { return fs::file_size(folder / "log.mcap") > 150; }));
@@ -157,7 +157,8 @@ TEST(RecordPieces, ABlowOfSighupBeginsANewPiece) {
 
 TEST(RecordPieces, RotatingAtAHundredThousandASecondEachIsStoredOrCounted) {
   const TemporaryFolder folder;
-  Recording recording((folder / "p-%n.mcap").string(), {"--split-size", "2MB", "--keep", "4"});
+  RecordingSession recording((folder / "p-%n.mcap").string(),
+                             {"--split-size", "2MB", "--keep", "4"});
   const std::uint64_t sent =
       recording.talk(100'000, until([&] {
                        const std::vector<fs::path> logs = logsIn(folder.path());
@@ -193,7 +194,7 @@ TEST(RecordPieces, KilledWhilePiecesRotateAllButTheLastAreWhole) {
   std::mt19937 random(device());
   for (int round = 0; round < 4; ++round) {
     const TemporaryFolder folder;
-    Recording recording((folder / "p-%n.mcap").string(), {"--split-size", "40kB"});
+    RecordingSession recording((folder / "p-%n.mcap").string(), {"--split-size", "40kB"});
     const std::string last = fmt::format("p-{:03}.mcap", 5 + random() % 20);
     recording.talk(20'000, until([&] { return fs::exists(folder / last); }));
     recording.program.signal(SIGKILL);
@@ -225,8 +226,8 @@ TEST(RecordPieces, ADiskThatFillsUpInALaterPieceLeavesAllWhole) {
     GTEST_SKIP() << "no file system can be mounted here";
   }
   {
-    Recording recording((folder / "p-%n.mcap").string(),
-                        {"--split-size", "1MB", "--compression", "none"});
+    RecordingSession recording((folder / "p-%n.mcap").string(),
+                               {"--split-size", "1MB", "--compression", "none"});
     // It ends by itself, and then no process has the port.
     recording.talk(20'000, until([&] { return !test::udpQueueAt(recording.port); }));
     const ProgramResult result = recording.program.stop();
@@ -251,8 +252,8 @@ TEST(RecordPieces, ADiskThatFillsUpInALaterPieceLeavesAllWhole) {
 
 TEST(RecordRing, ASignalWritesWhatIsHeld) {
   const TemporaryFolder folder;
-  Recording recording((folder / "ring-%n.mcap").string(),
-                      {"--ring", "60s", "--keep", "1", "--status", "50ms"});
+  RecordingSession recording((folder / "ring-%n.mcap").string(),
+                             {"--ring", "60s", "--keep", "1", "--status", "50ms"});
   for (int i = 0; i < 200; ++i) recording.say(std::to_string(i) + " x");
   recording.program.waitForLine(" 200 packets ");
   EXPECT_TRUE(logsIn(folder.path()).empty());
@@ -273,7 +274,7 @@ TEST(RecordRing, ASignalWritesWhatIsHeld) {
 
 TEST(RecordRing, WithoutASignalNothingIsWritten) {
   const TemporaryFolder folder;
-  Recording recording((folder / "ring.mcap").string(), {"--ring", "1s"});
+  RecordingSession recording((folder / "ring.mcap").string(), {"--ring", "1s"});
   recording.say("0 x");
   const PlainJson summary = recording.finish();
   EXPECT_TRUE(fs::is_empty(folder.path()));
@@ -283,8 +284,8 @@ TEST(RecordRing, WithoutASignalNothingIsWritten) {
 
 TEST(RecordConditions, BeginAndEndWithTheDatagramsThatMeetThem) {
   const TemporaryFolder folder;
-  Recording recording((folder / "log.mcap").string(),
-                      {"--start-on", "event=cycle begins", "--stop-on", "cycle ends"});
+  RecordingSession recording((folder / "log.mcap").string(),
+                             {"--start-on", "event=cycle begins", "--stop-on", "cycle ends"});
   EXPECT_FALSE(recording.program.waitForLine("waiting for event=cycle begins").empty());
   recording.say("RK1 arm@r 0 -\nadd arm puma\n");
   recording.say("RK1 arm@r 1 -\nevent \"cycle ends\"\n");
@@ -305,7 +306,7 @@ TEST(RecordConditions, BeginAndEndWithTheDatagramsThatMeetThem) {
 
 TEST(RecordConditions, ASilenceEndsIt) {
   const TemporaryFolder folder;
-  Recording recording((folder / "log.mcap").string(), {"--stop-on", "silence=200ms"});
+  RecordingSession recording((folder / "log.mcap").string(), {"--stop-on", "silence=200ms"});
   recording.say("0 x");
   const ProgramResult result = recording.program.finish();
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -315,8 +316,8 @@ TEST(RecordConditions, ASilenceEndsIt) {
 
 TEST(RecordConditions, TheDurationCountsFromTheBeginning) {
   const TemporaryFolder folder;
-  Recording recording((folder / "log.mcap").string(),
-                      {"--start-on", "source=arm", "--duration", "300ms"});
+  RecordingSession recording((folder / "log.mcap").string(),
+                             {"--start-on", "source=arm", "--duration", "300ms"});
   // Longer than the duration, before anything begins.
   std::this_thread::sleep_for(milliseconds(500));
   recording.say("RK1 arm - -\n");

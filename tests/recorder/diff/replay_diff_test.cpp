@@ -9,19 +9,19 @@ namespace {
 
 using testing::HasSubstr;
 
-struct Said {
+struct SentMessage {
   std::int64_t time_ms;
   std::string source;  ///< empty: of none
   std::string payload;
   std::string port = "5000";
 };
 
-Bytes recordingOf(const std::vector<Said>& messages) {
+Bytes recordingOf(const std::vector<SentMessage>& messages) {
   Bytes file;
   LogWriter writer = makeWriter(file, {});
   std::map<std::string, ChannelId> channels;
   std::uint32_t sequence = 0;
-  for (const Said& each : messages) {
+  for (const SentMessage& each : messages) {
     const std::string topic =
         "/udp/" + each.port + "/" + (each.source.empty() ? "127.0.0.1" : each.source);
     if (!channels.contains(topic)) {
@@ -45,7 +45,7 @@ ReplayOptions optionsOf(const char* speed, const std::vector<std::string>& maps 
   return options;
 }
 
-ReplayDiff replayOf(const std::vector<Said>& a, const std::vector<Said>& b,
+ReplayDiff replayOf(const std::vector<SentMessage>& a, const std::vector<SentMessage>& b,
                     const ReplayOptions& options = {}) {
   const Bytes file_a = recordingOf(a);
   const Bytes file_b = recordingOf(b);
@@ -56,8 +56,8 @@ ReplayDiff replayOf(const std::vector<Said>& a, const std::vector<Said>& b,
   return std::move(*diff);
 }
 
-std::vector<Said> twoSources(int count) {
-  std::vector<Said> messages;
+std::vector<SentMessage> twoSources(int count) {
+  std::vector<SentMessage> messages;
   for (int i = 0; i < count; ++i) {
     messages.push_back({1000 + i * 40, i % 3 == 0 ? "arm" : "gantry", std::to_string(i)});
   }
@@ -65,9 +65,9 @@ std::vector<Said> twoSources(int count) {
 }
 
 /// The same messages replayed: another port, another start, `speed` times as fast.
-std::vector<Said> played(std::vector<Said> messages, int speed) {
+std::vector<SentMessage> played(std::vector<SentMessage> messages, int speed) {
   const std::int64_t begin = messages.front().time_ms;
-  for (Said& each : messages) {
+  for (SentMessage& each : messages) {
     each.time_ms = 70'000 + (each.time_ms - begin) / speed;
     each.port = "7000";
   }
@@ -75,7 +75,7 @@ std::vector<Said> played(std::vector<Said> messages, int speed) {
 }
 
 TEST(ReplayDiff, AnotherPortAnotherDayAndAnotherSpeedAreTheSameReplay) {
-  const std::vector<Said> session = twoSources(60);
+  const std::vector<SentMessage> session = twoSources(60);
   const ReplayDiff diff = replayOf(session, played(session, 4), optionsOf("4"));
   EXPECT_TRUE(diff.same());
   EXPECT_EQ(diff.stream_a, diff.stream_b);
@@ -89,7 +89,7 @@ TEST(ReplayDiff, AnotherPortAnotherDayAndAnotherSpeedAreTheSameReplay) {
 }
 
 TEST(ReplayDiff, AnotherSpeedThanWasSaidIsToldAndDecidesNothingByItself) {
-  const std::vector<Said> session = twoSources(60);
+  const std::vector<SentMessage> session = twoSources(60);
   ReplayOptions options;
   const ReplayDiff diff = replayOf(session, played(session, 4), options);
   EXPECT_TRUE(diff.same());
@@ -103,8 +103,8 @@ TEST(ReplayDiff, AnotherSpeedThanWasSaidIsToldAndDecidesNothingByItself) {
 }
 
 TEST(ReplayDiff, WhatIsMissingExtraChangedOrOutOfOrderIsCountedBySource) {
-  const std::vector<Said> session = twoSources(60);
-  std::vector<Said> replay = played(session, 1);
+  const std::vector<SentMessage> session = twoSources(60);
+  std::vector<SentMessage> replay = played(session, 1);
   std::swap(replay[3].payload, replay[9].payload);  // of the arm
   replay.erase(replay.begin() + 40);                // of the gantry
   replay.push_back({90'000, "arm", "one more", "7000"});
@@ -131,11 +131,11 @@ TEST(ReplayDiff, WhatIsMissingExtraChangedOrOutOfOrderIsCountedBySource) {
 }
 
 TEST(ReplayDiff, MapsTellTwoPlacesOfOneSourceApart) {
-  std::vector<Said> session;
+  std::vector<SentMessage> session;
   for (int i = 0; i < 20; ++i) {
     session.push_back({i * 10, "arm", "a" + std::to_string(i), i % 2 == 0 ? "5000" : "5001"});
   }
-  std::vector<Said> replay = played(session, 1);
+  std::vector<SentMessage> replay = played(session, 1);
   for (std::size_t i = 0; i < replay.size(); ++i) replay[i].port = i % 2 == 0 ? "7000" : "7001";
   const ReplayOptions options = optionsOf("1", {"/udp/5001/*=127.0.0.1:7001"});
   const ReplayDiff diff = replayOf(session, replay, options);
@@ -152,8 +152,8 @@ TEST(ReplayDiff, MapsTellTwoPlacesOfOneSourceApart) {
 }
 
 TEST(ReplayDiff, TheFirstMessageMayBeMissing) {
-  const std::vector<Said> session = twoSources(60);
-  std::vector<Said> replay = played(session, 1);
+  const std::vector<SentMessage> session = twoSources(60);
+  std::vector<SentMessage> replay = played(session, 1);
   replay.erase(replay.begin());
   const ReplayDiff diff = replayOf(session, replay);
   EXPECT_EQ(diff.sources[0].missing, 1U);

@@ -15,20 +15,20 @@ PlotScale eights() {
   return scale;
 }
 
-XyShape shapeOf(const XyColumns& columns) {
+XyShape xyShapeOf(const XyColumns& columns) {
   const PlotValue value;
   const PlotScale scale = eights();
   return xyShape(columns, {value, scale, 64}, {value, scale, 64});
 }
 
-ValueColumn sampled(float low, float high, float last) {
+ValueColumn sampledXy(float low, float high, float last) {
   ValueColumn column;
   column.bin = {low, high, last, false};
   column.held = last;
   return column;
 }
-ValueColumn sampled(float value) { return sampled(value, value, value); }
-ValueColumn holding(float value) {
+ValueColumn sampledXy(float value) { return sampledXy(value, value, value); }
+ValueColumn holdingXy(float value) {
   ValueColumn column;
   column.held = value;
   return column;
@@ -40,41 +40,42 @@ ValueColumn ended() {
 }
 
 TEST(XyShape, GoesThroughWhereBothAre) {
-  const XyShape shape =
-      shapeOf({{sampled(1), sampled(2), sampled(3)}, {sampled(5), holding(5), sampled(7)}});
+  const XyShape shape = xyShapeOf(
+      {{sampledXy(1), sampledXy(2), sampledXy(3)}, {sampledXy(5), holdingXy(5), sampledXy(7)}});
   ASSERT_EQ(shape.lines.size(), 1U);
   EXPECT_EQ(shape.lines[0], (Line{{8, 40}, {16, 40}, {24, 56}}));
   EXPECT_TRUE(shape.boxes.empty()) << "one sample in a stretch is a point";
 }
 
 TEST(XyShape, AGapOfEitherIsAGap) {
-  const std::vector<ValueColumn> whole(5, holding(1));
-  const std::vector<ValueColumn> cut{sampled(1), ended(), {}, sampled(4), holding(4)};
+  const std::vector<ValueColumn> whole(5, holdingXy(1));
+  const std::vector<ValueColumn> cut{sampledXy(1), ended(), {}, sampledXy(4), holdingXy(4)};
   for (const XyColumns& columns : {XyColumns{cut, whole}, XyColumns{whole, cut}}) {
-    EXPECT_EQ(shapeOf(columns).lines.size(), 2U);
+    EXPECT_EQ(xyShapeOf(columns).lines.size(), 2U);
   }
-  const XyShape turned = shapeOf({whole, cut});
+  const XyShape turned = xyShapeOf({whole, cut});
   EXPECT_EQ(turned.lines[0], (Line{{8, 8}}));
   EXPECT_EQ(turned.lines[1], (Line{{8, 32}}));
-  EXPECT_TRUE(shapeOf({cut, std::vector<ValueColumn>(5)}).lines.empty());
-  EXPECT_TRUE(shapeOf({}).lines.empty());
+  EXPECT_TRUE(xyShapeOf({cut, std::vector<ValueColumn>(5)}).lines.empty());
+  EXPECT_TRUE(xyShapeOf({}).lines.empty());
 }
 
 TEST(XyShape, ExtremesWithinAStretchAreABox) {
-  const XyShape shape = shapeOf({{sampled(1), sampled(0.5, 9, 2)}, {sampled(1), sampled(1, 4, 4)}});
+  const XyShape shape =
+      xyShapeOf({{sampledXy(1), sampledXy(0.5, 9, 2)}, {sampledXy(1), sampledXy(1, 4, 4)}});
   ASSERT_EQ(shape.boxes.size(), 1U);
   EXPECT_EQ(shape.boxes[0], (XyShape::Box{4, 72, 8, 32}));
   EXPECT_EQ(shape.lines[0], (Line{{8, 8}, {16, 32}}));
   // Of one that moves alone the box is a line, and what nobody can see is none.
-  const XyShape flat = shapeOf({{sampled(1, 8, 1)}, {sampled(3)}});
+  const XyShape flat = xyShapeOf({{sampledXy(1, 8, 1)}, {sampledXy(3)}});
   ASSERT_EQ(flat.boxes.size(), 1U);
   EXPECT_EQ(flat.boxes[0], (XyShape::Box{8, 64, 24, 24}));
-  EXPECT_TRUE(shapeOf({{sampled(1, 1.05F, 1)}, {sampled(3)}}).boxes.empty());
+  EXPECT_TRUE(xyShapeOf({{sampledXy(1, 1.05F, 1)}, {sampledXy(3)}}).boxes.empty());
 }
 
 TEST(XyShape, StandingStillIsOnePoint) {
-  const std::vector<ValueColumn> still(5000, holding(2));
-  const XyShape shape = shapeOf({still, still});
+  const std::vector<ValueColumn> still(5000, holdingXy(2));
+  const XyShape shape = xyShapeOf({still, still});
   ASSERT_EQ(shape.lines.size(), 1U);
   EXPECT_EQ(shape.lines[0].size(), 1U);
 }
@@ -93,7 +94,8 @@ TEST(XyShape, EqualUnitsTakeEqualPixels) {
 }
 
 TEST(XyShape, APairIsWhereBothAreThen) {
-  const XyColumns columns{{sampled(1), sampled(2), ended()}, {sampled(5), holding(5), holding(6)}};
+  const XyColumns columns{{sampledXy(1), sampledXy(2), ended()},
+                          {sampledXy(5), holdingXy(5), holdingXy(6)}};
   EXPECT_EQ(pairAt(columns, 0.1), std::pair(1.0, 5.0));
   EXPECT_EQ(pairAt(columns, 0.5), std::pair(2.0, 5.0));
   EXPECT_EQ(pairAt(columns, 0.9), std::nullopt);

@@ -19,7 +19,7 @@ char lowered(char letter) {
 
 bool isWordLetter(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0; }
 
-std::string keyOf(const Command& command, std::string_view words) {
+std::string shortcutOf(const Command& command, std::string_view words) {
   for (const Shortcut& shortcut : command.shortcuts) {
     if (shortcut.words == words) return shownKey(shortcut.key);
   }
@@ -33,7 +33,8 @@ void addEntries(const Command& command, const ViewModel& model,
   if (command.leastWords() == 0) {
     const auto plain = std::ranges::find(command.shortcuts, std::string_view(), &Shortcut::words);
     const bool has_text = plain != command.shortcuts.end() && !plain->means.empty();
-    entries.push_back({has_text ? std::string(plain->means) : means, name, keyOf(command, "")});
+    entries.push_back(
+        {has_text ? std::string(plain->means) : means, name, shortcutOf(command, "")});
   }
   for (const Shortcut& shortcut : command.shortcuts) {
     if (shortcut.words.empty() || shortcut.means.empty()) continue;
@@ -44,7 +45,7 @@ void addEntries(const Command& command, const ViewModel& model,
     std::vector<std::string> choices = command.choices(model);
     choices.resize(std::min(choices.size(), kMaxChoices));
     for (const std::string& choice : choices) {
-      entries.push_back({means, name + " " + choice, keyOf(command, choice)});
+      entries.push_back({means, name + " " + choice, shortcutOf(command, choice)});
     }
   }
   if (command.leastWords() > 0) {

@@ -10,9 +10,6 @@
 namespace rocinante {
 namespace {
 
-SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
-WallTime wallNow() { return std::chrono::system_clock::now(); }
-
 void drawViewpoints(ViewModel& model) {
   const std::string watched = model.watched();
   for (const std::string& name : model.viewsOfOthers()) {
@@ -47,8 +44,9 @@ void drawBeginning(Publishing& publishing) {
                                publishing.name_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
   if (ImGui::Button("publish", ImVec2(-1, 0)) || entered) {
-    const Status begun = publishing.begin(publishing.endpoint_text.data(),
-                                          publishing.name_text.data(), steadyNow(), wallNow());
+    const Status begun =
+        publishing.begin(publishing.endpoint_text.data(), publishing.name_text.data(),
+                         std::chrono::steady_clock::now(), std::chrono::system_clock::now());
     publishing.trouble = begun ? std::string() : begun.error().text();
   }
   explain("others see where this window looks and points");
@@ -71,7 +69,8 @@ void drawPublished(Publishing& publishing) {
   if (ImGui::SmallButton("erase")) publishing.eraseDrawn();
   explain("the lines and labels of this window");
   ImGui::SameLine();
-  if (ImGui::SmallButton("end")) return publishing.end(steadyNow(), wallNow());
+  if (ImGui::SmallButton("end"))
+    return publishing.end(std::chrono::steady_clock::now(), std::chrono::system_clock::now());
   explain("publish nothing more");
   auto& text = publishing.message_text;
   ImGui::SetNextItemWidth(px(-90));

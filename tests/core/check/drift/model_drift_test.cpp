@@ -17,7 +17,7 @@ using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr std::string_view kArm = R"(<robot name="arm">
+constexpr std::string_view kDriftArm = R"(<robot name="arm">
   <material name="red"> <color rgba="1 0 0 1"/> </material>
   <link name="base"> <visual> <geometry> <box size="1 1 1"/> </geometry> <material name="red"/> </visual>
     <collision> <geometry> <sphere radius="1"/> </geometry> </collision> </link>
@@ -34,9 +34,9 @@ constexpr std::string_view kArm = R"(<robot name="arm">
 </robot>
 )";
 
-constexpr std::string_view kPart = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n";
+constexpr std::string_view kPartMesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n";
 
-constexpr std::string_view kCell = R"(format = 1
+constexpr std::string_view kTwoDevices = R"(format = 1
 [[device]]
 name = "arm"
 model = "arm.urdf"
@@ -56,9 +56,9 @@ target = [0, 0, 0]
 using Files = std::map<std::string, std::string>;
 
 Files soundFiles() {
-  return {{"cell.toml", std::string(kCell)},
-          {"arm.urdf", std::string(kArm)},
-          {"part.obj", std::string(kPart)}};
+  return {{"cell.toml", std::string(kTwoDevices)},
+          {"arm.urdf", std::string(kDriftArm)},
+          {"part.obj", std::string(kPartMesh)}};
 }
 
 /// A cell in its own folder, which lives as long as this object.
@@ -79,7 +79,7 @@ Findings driftBetween(const Files& recorded, const Files& given) {
   return modelDrift(was.cell, is.cell);
 }
 
-struct Mutation {
+struct ModelChange {
   const char* what;
   const char* file;
   std::string from, to;
@@ -89,7 +89,7 @@ struct Mutation {
 
 TEST(ModelDrift, FindsEachSmallChangeAndNothingElse) {
   const std::string elbow_end = "effort=\"9\" velocity=\"2\"/> </joint>\n  <joint name=\"finger\"";
-  const std::vector<Mutation> mutations = {
+  const std::vector<ModelChange> mutations = {
       {"a joint renamed",
        "arm.urdf",
        "\"elbow\"",
@@ -347,7 +347,7 @@ TEST(ModelDrift, FindsEachSmallChangeAndNothingElse) {
        {},
        ""},
   };
-  for (const Mutation& mutation : mutations) {
+  for (const ModelChange& mutation : mutations) {
     SCOPED_TRACE(mutation.what);
     Files changed = soundFiles();
     std::string& text = changed.at(mutation.file);

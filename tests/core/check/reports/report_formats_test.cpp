@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
 
-constexpr LogTime kOrigin{std::chrono::seconds(1000)};
+constexpr LogTime kReportOrigin{std::chrono::seconds(1000)};
 
 Finding findingOf(std::string rule, Severity severity, std::string text) {
   Finding finding;
@@ -38,14 +38,14 @@ CheckReport hostileReport() {
   report.session = "session.mcap";
   report.has_session = true;
   report.packets = report.datagrams = 100;
-  report.origin = kOrigin;
+  report.origin = kReportOrigin;
   report.duration = std::chrono::seconds(10);
   Finding finding = findingOf("packet.unknown-device", Severity::error,
                               "no <device> \"a&b\" ]]> %0A::error::x\n::stop\x01\xFF");
   finding.subject = "a,b:c%\x1B[31m";
   finding.count = 50;
-  finding.first = kOrigin + std::chrono::seconds(2);
-  finding.last = kOrigin + std::chrono::seconds(9);
+  finding.first = kReportOrigin + std::chrono::seconds(2);
+  finding.last = kReportOrigin + std::chrono::seconds(9);
   for (int i = 0; i < 50; ++i)
     finding.when.hit(*finding.first + std::chrono::milliseconds(i * 140));
   finding.packet = 21;
@@ -282,16 +282,16 @@ TEST(CheckText, KeepsSubjectsTogetherBreaksLinesAndListsOnlySoMany) {
 
 TEST(TimeStrip, ShowsWhereInTheSessionThingsFell) {
   TimeHistogram when;
-  when.hit(kOrigin + std::chrono::milliseconds(1));
-  for (int i = 0; i < 8; ++i) when.hit(kOrigin + std::chrono::milliseconds(9990 + i));
-  const std::string strip = timeStrip(when, kOrigin, std::chrono::seconds(10), 10, false);
+  when.hit(kReportOrigin + std::chrono::milliseconds(1));
+  for (int i = 0; i < 8; ++i) when.hit(kReportOrigin + std::chrono::milliseconds(9990 + i));
+  const std::string strip = timeStrip(when, kReportOrigin, std::chrono::seconds(10), 10, false);
   ASSERT_EQ(strip.size(), 10U);
   EXPECT_NE(strip.front(), ' ');
   EXPECT_EQ(strip.back(), '#');
   EXPECT_EQ(strip.substr(2, 6), "      ");
-  EXPECT_THAT(timeStrip(when, kOrigin, std::chrono::seconds(10), 10, true), HasSubstr("█"));
-  EXPECT_EQ(timeStrip(when, kOrigin, Nanoseconds(0), 10, false), "");
-  EXPECT_EQ(timeStrip(TimeHistogram(), kOrigin, std::chrono::seconds(1), 10, false), "");
+  EXPECT_THAT(timeStrip(when, kReportOrigin, std::chrono::seconds(10), 10, true), HasSubstr("█"));
+  EXPECT_EQ(timeStrip(when, kReportOrigin, Nanoseconds(0), 10, false), "");
+  EXPECT_EQ(timeStrip(TimeHistogram(), kReportOrigin, std::chrono::seconds(1), 10, false), "");
 }
 
 TEST(Baseline, KnowsAFindingAgainWhateverItsNumbers) {

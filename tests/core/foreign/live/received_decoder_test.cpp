@@ -7,7 +7,7 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr LogTime kTime{seconds(1'700'000'000)};
+constexpr LogTime kReceived{seconds(1'700'000'000)};
 
 std::shared_ptr<const decode::DecoderSet> declared(const std::string& which) {
   const std::string text = "[[decoder]]\nname = \"byte\"\nkind = \"struct\"\n" + which +
@@ -33,7 +33,7 @@ std::string madeOf(ReceivedDecoder& decoder, std::size_t endpoint, std::string_v
   ReceivedDatagram datagram;
   datagram.payload = bytesOf(payload);
   datagram.sender = SocketAddress::parse(sender, 4000).value();
-  const MadePacket* const made = decoder.decode(endpoint, datagram, kTime);
+  const MadePacket* const made = decoder.decode(endpoint, datagram, kReceived);
   if (made == nullptr) return "";
   EXPECT_NE(made->packet, nullptr);
   EXPECT_EQ(made->metadata->at("source"), "decoded:byte");
