@@ -28,7 +28,7 @@ std::string shown(std::string_view text) {
   constexpr std::size_t kShownBytes = 40;
   if (text.empty()) return "an empty field";
   return text.size() <= kShownBytes ? fmt::format("`{}`", text)
-                             : fmt::format("`{}...`", text.substr(0, kShownBytes));
+                                    : fmt::format("`{}...`", text.substr(0, kShownBytes));
 }
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
