@@ -64,7 +64,7 @@ TEST(PortHolder, NamesThisProcess) {
   const auto holder = portHolder(receiver->boundAddress());
   ASSERT_TRUE(holder);
   EXPECT_EQ(holder->pid, ::getpid());
-  EXPECT_EQ(holder->name, "net_tests");
+  EXPECT_EQ(holder->name, "network_tests");
 }
 
 TEST(PortHolder, IsNobodyForAFreePort) {

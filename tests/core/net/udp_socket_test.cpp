@@ -160,7 +160,7 @@ TEST(UdpReceiver, RefusesATakenPortAndNamesItsHolder) {
     const auto second = UdpReceiver::open(endpointOf(host + ":" + port));
     ASSERT_FALSE(second.ok());
     EXPECT_EQ(second.error().kind, ErrorKind::refused);
-    EXPECT_EQ(second.error().what, "port " + port + " is held by net_tests (pid " +
+    EXPECT_EQ(second.error().what, "port " + port + " is held by network_tests (pid " +
                                        std::to_string(::getpid()) +
                                        "); use multicast, a relay, --tee or pcap://");
   }
