@@ -1,3 +1,0 @@
-# The same for scripts.
-cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
-rocinante log info --json session.mcap

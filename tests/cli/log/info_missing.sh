@@ -1,1 +1,0 @@
-rocinante log info nowhere.mcap

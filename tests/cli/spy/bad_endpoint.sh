@@ -1,1 +1,0 @@
-rocinante spy nonsense

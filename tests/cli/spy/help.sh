@@ -1,1 +1,0 @@
-rocinante spy --help | sed -n 1,3p
