@@ -31,7 +31,7 @@ endif()
 # Many files at once cost two fifths of what they cost one by one, and most of a build is headers;
 # who changes one file again and again leaves it off. The presets say ON.
 option(ROCINANTE_UNITY "Compile each target's files in a few pieces" OFF)
-set(ROCINANTE_UNITY_BATCH 30 CACHE STRING "Files in each piece: fewer rebuild sooner, more build sooner")
+set(ROCINANTE_UNITY_BATCH 24 CACHE STRING "Files in each piece: fewer rebuild sooner, more build sooner")
 function(rocinante_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROCINANTE_UNITY}
     UNITY_BUILD_BATCH_SIZE ${ROCINANTE_UNITY_BATCH})

@@ -59,9 +59,9 @@ SliderRange sliderRange(const JointRow& row) {
     case ValueKind::length:
       break;
   }
-  constexpr double kFarthest = 1e9;
+  constexpr double kFarthestShown = 1e9;
   double reach = 1;
-  while (reach < std::abs(row.value) && reach < kFarthest) reach *= 10;
+  while (reach < std::abs(row.value) && reach < kFarthestShown) reach *= 10;
   return {-reach, reach};
 }
 
